@@ -54,7 +54,7 @@ class Core:
     status: tuple[str, ...] | None
     model_name: str
     first_set: bool
-    bulk_only: bool
+    illegal: tuple[dict[str, int], ...] = ()
 
     @property
     def id(self) -> str:
@@ -88,7 +88,7 @@ def _port(prefix: str, name: str, spec: str, params: dict[str, int], where: str)
 
 def _expand(name: str, entry: dict) -> list[Core]:
     where = f"cores.toml: {name}"
-    known = {"family", "function", "architecture", "sources", "cfg", "in", "out", "status", "model", "sets"}
+    known = {"family", "function", "architecture", "sources", "cfg", "in", "out", "status", "model", "sets", "illegal"}
     if extra := set(entry) - known:
         raise ValueError(f"{where}: unknown key {sorted(extra)[0]}")
     if missing := {"family", "function", "architecture", "sources", "in", "out", "model", "sets"} - set(entry):
@@ -99,7 +99,7 @@ def _expand(name: str, entry: dict) -> list[Core]:
         raise ValueError(f"{where}: status: unknown bit {sorted(unknown)[0]}")
     cores = []
     for index, one in enumerate(entry["sets"]):
-        if extra := set(one) - {"id", "params", "latency", "ii", "bulk_only"}:
+        if extra := set(one) - {"id", "params", "latency", "ii"}:
             raise ValueError(f"{where}: sets: unknown key {sorted(extra)[0]}")
         params = one["params"]
         status = entry.get("status")
@@ -114,7 +114,8 @@ def _expand(name: str, entry: dict) -> list[Core]:
             cfg=tuple(_port("cfg", key, spec, params, where) for key, spec in entry.get("cfg", {}).items()),
             inputs=tuple(_port("in", key, spec, params, where) for key, spec in entry["in"].items()),
             outputs=tuple(outputs), status=None if status is None else tuple(status),
-            model_name=entry["model"], first_set=index == 0, bulk_only=one.get("bulk_only", False)))
+            model_name=entry["model"], first_set=index == 0,
+            illegal=tuple(entry.get("illegal", ()))))
     return cores
 
 

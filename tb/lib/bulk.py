@@ -1,0 +1,104 @@
+"""Bulk runs: vectors by the hundred thousand through a verilated core, files in and files out."""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ci import tools
+from quadrance.cores import Core, Port
+from quadrance.fixed import Ints, wrap
+from tb.lib.simulate import OPTIMISE, RUNTIME_OBJECTS, simulate
+from tb.lib.stimulus import Vectors
+
+SOURCE = Path(__file__).with_name("bulk.cpp")
+
+
+@dataclass(frozen=True)
+class Result:
+    """What came out: one int64 array a port, and the cycles of every sample.
+
+    latency : (N,) edges from the accepting one to the first with out_valid high.
+    ii : most frequent distance between two accepted samples, None for fewer than two.
+    """
+
+    outputs: dict[str, Ints]
+    latency: Ints
+    accepted: Ints
+
+    @property
+    def ii(self) -> int | None:
+        steps = np.diff(self.accepted)
+        return int(np.bincount(steps).argmax()) if steps.size else None
+
+
+def _accessors(core: Core) -> str:
+    def macro(name: str, ports: Sequence[Port], form: str) -> str:
+        body = " ".join(form.format(port=port.name, i=i) for i, port in enumerate(ports))
+        return f"#define {name}(top, word) do {{ (void)(word); {body} }} while (0)\n"
+
+    return (f"#define CLOCKED {int(core.clocked)}\n#define N_CFG {len(core.cfg)}u\n"
+            f"#define N_IN {len(core.inputs)}\n#define N_OUT {len(core.outputs)}\n"
+            + macro("SET_CFG", core.cfg, "(top).{port} = (word)[{i}];")
+            + macro("SET_IN", core.inputs, "(top).{port} = (word)[{i}];")
+            + macro("GET_OUT", core.outputs, "(word)[{i}] = (top).{port};"))
+
+
+def build(core: Core, label: str = "") -> Path:
+    """Compile the core and the harness, unless that was done for the same sources; the executable."""
+    wide = [port.name for port in (*core.cfg, *core.inputs, *core.outputs) if port.width > 64]
+    if wide:
+        raise ValueError(f"{core.id}: bulk runs carry words of at most 64 bits, {wide[0]} is wider")
+    accessors = _accessors(core)
+    texts = "".join(source.read_text() for source in (*core.sources, SOURCE))
+    digest = hashlib.sha256(f"{texts}{accessors}{core.params}{tools.versions()}".encode()).hexdigest()[:16]
+    program = tools.BUILD / "bulk" / f"{core.id}{label}-{digest}"
+    if program.exists():
+        return program
+    folder = simulate(core, "verilator", compile_only=True, label=label)
+    (folder / "ports.inc").write_text(accessors)
+    include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
+    program.parent.mkdir(parents=True, exist_ok=True)
+    partial = program.with_name(f"{program.name}.{folder.stat().st_ino}")
+    tools.run("g++", OPTIMISE, "-Wno-sign-compare", "-I.", f"-I{include}", f"-I{include}/vltstd", SOURCE, "Vtop__ALL.a",
+              *(name for name in RUNTIME_OBJECTS if (folder / name).exists()), "-lpthread", "-o", partial, cwd=folder)
+    partial.rename(program)
+    return program
+
+
+def stream(core: Core, inputs: Vectors, cfg: dict[str, int] | None = None, *, seed: int = 0,
+           label: str = "") -> Result:
+    """Run `inputs` (one array a port) through the RTL at one configuration, from reset.
+
+    `seed` 0 streams back to back with out_ready high; any other draws idle cycles and stalls.
+    """
+    program = build(core, label)
+    columns = [np.asarray(inputs[port.name], dtype=np.int64) for port in core.inputs]
+    count = columns[0].size
+    words = np.stack([wrap(column, port.width, signed=False) for column, port in zip(columns, core.inputs)], axis=1)
+    values = ",".join(str(int(cfg[port.name]) & (1 << port.width) - 1) for port in core.cfg) if cfg else ""
+    with tempfile.TemporaryDirectory(dir=program.parent) as scratch:
+        source, target = Path(scratch, "in"), Path(scratch, "out")
+        np.ascontiguousarray(words).tofile(source)
+        tools.run(str(program), values, source, target, str(count), str(seed))
+        table = np.fromfile(target, dtype=np.int64).reshape(count, len(core.outputs) + 2)
+    outputs = {port.name: wrap(table[:, i], port.width, port.signed) for i, port in enumerate(core.outputs)}
+    return Result(outputs, table[:, -2], table[:, -1])
+
+
+def compare(core: Core, inputs: Vectors, cfg: dict[str, int], result: Result) -> None:
+    """Assert that the RTL equals the bit-true model on every sample; name the first that does not."""
+    answer = core.model(core.params, **inputs, **cfg)
+    for port in core.outputs:
+        wrong = np.flatnonzero(np.broadcast_to(answer[port.name], result.latency.shape) != result.outputs[port.name])
+        if wrong.size:
+            i = int(wrong[0])
+            sample = {name: int(values[i]) for name, values in inputs.items()}
+            want = int(np.broadcast_to(answer[port.name], result.latency.shape)[i])
+            raise AssertionError(f"{core.id} {cfg} {sample}: {port.name} = {int(result.outputs[port.name][i])}, model "
+                                 f"{want} ({wrong.size} of {result.latency.size} samples differ)")

@@ -1,0 +1,175 @@
+"""Driver, sink, monitors and scoreboard of the AXI-Stream contract that every core keeps.
+
+All of them sample just after the rising edge, where a signal still has the value that the edge saw.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+
+import cocotb
+import numpy as np
+from cocotb.triggers import RisingEdge
+
+from quadrance.cores import Core, Port
+
+Sample = tuple[int, ...]
+
+
+def to_word(port: Port, value: int) -> int:
+    """`value` as the unsigned word that is put on the port."""
+    assert port.low <= value <= port.high, f"{port.name}: {value} does not fit"
+    return int(value) & (1 << port.width) - 1
+
+
+def read(handle, port: Port) -> int:
+    """The value on a port; an X or Z there is an error."""
+    value = handle.value
+    assert value.is_resolvable, f"{port.name} is {value}"
+    return value.to_signed() if port.signed and port.width > 1 else value.to_unsigned()
+
+
+def bit(handle) -> bool:
+    """A control bit; an X there is an error."""
+    text = str(handle.value)
+    assert text in "01", f"{handle._name} is {text}"
+    return text == "1"
+
+
+@dataclass
+class Scoreboard:
+    """What went in and what came out since the last reset; the model decides what is right."""
+
+    core: Core
+    accepted: list[Sample] = field(default_factory=list)
+    results: list[Sample] = field(default_factory=list)
+    accept_cycle: list[int] = field(default_factory=list)
+    valid_cycle: list[int] = field(default_factory=list)
+
+    def expected(self) -> list[Sample]:
+        """The model's answer to every accepted sample, in order."""
+        ports = [*self.core.cfg, *self.core.inputs]
+        columns = np.array(self.accepted, dtype=np.int64).reshape(-1, len(ports)).T
+        answer = self.core.model(self.core.params, **{p.name: c for p, c in zip(ports, columns)})
+        missing = {p.name for p in self.core.outputs} ^ set(answer)
+        assert not missing, f"model and core disagree on the ports {sorted(missing)}"
+        shape = (len(self.accepted),)
+        return list(zip(*(np.broadcast_to(answer[p.name], shape).tolist() for p in self.core.outputs)))
+
+    def check(self, complete: bool = True) -> None:
+        """Every result as the model says; with `complete`, one for each accepted sample and at least one."""
+        if complete:
+            assert len(self.results) == len(self.accepted) > 0, \
+                f"{len(self.results)} results for {len(self.accepted)} accepted samples"
+        assert len(self.results) <= len(self.accepted), "more results than accepted samples"
+        if not self.accepted:
+            return
+        for index, (got, want) in enumerate(zip(self.results, self.expected())):
+            assert got == want, self._difference(index, got, want)
+
+    def _difference(self, index: int, got: Sample, want: Sample) -> str:
+        ins = dict(zip((p.name for p in (*self.core.cfg, *self.core.inputs)), self.accepted[index]))
+        names = [p.name for p in self.core.outputs]
+        return f"sample {index} {ins}: core {dict(zip(names, got))}, model {dict(zip(names, want))}"
+
+
+class Bench:
+    """Clocked core with its driver, sink and monitors; one per cocotb test."""
+
+    def __init__(self, dut, core: Core) -> None:
+        self.dut, self.core = dut, core
+        self.board = Scoreboard(core)
+        self.cfg: dict[str, int] = {}
+        self.cycle = 0
+        self.pressure: Iterable[bool] = iter(lambda: False, None)
+        dut.in_valid.value = 0
+        dut.out_ready.value = 0
+        for port in (*core.cfg, *core.inputs):
+            getattr(dut, port.name).value = 0
+
+    async def reset(self, cycles: int = 2) -> None:
+        """Drop what is in flight; the results so far must still be a prefix of the right ones."""
+        self.dut.rst.value = 1
+        self.dut.in_valid.value = 0
+        for _ in range(cycles):
+            await RisingEdge(self.dut.clk)
+        self.dut.rst.value = 0
+        self.board.check(complete=False)
+        self.board = Scoreboard(self.core)
+
+    def configure(self, cfg: dict[str, int]) -> None:
+        """Set the quasi-static words; only while nothing is in flight."""
+        assert len(self.board.results) == len(self.board.accepted)
+        self.cfg = cfg
+        for port in self.core.cfg:
+            getattr(self.dut, port.name).value = to_word(port, cfg[port.name])
+
+    def start(self) -> None:
+        """Let sink and monitors run until the test ends."""
+        cocotb.start_soon(self._sink())
+        cocotb.start_soon(self._monitor())
+
+    async def _sink(self) -> None:
+        while True:
+            self.dut.out_ready.value = int(not next(self.pressure))
+            await RisingEdge(self.dut.clk)
+
+    async def _monitor(self) -> None:
+        dut, core = self.dut, self.core
+        handles = [(getattr(dut, port.name), port) for port in core.outputs]
+        inputs = [(getattr(dut, port.name), port) for port in core.inputs]
+        held: Sample | None = None
+        shown = False
+        while True:
+            await RisingEdge(dut.clk)
+            self.cycle += 1
+            if bit(dut.rst):
+                held, shown = None, False
+                continue
+            valid, ready = bit(dut.out_valid), bit(dut.out_ready)
+            assert valid or held is None, "out_valid fell before out_ready took the result"
+            if valid:
+                sample = tuple(read(handle, port) for handle, port in handles)
+                assert held in (None, sample), f"result changed while it waited: {held} to {sample}"
+                if not shown:
+                    self.board.valid_cycle.append(self.cycle)
+                held, shown = (None, False) if ready else (sample, True)
+                if ready:
+                    self.board.results.append(sample)
+            if bit(dut.in_valid) & bit(dut.in_ready):
+                self.board.accepted.append((*(self.cfg[port.name] for port in core.cfg),
+                                            *(read(handle, port) for handle, port in inputs)))
+                self.board.accept_cycle.append(self.cycle)
+
+    async def send(self, vectors: dict[str, np.ndarray], idle: Callable[[], int] = lambda: 0,
+                   patience: int = 4000) -> None:
+        """Drive every sample; `idle()` cycles without valid before each."""
+        dut = self.dut
+        handles = [(getattr(dut, port.name), port) for port in self.core.inputs]
+        columns = [np.asarray(vectors[port.name]).tolist() for port in self.core.inputs]
+        for row in zip(*columns):
+            for _ in range(idle()):
+                dut.in_valid.value = 0
+                await RisingEdge(dut.clk)
+            dut.in_valid.value = 1
+            for (handle, port), value in zip(handles, row):
+                handle.value = to_word(port, value)
+            for _ in range(patience):
+                await RisingEdge(dut.clk)
+                if bit(dut.in_ready):
+                    break
+            else:
+                raise AssertionError(f"no in_ready for {patience} cycles")
+        dut.in_valid.value = 0
+
+    async def drain(self, patience: int = 4000) -> None:
+        """Wait until every accepted sample has its result, then a little for one too many."""
+        await RisingEdge(self.dut.clk)
+        for _ in range(patience):
+            await RisingEdge(self.dut.clk)
+            if len(self.board.results) == len(self.board.accepted):
+                break
+        for _ in range(4 + (self.core.latency or 0)):
+            await RisingEdge(self.dut.clk)
+        self.board.check()

@@ -1,0 +1,70 @@
+"""The pytest side: which benches each family of cores gets.
+
+A family's test file says ``test_bench, test_bulk, test_exhaustive = suite.family("arith")``.
+"""
+
+from __future__ import annotations
+
+import os
+import warnings
+
+import numpy as np
+import pytest
+
+from quadrance.cores import Core, all_cores
+from tb.lib import bulk, stimulus
+from tb.lib.simulate import SIMULATORS, available, simulate
+
+SEED = int(os.environ.get("SEED", "2026"))
+EXHAUSTIVE_BITS = 16
+BULK_SAMPLES = 100_000
+LONG_SAMPLES = 1_000_000
+
+
+def simulators() -> list[str]:
+    """Both simulators, or Verilator alone, and then it says so."""
+    usable = [name for name in SIMULATORS if available(name)]
+    if "icarus" not in usable:
+        warnings.warn("Icarus Verilog is not installed: the benches run on Verilator alone", stacklevel=1)
+    return usable
+
+
+def bulk_run(core: Core, samples: int, seed: int) -> int:
+    """Random words (all words of a narrow input), split over the configurations; how many were compared."""
+    rng = np.random.default_rng(seed)
+    configs = stimulus.configs(core, rng)
+    every = stimulus.input_bits(core) <= EXHAUSTIVE_BITS
+    total = 0
+    for index, cfg in enumerate(configs):
+        inputs = stimulus.exhaustive(core) if every else stimulus.uniform(core, rng, samples // len(configs))
+        # odd configurations see idle cycles and stalls, even ones the full rate
+        result = bulk.stream(core, inputs, cfg, seed=(seed + index) * (index % 2))
+        bulk.compare(core, inputs, cfg, result)
+        if core.latency and not index % 2:
+            assert set(np.unique(result.latency)) == {core.latency}, f"{core.id}: latency {np.unique(result.latency)}"
+        total += result.latency.size
+    return total
+
+
+def family(name: str):
+    """The three tests of one family: cocotb bench in both simulators, bulk run, long bulk run."""
+    cores = [core for core in all_cores() if core.family == name]
+    ids = [core.id for core in cores]
+
+    @pytest.mark.full
+    @pytest.mark.parametrize("core", cores, ids=ids)
+    @pytest.mark.parametrize("simulator", simulators())
+    def bench(core: Core, simulator: str) -> None:
+        simulate(core, simulator, seed=SEED)
+
+    @pytest.mark.full
+    @pytest.mark.parametrize("core", cores, ids=ids)
+    def bulk_bench(core: Core) -> None:
+        assert bulk_run(core, BULK_SAMPLES, SEED) > 0
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize("core", cores, ids=ids)
+    def exhaustive(core: Core) -> None:
+        assert bulk_run(core, LONG_SAMPLES, SEED + 1) > 0
+
+    return bench, bulk_bench, exhaustive

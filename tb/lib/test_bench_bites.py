@@ -1,0 +1,63 @@
+"""The bench on cores broken on purpose: a check that never failed is not yet a check."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from quadrance.cores import Core, Port
+from tb.lib import bulk
+from tb.lib.simulate import simulate
+from tb.lib.suite import SEED, simulators
+
+FAULTS = {1: "out_valid_stuck_at_0", 2: "drops_a_sample_under_back_pressure", 3: "one_lsb_off_on_some_words",
+          4: "result_changes_while_it_waits", 5: "late_after_some_words", 6: "survives_a_reset", 7: "sends_twice"}
+
+
+class Specimen(Core):
+    """A register stage; its model is the identity."""
+
+    @property
+    def model(self):
+        """``out_data = in_data``."""
+        return lambda params, in_data: {"out_data": in_data}
+
+    __hash__ = Core.__hash__
+
+
+def specimen(fault: int) -> Specimen:
+    """The register stage with that fault."""
+    return Specimen(
+        name="specimen", family="specimen", function="register", architecture="pipe", set_id=str(fault),
+        params={"W": 8, "FAULT": fault}, latency=1, ii=1, sources=(Path(__file__).parent / "specimens/specimen.v",),
+        cfg=(), inputs=(Port("in_data", 8, False),), outputs=(Port("out_data", 8, False),), status=None,
+        model_name="", first_set=True)
+
+
+@pytest.mark.smoke
+@pytest.mark.full
+@pytest.mark.parametrize("simulator", simulators())
+def test_sound_core_passes(simulator):
+    simulate(specimen(0), simulator, seed=SEED)
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("fault", FAULTS, ids=FAULTS.get)
+def test_broken_core_fails(fault):
+    with pytest.raises(SystemExit, match="FAILED"):
+        simulate(specimen(fault), simulators()[0], seed=SEED)
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("fault", (2, 3), ids=FAULTS.get)
+def test_broken_core_fails_in_bulk(fault):
+    core, words = specimen(fault), {"in_data": np.arange(256)}
+    with pytest.raises((AssertionError, RuntimeError)):
+        bulk.compare(core, words, {}, bulk.stream(core, words, seed=SEED))
+
+
+@pytest.mark.full
+def test_bulk_reports_latency_and_interval():
+    result = bulk.stream(specimen(0), {"in_data": np.arange(256)})
+    assert set(result.latency) == {1} and result.ii == 1
+    assert np.array_equal(result.outputs["out_data"], np.arange(256))
