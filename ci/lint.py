@@ -14,8 +14,9 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from ci import tools
 from quadrance.cores import ROOT, RTL, Core, all_cores
+
+from ci import tools
 from tb.lib.simulate import available
 
 WORK = tools.BUILD / "lint"

@@ -15,9 +15,10 @@ import statistics
 from collections.abc import Sequence
 from pathlib import Path
 
-from ci import tools
 from quadrance import cores
 from quadrance.cores import Core, Port
+
+from ci import tools
 
 CACHE = tools.BUILD / "cache"
 SEEDS = (1, 2, 3)

@@ -14,8 +14,8 @@ import cocotb
 import numpy as np
 from cocotb.clock import Clock
 from cocotb.triggers import RisingEdge, Timer
-
 from quadrance.cores import Core
+
 from tb.lib import stimulus
 from tb.lib.stream import Bench, Scoreboard, read, to_word
 

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-
-from ci import tools
 from quadrance.cores import Core, Port
 from quadrance.fixed import Ints, wrap
+
+from ci import tools
 from tb.lib.simulate import OPTIMISE, RUNTIME_OBJECTS, simulate
 from tb.lib.stimulus import Vectors
 

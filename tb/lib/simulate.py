@@ -9,9 +9,9 @@ import shutil
 from pathlib import Path
 
 from cocotb_test.simulator import run
+from quadrance.cores import Core
 
 from ci import tools
-from quadrance.cores import Core
 
 SIMULATORS = ("icarus", "verilator")
 RUNTIME = tools.BUILD / "verilator-runtime"

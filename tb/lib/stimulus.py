@@ -8,7 +8,6 @@ from importlib.util import find_spec
 from types import ModuleType
 
 import numpy as np
-
 from quadrance.cores import Core, Port
 
 Vectors = dict[str, np.ndarray]

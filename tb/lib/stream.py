@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 import cocotb
 import numpy as np
 from cocotb.triggers import RisingEdge
-
 from quadrance.cores import Core, Port
 
 Sample = tuple[int, ...]

@@ -10,8 +10,8 @@ import warnings
 
 import numpy as np
 import pytest
-
 from quadrance.cores import Core, all_cores
+
 from tb.lib import bulk, stimulus
 from tb.lib.simulate import SIMULATORS, available, simulate
 

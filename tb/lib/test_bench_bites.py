@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from quadrance.cores import Core, Port
+
 from tb.lib import bulk
 from tb.lib.simulate import simulate
 from tb.lib.suite import SEED, simulators
