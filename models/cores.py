@@ -78,7 +78,7 @@ class Core:
 
 def _port(prefix: str, name: str, spec: str, params: dict[str, int], where: str) -> Port:
     match = re.fullmatch(r"([us])(\S.*)", spec)
-    if not match or re.search(r"[^\w\s+\-*/()]", match[2]):
+    if not match or re.search(r"[^\w\s+\-*/(),]", match[2]):
         raise ValueError(f"{where}: port {name}: '{spec}' is not u or s and a width in the parameters")
     width = int(eval(match[2], {"__builtins__": {}, "max": max, "min": min}, dict(params)))
     if width < 1:
@@ -132,4 +132,5 @@ def find(name: str) -> Core:
     for core in all_cores():
         if name == core.id or (name == core.name and core.first_set):
             return core
-    raise KeyError(f"no core '{name}' in rtl/cores.toml; there are {', '.join(dict.fromkeys(c.name for c in all_cores()))}")
+    names = ", ".join(dict.fromkeys(core.name for core in all_cores()))
+    raise KeyError(f"no core '{name}' in rtl/cores.toml; there are {names}")

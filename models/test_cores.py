@@ -19,7 +19,7 @@ in = { j1 = "u2+S" }
 out = { x = "sW", y = "smax(W, S)" }
 status = ["overflow"]
 sets = [ { id = "S24", params = { W = 16, S = 24 }, latency = 3, ii = 1 },
-         { id = "S8", params = { W = 16, S = 8 }, latency = 0, ii = 0, bulk_only = true } ]
+         { id = "S8", params = { W = 16, S = 8 }, latency = 0, ii = 0 } ]
 """)
 
 
@@ -31,7 +31,7 @@ def test_expansion_of_one_entry():
     assert first.outputs == (Port("out_x", 16, True), Port("out_y", 24, True), Port("out_status", 4, False))
     assert second.outputs[1].width == 16
     assert [path.name for path in first.sources] == ["x.v", "y.v"] and first.sources[0].parent.parent == cores.RTL
-    assert first.first_set and not second.first_set and second.bulk_only and not first.bulk_only
+    assert first.first_set and not second.first_set
     assert first.clocked and not second.clocked
     assert first.model([9])[0] == 3
     assert len({first, second, first}) == 2

@@ -13,7 +13,7 @@ from quadrance.cores import Core, Port
 from quadrance.fixed import Ints, wrap
 
 from ci import tools
-from tb.lib.simulate import OPTIMISE, RUNTIME_OBJECTS, simulate
+from tb.lib.simulate import OPTIMISE, runtime, simulate
 from tb.lib.stimulus import Vectors
 
 SOURCE = Path(__file__).with_name("bulk.cpp")
@@ -66,7 +66,7 @@ def build(core: Core, label: str = "") -> Path:
     program.parent.mkdir(parents=True, exist_ok=True)
     partial = program.with_name(f"{program.name}.{folder.stat().st_ino}")
     tools.run("g++", OPTIMISE, "-Wno-sign-compare", "-I.", f"-I{include}", f"-I{include}/vltstd", SOURCE, "Vtop__ALL.a",
-              *(name for name in RUNTIME_OBJECTS if (folder / name).exists()), "-lpthread", "-o", partial, cwd=folder)
+              *runtime(), "-lpthread", "-o", partial, cwd=folder)
     partial.rename(program)
     return program
 

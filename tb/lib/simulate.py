@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import logging
 import os
 import pickle
@@ -14,8 +15,6 @@ from quadrance.cores import Core
 from ci import tools
 
 SIMULATORS = ("icarus", "verilator")
-RUNTIME = tools.BUILD / "verilator-runtime"
-RUNTIME_OBJECTS = ("verilated.o", "verilated_dpi.o", "verilated_vpi.o", "verilated_threads.o")
 OPTIMISE = "-O1"  # the build costs more than the runs it speeds up
 
 
@@ -29,22 +28,20 @@ def build_folder(core: Core, simulator: str, label: str = "") -> Path:
     return tools.BUILD / "sim" / simulator / (core.id + label)
 
 
-def _seed_runtime(folder: Path) -> None:
-    """Put Verilator's own compiled run-time into `folder`: it is three quarters of a build."""
+def runtime() -> list[Path]:
+    """Verilator's own run-time, compiled once and linked into every core: it is most of a build."""
+    folder = tools.BUILD / "verilator-runtime"
     folder.mkdir(parents=True, exist_ok=True)
-    for name in RUNTIME_OBJECTS:
-        if (RUNTIME / name).exists() and not (folder / name).exists():
-            shutil.copy(RUNTIME / name, folder / name)
-
-
-def _keep_runtime(folder: Path) -> None:
-    """Keep the run-time that the first build compiled for the builds after it."""
-    RUNTIME.mkdir(parents=True, exist_ok=True)
-    for name in RUNTIME_OBJECTS:
-        if not (RUNTIME / name).exists():
-            partial = RUNTIME / f"{name}.{os.getpid()}"
-            shutil.copy(folder / name, partial)
-            partial.rename(RUNTIME / name)
+    include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
+    flags = ["-std=gnu++17", OPTIMISE, f"-I{include}", f"-I{include}/vltstd", "-DVERILATOR=1",
+             *(f"-DVM_{name}=0" for name in ("COVERAGE", "SC", "TIMING", "TRACE", "TRACE_FST", "TRACE_VCD"))]
+    objects = [folder / f"{name}.o" for name in ("verilated", "verilated_dpi", "verilated_vpi", "verilated_threads")]
+    with open(folder / "lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        for target in objects:
+            if not target.exists():
+                tools.run("g++", *flags, "-c", "-o", target, include / f"{target.stem}.cpp")
+    return objects
 
 
 def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests: str | None = None,
@@ -67,15 +64,17 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
     if not available(simulator):
         tools.require("iverilog")
     folder = build_folder(core, simulator, label)
-    if simulator == "verilator":
-        _seed_runtime(folder)
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "core.pickle").write_bytes(pickle.dumps(core))
     previous = dict(os.environ)
     os.environ.update(tools.environment())
     os.environ.pop("COCOTB_RESULTS_FILE", None)
     logging.getLogger("cocotb").propagate = True
-    extra = {"make_args": [f"OPT_FAST={OPTIMISE}", f"OPT_GLOBAL={OPTIMISE}"]} if simulator == "verilator" else {}
+    extra = {}
+    if simulator == "verilator":
+        extra["make_args"] = [f"OPT_FAST={OPTIMISE}", f"OPT_GLOBAL={OPTIMISE}"]
+        if not waves:
+            extra["make_args"] += ["VK_GLOBAL_OBJS=", f"LOADLIBES={' '.join(map(str, runtime()))}"]
     try:
         run(simulator=simulator, toplevel=core.name, module=module, python_search=[str(tools.ROOT)],
             verilog_sources=[str(source) for source in core.sources],
@@ -86,8 +85,6 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
     finally:
         os.environ.clear()
         os.environ.update(previous)
-    if simulator == "verilator":
-        _keep_runtime(folder)
     for stale in folder.glob("*_results.xml"):
         stale.unlink()
     return folder
