@@ -1,0 +1,54 @@
+# Quadrance: every command a user or CI needs. `make help` lists them.
+PYTHON ?= python3
+ARM    ?= cobra600
+SEED   ?= 2026
+CORE   ?= rational_fk1
+N      ?= auto
+
+VENV := .venv
+PY   := $(VENV)/bin/python
+export SEED
+export PYTHONPATH := $(CURDIR)
+
+.DEFAULT_GOAL := help
+.PHONY: help setup lint test smoke report report-check formal waves mutants exhaustive clean
+
+help: ## this list
+	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
+	@echo "options: ARM=name|file.toml  CORE=name  SEED=n  N=parallel jobs"
+
+setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
+
+$(VENV)/ready: requirements.lock pyproject.toml ci/setup.sh
+	@PYTHON=$(PYTHON) sh ci/setup.sh $(VENV)
+	@touch $@
+
+lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pages and reports complete
+	@$(PY) -m ci.lint
+
+test: setup ## every bench in both simulators and every model test
+	@$(PY) -m pytest -q -n $(N) --dist worksteal -m "not slow" --junitxml build/test.xml
+
+smoke: setup ## the first parameter set of every core, Icarus only
+	@$(PY) -m pytest -q -n $(N) -m smoke
+
+report: setup ## latency, area, clock and accuracy of every core on an arm's trajectory
+	@$(PY) -m ci.report --arm $(ARM)
+
+report-check: setup ## fails when the committed report no longer follows from the sources
+	@$(PY) -m ci.report --check
+
+formal: setup ## proofs of the arithmetic primitives and the handshakes
+	@$(PY) -m ci.formal
+
+waves: setup ## a waveform of CORE's bench and the command to open it
+	@$(PY) -m ci.waves $(CORE)
+
+mutants: setup ## break every core in 30 ways; the benches must notice
+	@$(PY) -m ci.mutants
+
+exhaustive: setup ## 10^6 random vectors a core, and every input where it has at most 16 bits
+	@$(PY) -m pytest -q -n $(N) --dist worksteal -m slow
+
+clean: ## remove what the tools made; .venv stays
+	rm -rf build

@@ -1,0 +1,25 @@
+"""`make waves CORE=...`: record the bench of a core and say how to look at it."""
+
+from __future__ import annotations
+
+import sys
+
+from ci import tools
+from quadrance import cores
+from tb.lib.simulate import available, simulate
+
+
+def main() -> None:
+    try:
+        core = cores.find(sys.argv[1])
+    except KeyError as error:
+        raise SystemExit(f"waves: {error.args[0]}") from None
+    simulator = "icarus" if available("icarus") else "verilator"
+    folder = simulate(core, simulator, tests="corners|latency", waves=True, label="-waves")
+    wave = max((p for p in folder.iterdir() if p.suffix in (".fst", ".vcd")), key=lambda p: p.stat().st_mtime)
+    name = wave.relative_to(tools.ROOT)
+    print(f"waves: {name}\nopen it with: gtkwave {name}   (or: surfer {name})")
+
+
+if __name__ == "__main__":
+    main()
