@@ -51,7 +51,7 @@ class Verdict:
 
 def _prepare(core: Core) -> str:
     sets = " ".join(f"-set {k} {v}" for k, v in core.params.items())
-    files = " ".join(map(str, core.sources))
+    files = " ".join(os.path.relpath(source, tools.ROOT) for source in core.sources)
     return (f"read_verilog -defer {files}; " + (f"chparam {sets} {core.name}; " if sets else "")
             + f"prep -flatten -top {core.name}; ")
 
