@@ -1,0 +1,413 @@
+"""From report.json to what people read: tables, Markdown, README blocks, plots. Pure but for the plots."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+Row = dict  # one element of report["cores"]
+
+KINEMATIC = ("fk1", "fk2", "fk3", "ik1", "ik2", "ik3")
+FAMILIES = ("paper", "rational", "classic")
+PAPER_LE = {"fk1": (359, 1573), "fk2": (582, 1657), "fk3": (918, 1796),  # Tables III and IV: rational, CORDIC
+            "ik1": (317, 1569), "ik2": (671, 1673), "ik3": (1023, 1787)}
+PAPER_CYCLES = {"fk1": (2, 22), "fk2": (10, 25), "fk3": (15, 52)}  # Table V, at 50 MHz
+PAPER_MHZ = 50
+PLOTS = ("area_latency.png", "accuracy.png")
+
+
+@dataclass(frozen=True)
+class Table:
+    """A titled grid of strings; the first `text` columns are text, the others numbers."""
+
+    title: str
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    text: int = 1
+
+    def markdown(self) -> str:
+        """As a Markdown table, without its title."""
+        rule = [":--" if i < self.text else "--:" for i in range(len(self.head))]
+        lines = [self.head, tuple(rule), *self.rows]
+        return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def number(value: float | None, digits: int = 3) -> str:
+    """`digits` significant digits without an exponent; a dash for None."""
+    if value is None:
+        return "–"
+    if value == 0:
+        return "0"
+    if abs(value) < 10.0**-digits:
+        return f"< {10.0**-digits:.{digits}f}"
+    text = f"{value:.{digits}g}"
+    return text if "e" not in text else f"{value:.0f}"
+
+
+def name(row: Row) -> str:
+    """Core and parameter set."""
+    return f"{row['core']}-{row['set']}"
+
+
+def pick(report: dict, functions: Iterable[str], families: Iterable[str] = FAMILIES) -> list[Row]:
+    """Rows of those functions and families: function first, then family, then the order of cores.toml."""
+    functions, families = list(functions), list(families)
+    rows = [row for row in report["cores"] if row["function"] in functions and row["family"] in families]
+    return sorted(rows, key=lambda row: (functions.index(row["function"]), families.index(row["family"])))
+
+
+def _part(row: Row, key: str, part: str) -> float | None:
+    return row[key][part] if row[key] else None
+
+
+def _cycles(row: Row) -> str:
+    return "comb." if row["latency_cycles"] == 0 else str(row["latency_cycles"])
+
+
+# Tables
+
+
+def cost_table(title: str, rows: list[Row]) -> Table:
+    """Latency, II, area in every flow and clock."""
+    def line(row: Row) -> tuple[str, ...]:
+        area = row["area"]
+        alm = area["cyclonev"]
+        return (f"`{name(row)}`", row["architecture"], _cycles(row), "–" if row["ii"] in (0, None) else str(row["ii"]),
+                number(row["fmax_mhz"]["ecp5"], 4), number(row["latency_ns"]), str(alm["lut"]), str(alm["ff"]),
+                str(alm["dsp"]), str(alm["mem"]), str(area["cyclonev_nodsp"]["lut"]), str(area["ice40"]["lut"]),
+                str(area["ecp5"]["lut"]))
+
+    return Table(title, ("core", "architecture", "cycles", "II", "MHz", "ns", "ALUT", "FF", "DSP", "mem",
+                         "ALUT, no DSP", "iCE40 LC", "ECP5 LUT"), tuple(map(line, rows)), text=2)
+
+
+def accuracy_table(title: str, rows: list[Row]) -> Table:
+    """Arithmetic error on the trajectory and in the sweep, and the words' own error apart."""
+    def line(row: Row) -> tuple[str, ...]:
+        return (f"`{name(row)}`", *(number(_part(row, key, part)) for key, part in (
+            ("error_lsb", "max"), ("error_lsb", "rms"), ("error_mm", "max"), ("error_mm", "rms"),
+            ("sweep_error_lsb", "max"), ("sweep_error_lsb", "rms"),
+            ("input_error_lsb", "max"), ("input_error_lsb", "rms"))))
+
+    return Table(title, ("core", "max LSB", "rms LSB", "max mm", "rms mm", "sweep max", "sweep rms",
+                         "words max LSB", "words rms LSB"), tuple(map(line, rows)))
+
+
+def headline_table(report: dict, functions: Iterable[str] = ("fk1", "ik1")) -> Table:
+    """The one-joint numbers of the README."""
+    def line(row: Row) -> tuple[str, ...]:
+        area = row["area"]["cyclonev"]
+        return (f"`{name(row)}`", _cycles(row), number(row["latency_ns"]), number(row["fmax_mhz"]["ecp5"], 4),
+                str(area["lut"]), str(area["dsp"]), str(area["mem"]), str(row["area"]["cyclonev_nodsp"]["lut"]),
+                number(_part(row, "error_lsb", "max")), number(_part(row, "error_mm", "max")),
+                number(_part(row, "input_error_lsb", "max")))
+
+    rows = pick(report, functions)
+    return Table("One joint", ("core", "cycles", "ns", "MHz", "ALUT", "DSP", "mem", "ALUT, no DSP", "error LSB",
+                               "error mm", "words LSB"), tuple(map(line, rows)))
+
+
+def kind(row: Row) -> str:
+    """Column of the paper's comparison that a row belongs to; empty for none (a pipeline)."""
+    if row["family"] != "classic":
+        return row["family"]
+    return {"comb": "parallel", "parallel": "parallel", "iter": "iterative"}.get(row["architecture"].split("_")[0], "")
+
+
+def best(rows: list[Row], measure: Callable[[Row], float | None]) -> Row | None:
+    """The row with the smallest measure; the first of equals."""
+    known = [row for row in rows if measure(row) is not None]
+    return min(known, key=measure) if known else None
+
+
+def area_of(row: Row) -> float:
+    return row["area"]["cyclonev"]["lut"]
+
+
+def paper_table(report: dict, functions: tuple[str, ...], title: str, measured: str) -> Table:
+    """One of Tables III, IV (`measured` = "LE") or V ("cycles"): the paper's columns and ours, one flow.
+
+    Where a family has several cores the one with the smallest figure stands in the cell, named below the table.
+    """
+    def cell(rows: list[Row]) -> str:
+        if measured == "LE":
+            row = best(rows, area_of)
+            if row is None:
+                return "–"
+            dsp = row["area"]["cyclonev"]["dsp"]
+            memory = row["area"]["cyclonev"]["mem"]
+            extra = "".join(f" + {count} {what}" for count, what in ((dsp, "DSP"), (memory, "mem")) if count)
+            return f"{area_of(row):.0f}{extra} ({row['area']['cyclonev_nodsp']['lut']})"
+        row = best(rows, lambda one: one["latency_cycles"])
+        if row is None:
+            return "–"
+        slow = f", {number(row['fmax_mhz']['ecp5'])} MHz" if row["fmax_mhz"]["ecp5"] < PAPER_MHZ else ""
+        return f"{row['latency_cycles']} ({number(row['latency_ns'])} ns{slow})"
+
+    lines = []
+    for function in functions:
+        rows = pick(report, [function])
+        if not rows:
+            continue
+        figures = PAPER_LE if measured == "LE" else PAPER_CYCLES
+        rational, cordic = map(str, figures[function])
+        of = {column: cell([row for row in rows if kind(row) == column])
+              for column in ("paper", "rational", "parallel", "iterative")}
+        theirs = (cordic, "–") if measured == "LE" else ("–", cordic)
+        lines.append((function.upper(), rational, of["paper"], of["rational"], theirs[0], of["parallel"],
+                      theirs[1], of["iterative"]))
+    return Table(title, ("", "rational, printed", "`paper_*`", "`rational_*`", "parallel CORDIC, printed",
+                         "`classic_*` parallel", "iterative CORDIC, printed", "`classic_*` iterative"), tuple(lines))
+
+
+def paper_tables(report: dict) -> list[Table]:
+    """Tables III, IV and V with the rows that exist."""
+    tables = [
+        paper_table(report, ("fk1", "fk2", "fk3"), "Table III: logic elements, forward kinematics", "LE"),
+        paper_table(report, ("ik1", "ik2", "ik3"), "Table IV: logic elements, inverse kinematics", "LE"),
+        paper_table(report, ("fk1", "fk2", "fk3"), "Table V: clock cycles at 50 MHz, forward kinematics", "cycles")]
+    return [table for table in tables if table.rows]
+
+
+# Sentences
+
+METRICS: tuple[tuple[str, str, Callable[[Row], float | None]], ...] = (
+    ("ALUT with DSP blocks", "", area_of),
+    ("ALUT without DSP blocks", "", lambda row: row["area"]["cyclonev_nodsp"]["lut"]),
+    ("iCE40 logic cells", "", lambda row: row["area"]["ice40"]["lut"]),
+    ("ECP5 LUTs", "", lambda row: row["area"]["ecp5"]["lut"]),
+    ("DSP blocks", "", lambda row: row["area"]["cyclonev"]["dsp"]),
+    ("memory blocks", "", lambda row: row["area"]["cyclonev"]["mem"]),
+    ("latency in cycles", "", lambda row: row["latency_cycles"]),
+    ("latency in ns", " ns", lambda row: row["latency_ns"]),
+    ("clock", " MHz", lambda row: -row["fmax_mhz"]["ecp5"]),
+    ("samples per second", " ns a sample", lambda row: row["ii"] * 1000 / row["fmax_mhz"]["ecp5"] if row["ii"] else None),
+    ("greatest arithmetic error", " LSB", lambda row: _part(row, "error_lsb", "max")),
+    ("greatest error of the words", " LSB", lambda row: _part(row, "input_error_lsb", "max")),
+)
+
+
+def cordic_wins(report: dict) -> list[str]:
+    """One sentence for each function and figure in which the best classic core beats the best rational one."""
+    sentences = []
+    for function in KINEMATIC:
+        classic, rational = pick(report, [function], ["classic"]), pick(report, [function], ["rational"])
+        for label, unit, measure in METRICS:
+            one, other = best(classic, measure), best(rational, measure)
+            if one and other and measure(one) < measure(other):
+                sentences.append(f"{function.upper()}, {label}: `{name(one)}` {number(abs(measure(one)), 4)}{unit} "
+                                 f"against {number(abs(measure(other)), 4)}{unit} of `{name(other)}`.")
+    return sentences
+
+
+def pareto(report: dict) -> list[str]:
+    """For each function: does a rational core take less area and fewer cycles than every iterative CORDIC core,
+    at no larger arithmetic error? If not, by how much it misses."""
+    sentences = []
+    for function in KINEMATIC:
+        rational = pick(report, [function], ["rational"])
+        for rival in (row for row in pick(report, [function], ["classic"]) if kind(row) == "iterative"):
+            if not rational:
+                continue
+
+            def excess(row: Row, rival: Row = rival) -> tuple[float, float, float]:
+                """How much worse than the rival: ALUTs, cycles, greatest error in LSB (0 or less: not worse)."""
+                ours, theirs = (_part(one, "error_lsb", "max") or 0.0 for one in (row, rival))
+                return (area_of(row) - area_of(rival) + 1, row["latency_cycles"] - rival["latency_cycles"] + 1,
+                        ours - theirs)
+
+            winners = [row for row in rational if max(excess(row)) <= 0]
+            if winners:
+                sentences.append(f"{function.upper()}: `{name(winners[0])}` takes fewer ALUTs and fewer cycles than "
+                                 f"`{name(rival)}` at no larger arithmetic error.")
+            else:
+                closest = min(rational, key=lambda row: (sum(one > 0 for one in excess(row)), max(excess(row)[0], 0)))
+                area, cycles, error = excess(closest)
+                misses = [text for value, text in (
+                    (area, f"{area - 1:.0f} ALUTs more"), (cycles, f"{cycles - 1:.0f} cycles more"),
+                    (error, f"a {number(error)} LSB larger error")) if value > 0]
+                misses = [text.replace("0 ALUTs more", "as many ALUTs") if text.startswith("0 ") and "ALUT" in text else
+                          text.replace("0 cycles more", "as many cycles") if text.startswith("0 ") and "cycles" in text
+                          else text for text in misses]
+                sentences.append(f"{function.upper()}: no rational core beats `{name(rival)}` in area and cycles at no "
+                                 f"larger error; the closest, `{name(closest)}`, has {' and '.join(misses)}.")
+    return sentences
+
+
+# Documents
+
+HOW_TO_READ = """\
+**ALUT** is a proxy for logic elements: every `MISTRAL_ALUT*` cell of Yosys' Cyclone V flow (registers pack beside
+them), DSP blocks and memory blocks in their own columns; *no DSP* repeats it with multipliers in logic. **iCE40 LC**
+and **ECP5 LUT** are the same source in two other flows. **MHz** is nextpnr's clock for ECP5-25k, speed grade 6, all
+ports registered, median of three seeds; **ns** is the latency at that clock (for combinational primitives: one
+period). **cycles** and **II** are measured in simulation of the Verilog. Errors are distances at the tip, one LSB is
+2^-F units: **error** is arithmetic alone, against float64 on the same input words; **words** is what an exact core of
+the same word lengths would lose by rounding the joints, targets and links (for inverse cores also the answered joint
+words). **sweep** is the greatest error over random and border inputs instead of the trajectory."""
+
+
+def trajectory_note(report: dict) -> str:
+    """What was run, in one paragraph."""
+    arm = report["trajectory"]
+    yaw = "" if arm["yaw"] else " The arm has no yaw: three-joint cores see its two links stood on a turntable."
+    return (f"Arm `{report['arm']}`, {arm['name']}: links {number(arm['l1_mm'], 5)} mm and {number(arm['l2_mm'], 5)} mm, "
+            f"{number(arm['mm_per_unit'], 5)} mm a unit (1 LSB of Q7.8 is {number(arm['mm_per_unit'] / 256)} mm). "
+            f"{arm['samples']} samples of a circle, a line and a pick-and-place within the joint limits. One-joint cores "
+            f"move the first link alone.{yaw}")
+
+
+def markdown(report: dict) -> str:
+    """The whole of report.md."""
+    kinematic = pick(report, KINEMATIC)
+    others = [row for row in report["cores"] if row["function"] not in KINEMATIC]
+    parts = ["<!-- Generated by `make report` from report.json: do not edit. -->", "# What the cores cost",
+             trajectory_note(report), HOW_TO_READ]
+    if kinematic:
+        parts += [f"## {(table := cost_table('Kinematic cores', kinematic)).title}", table.markdown(),
+                  "![Area against latency](area_latency.png)",
+                  f"## {(table := accuracy_table('Accuracy at the tip', kinematic)).title}", table.markdown(),
+                  "![Accuracy](accuracy.png)"]
+    if others:
+        parts += [f"## {(table := cost_table('Primitives', others)).title}", table.markdown()]
+        known = [row for row in others if row["sweep_error_lsb"]]
+        if known:
+            rows = tuple((f"`{name(row)}`", number(row["sweep_error_lsb"]["max"]), number(row["sweep_error_lsb"]["rms"]))
+                         for row in known)
+            parts += ["Error against the real-valued function, in LSB of the output, over random and border inputs:",
+                      Table("", ("primitive", "max LSB", "rms LSB"), rows).markdown()]
+    parts += ["## Beside the paper", PAPER_NOTE]
+    for table in paper_tables(report):
+        parts += [f"### {table.title}", table.markdown()]
+    parts += ["## Rational against iterative CORDIC", _list(pareto(report), "No function has both yet.")]
+    parts += ["## Where CORDIC wins", "Best classic core against best rational core, figure by figure:",
+              _list(cordic_wins(report), "In none of the figures.")]
+    versions = ", ".join(f"{tool} {version}" for tool, version in report["tools"].items())
+    parts += ["## Tools", versions]
+    return "\n\n".join(parts) + "\n"
+
+
+PAPER_NOTE = """\
+The paper counts Cyclone V logic elements (Quartus 16.0) and cycles at 50 MHz; ours are the ALUT proxy with DSP blocks
+beside it (in brackets: without DSP blocks) and measured cycles with the time at the core's own ECP5 clock. It compares
+area with the parallel CORDIC alone and latency with the iterative one alone; here both stand against both. Each
+cell is the family's smallest figure, so the area and the cycles of one column may come from two cores."""
+
+
+def _list(sentences: list[str], none: str) -> str:
+    return "\n".join(f"- {sentence}" for sentence in sentences) if sentences else none
+
+
+def blocks(report: dict) -> dict[str, str]:
+    """The generated blocks of the README by name."""
+    paper = "\n\n".join(f"**{table.title}**\n\n{table.markdown()}" for table in paper_tables(report))
+    return {"headline": headline_table(report).markdown(), "paper": paper,
+            "cordic": _list(pareto(report) + cordic_wins(report), "No function has both families yet.")}
+
+
+def readme(text: str, report: dict) -> str:
+    """`text` with every block between ``<!-- report:NAME -->`` and ``<!-- /report:NAME -->`` replaced.
+
+    Raises
+    ------
+    ValueError
+        A marker of an unknown block, one that is not closed, or a README without the headline block.
+    """
+    made = blocks(report)
+    opened = re.findall(r"<!-- report:(\S+) -->", text)
+    closed = re.findall(r"<!-- /report:(\S+) -->", text)
+    if unknown := [one for one in opened + closed if one not in made]:
+        raise ValueError(f"README.md: no report block is called '{unknown[0]}'; there are {', '.join(made)}")
+    if opened != closed:
+        raise ValueError(f"README.md: report blocks open as {opened} and close as {closed}")
+    if "headline" not in opened:
+        raise ValueError("README.md: has no <!-- report:headline --> ... <!-- /report:headline --> block")
+    for block, content in made.items():
+        text = re.sub(rf"(<!-- report:{block} -->\n).*?(<!-- /report:{block} -->)",
+                      lambda match, content=content: f"{match[1]}{content}\n{match[2]}", text, flags=re.DOTALL)
+    return text
+
+
+# Plots
+
+
+def stamp(report: dict) -> str:
+    """Digest of the figures a plot shows; written into the PNG so that a stale plot is found."""
+    return hashlib.sha256(json.dumps(report["cores"], sort_keys=True).encode()).hexdigest()[:24]
+
+
+def plots(report: dict, folder: Path) -> None:
+    """Write the plots (`PLOTS`) of the kinematic cores."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    rows = pick(report, KINEMATIC)
+    colour = {"paper": "tab:orange", "rational": "tab:green", "classic": "tab:blue"}
+    marker = dict(zip(KINEMATIC, "os^DvP"))
+    metadata = {"Software": None, "Description": stamp(report)}
+
+    figure, axes = pyplot.subplots(1, 2, figsize=(15, 7), sharey=True)
+    for axis, unit, measure, clock in ((axes[0], "cycles", lambda row: row["latency_cycles"], 1),
+                                       (axes[1], "ns at the core's own ECP5 clock", lambda row: row["latency_ns"],
+                                        1000 / PAPER_MHZ)):
+        points = [(measure(row), area_of(row), name(row), colour[row["family"]], marker[row["function"]], "full")
+                  for row in rows]
+        shown = {row["function"] for row in rows}
+        for function in (one for one in PAPER_CYCLES if one in shown):
+            for i, (label, tint) in enumerate((("printed rational", "tab:orange"), ("printed CORDIC*", "tab:blue"))):
+                points.append((PAPER_CYCLES[function][i] * clock, PAPER_LE[function][i], f"{label} {function.upper()}",
+                               tint, marker[function], "none"))
+        for x, y, label, tint, shape, fill in points:
+            axis.plot([x], [y], marker=shape, color=tint, linestyle="", fillstyle=fill, markersize=8)
+        for (x, y, label, *_), (dx, dy) in zip(points, _spread(points)):
+            axis.annotate(label, (x, y), xytext=(dx, dy), textcoords="offset points", fontsize=7, va="center",
+                          arrowprops={"arrowstyle": "-", "lw": 0.3, "color": "grey"})
+        axis.set(xscale="log", yscale="log", xlabel=f"latency, {unit}")
+        axis.grid(True, which="both", alpha=0.25)
+        axis.margins(x=0.25, y=0.12)
+    axes[0].set_ylabel("Cyclone V ALUT (proxy for LE), DSP blocks not counted")
+    figure.suptitle("Area against latency. Orange paper's circuits, green rational, blue CORDIC; hollow: printed in the "
+                    "paper, 50 MHz\n(*its CORDIC point joins the area of the parallel with the cycles of the iterative)")
+    figure.tight_layout()
+    figure.savefig(folder / PLOTS[0], dpi=110, metadata=metadata)
+    pyplot.close(figure)
+
+    rows = [row for row in rows if row["error_lsb"]]
+    figure, axis = pyplot.subplots(figsize=(11, 1.5 + 0.36 * max(len(rows), 1)))
+    floor = 1e-3
+    for i, row in enumerate(rows):
+        axis.barh(i + 0.2, max(row["error_lsb"]["max"], floor), 0.38, color=colour[row["family"]])
+        axis.barh(i - 0.2, max(_part(row, "input_error_lsb", "max") or 0, floor), 0.38, color="lightgrey")
+    axis.set_yticks(range(len(rows)), [name(row) for row in rows], fontsize=8)
+    axis.set(xscale="log", xlabel="greatest error at the tip on the trajectory, LSB "
+             "(coloured: arithmetic; grey: rounding of the words)")
+    axis.axvline(1, color="black", linewidth=0.8)
+    axis.invert_yaxis()
+    axis.grid(True, axis="x", alpha=0.25)
+    figure.tight_layout()
+    figure.savefig(folder / PLOTS[1], dpi=110, metadata=metadata)
+    pyplot.close(figure)
+
+
+def _spread(points: list[tuple]) -> list[tuple[float, float]]:
+    """Label offsets in points: right of the mark, moved down a line where the place is taken."""
+    import math
+
+    taken: list[tuple[float, float]] = []
+    offsets = []
+    for x, y, *_ in points:
+        place_x, place_y, step = 130 * math.log10(max(x, 0.5)), 170 * math.log10(max(y, 1)), 0
+        order = sorted(range(-14, 15), key=abs)
+        while any(abs(place_x - tx) < 95 and abs(place_y + 10 * order[step] - ty) < 9.5 for tx, ty in taken):
+            if step + 1 == len(order):
+                break
+            step += 1
+        taken.append((place_x, place_y + 10 * order[step]))
+        offsets.append((10, 10 * order[step]))
+    return offsets
