@@ -1,0 +1,62 @@
+"""The models of rtl/arith against their defining inequalities and Python's big integers."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from quadrance import arith
+
+
+@pytest.mark.parametrize(("width", "fraction"), [(16, 0), (15, 1), (9, 3)])
+def test_isqrt_of_every_word(width: int, fraction: int) -> None:
+    d = np.arange(1 << width)
+    out = arith.isqrt({"W": width, "F": fraction}, in_d=d)
+    root, rem = out["out_root"], out["out_rem"]
+    assert (root * root + rem == d << 2 * fraction).all()
+    assert (rem >= 0).all() and (rem <= 2 * root).all()
+    assert root.max() < 1 << (width + 1) // 2 + fraction
+
+
+@given(st.integers(1, 32), st.integers(0, 15), st.data())
+def test_isqrt_is_the_floor_of_the_root(width: int, fraction: int, data: st.DataObject) -> None:
+    d = data.draw(st.integers(0, (1 << width) - 1))
+    out = arith.isqrt({"W": width, "F": fraction}, in_d=np.array([d]))
+    assert out["out_root"].item() == math.isqrt(d << 2 * fraction)
+
+
+@given(st.integers(0, (1 << 31) - 1), st.integers(-1, 1))
+def test_isqrt_at_squares_and_their_neighbours(root: int, offset: int) -> None:
+    d = max(root * root + offset, 0)
+    assert arith.isqrt({"W": 62, "F": 0}, in_d=np.array([d]))["out_root"].item() == math.isqrt(d)
+
+
+@given(st.integers(1, 32), st.integers(1, 32), st.integers(0, 20), st.data())
+def test_divide_is_euclid(wn: int, wd: int, fraction: int, data: st.DataObject) -> None:
+    n = data.draw(st.integers(0, (1 << wn) - 1))
+    d = data.draw(st.integers(0, (1 << wd) - 1))
+    out = arith.divide({"WN": wn, "WD": wd, "F": fraction}, in_n=np.array([n]), in_d=np.array([d]))
+    q, r = out["out_q"].item(), out["out_r"].item()
+    assert out["out_div_by_zero"].item() == (d == 0)
+    if d:
+        assert n << fraction == q * d + r and 0 <= r < d
+    else:
+        assert q == (1 << wn + fraction) - 1 and r == (n << fraction) % (1 << wd)
+
+
+@given(st.integers(4, 40), st.integers(2, 24), st.data())
+def test_round_saturate_is_nearest_ties_upward(wi: int, wo: int, data: st.DataObject) -> None:
+    shift = data.draw(st.integers(0, wi - 1))
+    x = data.draw(st.integers(-(1 << wi - 1), (1 << wi - 1) - 1))
+    out = arith.round_saturate({"WI": wi, "WO": wo, "SHIFT": shift}, in_x=np.array([x]))
+    exact = Fraction(x, 1 << shift)
+    nearest = math.floor(exact + Fraction(1, 2))
+    low, high = -(1 << wo - 1), (1 << wo - 1) - 1
+    assert out["out_x"].item() == min(max(nearest, low), high)
+    assert out["out_overflow"].item() == (not low <= nearest <= high)
+    if not out["out_overflow"].item():
+        assert abs(out["out_x"].item() - exact) <= Fraction(1, 2)

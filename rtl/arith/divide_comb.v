@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Unsigned division with F extra fraction bits of the quotient, combinational.
+//   in_n * 2^F = out_q * in_d + out_r, 0 <= out_r < in_d
+// Formats: in_n uWN.0, in_d uWD.0, out_q uWN.F, out_r exact. Error: truncation, 0 <= n/d - out_q < 1 LSB.
+// in_d = 0: out_div_by_zero = 1, out_q all ones, out_r = in_n * 2^F mod 2^WD.
+// Model: arith.divide
+`default_nettype none
+module divide_comb #(
+    parameter WN = 16,
+    parameter WD = 16,
+    parameter F  = 0
+) (
+    input  wire [WN-1:0]   in_n,
+    input  wire [WD-1:0]   in_d,
+    output wire [WN+F-1:0] out_q,
+    output wire [WD-1:0]   out_r,
+    output wire            out_div_by_zero
+);
+    localparam N = WN + F;             // digits
+    localparam B = N < WD ? N : WD;    // bits of the remainder
+    wire [B-1:0] rem;
+    generate
+        if (WN < 1 || WD < 1 || F < 0) begin : g_illegal
+            divide_comb_needs_WN_and_WD_from_1_and_F_from_0 rule ();
+        end
+    endgenerate
+    divide_digits #(.K(0), .R(N), .WD(WD)) digits (
+        .in_rem(1'b0), .in_d(in_d), .in_bits({in_n, {F{1'b0}}}), .out_rem(rem), .out_q(out_q));
+    assign out_r = {{(WD-B){1'b0}}, rem};
+    assign out_div_by_zero = ~|in_d;
+endmodule
+`default_nettype wire

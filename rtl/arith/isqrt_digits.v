@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// R digits of the restoring square root, combinational: the step that comb, iter and pipe share.
+//   one digit: t = 4 rem + pair - (4 root + 1); t >= 0 ? (2 root + 1, t) : (2 root, 4 rem + pair)
+// in_root holds the K digits known so far, in_rem = radicand so far - root^2 <= 2 root (K+1 bits),
+// in_pairs the next R bit pairs of the radicand, first pair on top.
+// The invariant 0 <= rem <= 2 root keeps t inside K+2 chain bits, so the sign bit is the digit.
+`default_nettype none
+module isqrt_digits #(
+    parameter K = 7,
+    parameter R = 1
+) (
+    input  wire [K:0]     in_rem,
+    input  wire [K-1:0]   in_root,
+    input  wire [2*R-1:0] in_pairs,
+    output wire [K+R:0]   out_rem,
+    output wire [K+R-1:0] out_root
+);
+    genvar i;
+    generate
+        if (K < 1 || R < 1) begin : g_illegal
+            isqrt_digits_needs_K_and_R_from_1 rule ();
+        end
+        for (i = 0; i < R; i = i + 1) begin : g_digit
+            localparam D = K + i;  // digits known
+            wire [D:0]   rem;
+            wire [D-1:0] root;
+            wire [1:0]   pair = in_pairs[2*(R-1-i) +: 2];
+            wire [D+1:0] trial;
+            wire         digit = ~trial[D+1];
+            wire [D+1:0] next_rem = digit ? {trial[D:0], ~pair[0]} : {rem[D-1:0], pair};
+            wire [D:0]   next_root = {root, digit};
+
+            if (i == 0) begin : g_first
+                assign rem = in_rem;
+                assign root = in_root;
+            end else begin : g_next
+                assign rem = g_digit[i-1].next_rem;
+                assign root = g_digit[i-1].next_root;
+            end
+
+            // {pair - 1} borrows exactly when pair = 0, as does pair[1] - ~pair[0]: one chain bit, not two
+            if (D < 3) begin : g_gates  // as gates, the first three digits fit one 6-input LUT a bit
+                wire [D+1:0] a = {rem, pair[1]};
+                wire [D+1:0] b = {1'b0, root, ~pair[0]};
+                reg  [D+1:0] difference;
+                reg          borrow;
+                integer      j;
+                always @* begin
+                    borrow = 1'b0;
+                    for (j = 0; j < D + 2; j = j + 1) begin
+                        difference[j] = a[j] ^ b[j] ^ borrow;
+                        borrow = a[j] ? b[j] & borrow : b[j] | borrow;
+                    end
+                end
+                assign trial = difference;
+            end else begin : g_chain
+                assign trial = {rem, pair[1]} - {1'b0, root, ~pair[0]};
+            end
+
+            if (i == R - 1) begin : g_last
+                assign out_rem = next_rem;
+                assign out_root = next_root;
+            end
+        end
+    endgenerate
+endmodule
+`default_nettype wire
