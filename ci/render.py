@@ -97,6 +97,14 @@ def accuracy_table(title: str, rows: list[Row]) -> Table:
                          "words max LSB", "words rms LSB"), tuple(map(line, rows)))
 
 
+def primitive_table(rows: list[Row]) -> Table:
+    """Error of the primitives that have a real-valued truth."""
+    lines = tuple((f"`{name(row)}`", number(row["sweep_error_lsb"]["max"]), number(row["sweep_error_lsb"]["rms"]))
+                  for row in rows if row["sweep_error_lsb"])
+    return Table("Error against the real-valued function in LSB of the output, over random and border inputs",
+                 ("primitive", "max LSB", "rms LSB"), lines)
+
+
 def headline_table(report: dict, functions: Iterable[str] = ("fk1", "ik1")) -> Table:
     """The one-joint numbers of the README."""
     def line(row: Row) -> tuple[str, ...]:
@@ -185,7 +193,7 @@ METRICS: tuple[tuple[str, str, Callable[[Row], float | None]], ...] = (
     ("latency in cycles", "", lambda row: row["latency_cycles"]),
     ("latency in ns", " ns", lambda row: row["latency_ns"]),
     ("clock", " MHz", lambda row: -row["fmax_mhz"]["ecp5"]),
-    ("samples per second", " ns a sample", lambda row: row["ii"] * 1000 / row["fmax_mhz"]["ecp5"] if row["ii"] else None),
+    ("throughput", " ns a sample", lambda row: row["ii"] * 1000 / row["fmax_mhz"]["ecp5"] if row["ii"] else None),
     ("greatest arithmetic error", " LSB", lambda row: _part(row, "error_lsb", "max")),
     ("greatest error of the words", " LSB", lambda row: _part(row, "input_error_lsb", "max")),
 )
@@ -255,10 +263,10 @@ def trajectory_note(report: dict) -> str:
     """What was run, in one paragraph."""
     arm = report["trajectory"]
     yaw = "" if arm["yaw"] else " The arm has no yaw: three-joint cores see its two links stood on a turntable."
-    return (f"Arm `{report['arm']}`, {arm['name']}: links {number(arm['l1_mm'], 5)} mm and {number(arm['l2_mm'], 5)} mm, "
+    return (f"Arm `{report['arm']}`, {arm['name']}: links of {number(arm['l1_mm'], 5)} and {number(arm['l2_mm'], 5)} mm, "
             f"{number(arm['mm_per_unit'], 5)} mm a unit (1 LSB of Q7.8 is {number(arm['mm_per_unit'] / 256)} mm). "
-            f"{arm['samples']} samples of a circle, a line and a pick-and-place within the joint limits. One-joint cores "
-            f"move the first link alone.{yaw}")
+            f"{arm['samples']} samples of a circle, a line and a pick-and-place within the joint limits. "
+            f"One-joint cores move the first link alone.{yaw}")
 
 
 def markdown(report: dict) -> str:
@@ -274,12 +282,9 @@ def markdown(report: dict) -> str:
                   "![Accuracy](accuracy.png)"]
     if others:
         parts += [f"## {(table := cost_table('Primitives', others)).title}", table.markdown()]
-        known = [row for row in others if row["sweep_error_lsb"]]
-        if known:
-            rows = tuple((f"`{name(row)}`", number(row["sweep_error_lsb"]["max"]), number(row["sweep_error_lsb"]["rms"]))
-                         for row in known)
-            parts += ["Error against the real-valued function, in LSB of the output, over random and border inputs:",
-                      Table("", ("primitive", "max LSB", "rms LSB"), rows).markdown()]
+        table = primitive_table(others)
+        if table.rows:
+            parts += [f"{table.title}:", table.markdown()]
     parts += ["## Beside the paper", PAPER_NOTE]
     for table in paper_tables(report):
         parts += [f"### {table.title}", table.markdown()]
@@ -305,7 +310,7 @@ def _list(sentences: list[str], none: str) -> str:
 def blocks(report: dict) -> dict[str, str]:
     """The generated blocks of the README by name."""
     paper = "\n\n".join(f"**{table.title}**\n\n{table.markdown()}" for table in paper_tables(report))
-    return {"headline": headline_table(report).markdown(), "paper": paper,
+    return {"headline": headline_table(report).markdown(), "paper": paper or "No core of the paper's functions yet.",
             "cordic": _list(pareto(report) + cordic_wins(report), "No function has both families yet.")}
 
 
@@ -363,7 +368,7 @@ def plots(report: dict, folder: Path) -> None:
             for i, (label, tint) in enumerate((("printed rational", "tab:orange"), ("printed CORDIC*", "tab:blue"))):
                 points.append((PAPER_CYCLES[function][i] * clock, PAPER_LE[function][i], f"{label} {function.upper()}",
                                tint, marker[function], "none"))
-        for x, y, label, tint, shape, fill in points:
+        for x, y, _, tint, shape, fill in points:
             axis.plot([x], [y], marker=shape, color=tint, linestyle="", fillstyle=fill, markersize=8)
         for (x, y, label, *_), (dx, dy) in zip(points, _spread(points)):
             axis.annotate(label, (x, y), xytext=(dx, dy), textcoords="offset points", fontsize=7, va="center",
@@ -372,8 +377,8 @@ def plots(report: dict, folder: Path) -> None:
         axis.grid(True, which="both", alpha=0.25)
         axis.margins(x=0.25, y=0.12)
     axes[0].set_ylabel("Cyclone V ALUT (proxy for LE), DSP blocks not counted")
-    figure.suptitle("Area against latency. Orange paper's circuits, green rational, blue CORDIC; hollow: printed in the "
-                    "paper, 50 MHz\n(*its CORDIC point joins the area of the parallel with the cycles of the iterative)")
+    figure.suptitle("Area against latency. Orange: paper's circuits, green: rational, blue: CORDIC; hollow: printed, 50 MHz"
+                    "\n(*its CORDIC point joins the area of the parallel with the cycles of the iterative)")
     figure.tight_layout()
     figure.savefig(folder / PLOTS[0], dpi=110, metadata=metadata)
     pyplot.close(figure)

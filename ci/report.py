@@ -22,6 +22,7 @@ from ci import render, synth, tools
 
 REPORTS = tools.ROOT / "reports"
 README = tools.ROOT / "README.md"
+LOG = tools.BUILD / "report.log"
 DEFAULT_ARM = "cobra600"
 SAMPLES = 1000
 SWEEP = 4096
@@ -88,6 +89,14 @@ def simulate(core: Core, arm_name: str) -> dict:
     return row | {"latency_cycles": cycles, "ii": ii}
 
 
+def _quiet() -> None:
+    """Send what the tools of a worker process say to a log, away from the progress bar."""
+    LOG.parent.mkdir(parents=True, exist_ok=True)
+    log = os.open(LOG, os.O_WRONLY | os.O_CREAT | os.O_APPEND)
+    os.dup2(log, 1)
+    os.dup2(log, 2)
+
+
 def _job(what: str, core_id: str, arm_name: str) -> tuple[str, object]:
     core = cores.find(core_id)
     try:
@@ -95,7 +104,7 @@ def _job(what: str, core_id: str, arm_name: str) -> tuple[str, object]:
             return what, synth.core_area(core)
         return what, synth.core_fmax(core) if what == "clock" else simulate(core, arm_name)
     except (Exception, SystemExit) as error:
-        raise RuntimeError(f"{core_id}, {what}: {error}") from None
+        raise RuntimeError(f"{core_id}, {what}: {error} (log: {LOG.relative_to(tools.ROOT)})") from None
 
 
 def _rounded(value: object) -> object:
@@ -127,7 +136,8 @@ def measure(arm_name: str, listed: tuple[Core, ...]) -> dict:
     found: dict[str, dict[str, object]] = {core.id: {} for core in listed}
     columns = (TextColumn("measuring"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
                TextColumn("{task.description}"))
-    with ProcessPoolExecutor(min(2, os.cpu_count() or 1)) as pool, \
+    LOG.unlink(missing_ok=True)
+    with ProcessPoolExecutor(min(2, os.cpu_count() or 1), initializer=_quiet) as pool, \
             Progress(*columns, console=Console(stderr=True)) as progress:
         task = progress.add_task("", total=3 * len(listed))
         jobs = {pool.submit(_job, what, core.id, arm_name): core.id
@@ -232,7 +242,7 @@ def show(report: dict) -> None:
     kinematic = render.pick(report, render.KINEMATIC)
     others = [row for row in report["cores"] if row["function"] not in render.KINEMATIC]
     tables = [render.cost_table("Kinematic cores", kinematic), render.accuracy_table("Accuracy at the tip", kinematic),
-              render.cost_table("Primitives", others), *render.paper_tables(report)]
+              render.cost_table("Primitives", others), render.primitive_table(others), *render.paper_tables(report)]
     console.print(render.trajectory_note(report), markup=False)
     for one in (table for table in tables if table.rows):
         grid = Table(title=one.title, title_justify="left")

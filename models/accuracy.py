@@ -20,7 +20,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-
 from quadrance import truth
 from quadrance.arms import Arm
 from quadrance.cores import Core, Port
@@ -104,9 +103,10 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
         if "F" in core.params else {}
     names = [port.name for port in core.cfg]
     if set(names) - set(words):
-        derive = getattr(sys.modules[core.model.__module__], "config", None)
+        module = core.model.__module__
+        derive = getattr(sys.modules[module], "config", None)
         if derive is None:
-            raise ValueError(f"{core.id}: {core.model.__module__} has no config() for {sorted(set(names) - set(words))}")
+            raise ValueError(f"{core.id}: {module} has no config() for {sorted(set(names) - set(words))}")
         words |= {name: int(word) for name, word in derive(core.params, **words).items()}
     return {name: words[name] for name in names}
 
@@ -257,9 +257,15 @@ def _divide(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
     return {"out_q": floats(inputs["in_n"]) / divisor * 2.0 ** core.params["F"]}
 
 
+def _round_saturate(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    limit = 2.0 ** (core.params["WO"] - 1)
+    return {"out_x": np.clip(floats(inputs["in_x"]) * 2.0 ** -core.params["SHIFT"], -limit, limit - 1)}
+
+
 PRIMITIVES: dict[str, tuple[Callable, Callable]] = {
     "isqrt": (_any_words, _isqrt),
     "divide": (_any_words, _divide),
+    "round_saturate": (_any_words, _round_saturate),
 }
 
 

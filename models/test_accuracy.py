@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-
 from quadrance import accuracy, arms, cores, truth
 from quadrance.fixed import to_fixed
 

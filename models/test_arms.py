@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-
 from quadrance import arms, truth
 from quadrance.arms import ArmError
 from quadrance.trajectory import limits, smooth, trajectory

@@ -4,7 +4,6 @@ import copy
 import tomllib
 
 import pytest
-
 from quadrance import cores
 from quadrance.cores import Port
 

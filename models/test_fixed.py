@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from quadrance import fixed
 
 words = st.integers(-(2**40), 2**40)
