@@ -24,9 +24,9 @@ def to_word(port: Port, value: int) -> int:
 
 def read(handle, port: Port) -> int:
     """The value on a port; an X or Z there is an error."""
-    value = handle.value
-    assert value.is_resolvable, f"{port.name} is {value}"
-    return value.to_signed() if port.signed and port.width > 1 else value.to_unsigned()
+    text = str(handle.value)
+    assert set(text) <= {"0", "1"}, f"{port.name} is {text}"
+    return int(text, 2) - (1 << port.width if port.signed and text[0] == "1" else 0)
 
 
 def bit(handle) -> bool:
