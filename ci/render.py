@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -263,7 +264,8 @@ def trajectory_note(report: dict) -> str:
     """What was run, in one paragraph."""
     arm = report["trajectory"]
     yaw = "" if arm["yaw"] else " The arm has no yaw: three-joint cores see its two links stood on a turntable."
-    return (f"Arm `{report['arm']}`, {arm['name']}: links of {number(arm['l1_mm'], 5)} and {number(arm['l2_mm'], 5)} mm, "
+    links = f"{number(arm['l1_mm'], 5)} and {number(arm['l2_mm'], 5)} mm"
+    return (f"Arm `{report['arm']}`, {arm['name']}: links of {links}, "
             f"{number(arm['mm_per_unit'], 5)} mm a unit (1 LSB of Q7.8 is {number(arm['mm_per_unit'] / 256)} mm). "
             f"{arm['samples']} samples of a circle, a line and a pick-and-place within the joint limits. "
             f"One-joint cores move the first link alone.{yaw}")
@@ -357,29 +359,32 @@ def plots(report: dict, folder: Path) -> None:
     marker = dict(zip(KINEMATIC, "os^DvP"))
     metadata = {"Software": None, "Description": stamp(report)}
 
-    figure, axes = pyplot.subplots(1, 2, figsize=(15, 7), sharey=True)
-    for axis, unit, measure, clock in ((axes[0], "cycles", lambda row: row["latency_cycles"], 1),
-                                       (axes[1], "ns at the core's own ECP5 clock", lambda row: row["latency_ns"],
-                                        1000 / PAPER_MHZ)):
-        points = [(measure(row), area_of(row), name(row), colour[row["family"]], marker[row["function"]], "full")
-                  for row in rows]
-        shown = {row["function"] for row in rows}
-        for function in (one for one in PAPER_CYCLES if one in shown):
-            for i, (label, tint) in enumerate((("printed rational", "tab:orange"), ("printed CORDIC*", "tab:blue"))):
-                points.append((PAPER_CYCLES[function][i] * clock, PAPER_LE[function][i], f"{label} {function.upper()}",
-                               tint, marker[function], "none"))
-        for x, y, _, tint, shape, fill in points:
-            axis.plot([x], [y], marker=shape, color=tint, linestyle="", fillstyle=fill, markersize=8)
-        for (x, y, label, *_), (dx, dy) in zip(points, _spread(points)):
-            axis.annotate(label, (x, y), xytext=(dx, dy), textcoords="offset points", fontsize=7, va="center",
-                          arrowprops={"arrowstyle": "-", "lw": 0.3, "color": "grey"})
-        axis.set(xscale="log", yscale="log", xlabel=f"latency, {unit}")
-        axis.grid(True, which="both", alpha=0.25)
-        axis.margins(x=0.25, y=0.12)
-    axes[0].set_ylabel("Cyclone V ALUT (proxy for LE), DSP blocks not counted")
-    figure.suptitle("Area against latency. Orange: paper's circuits, green: rational, blue: CORDIC; hollow: printed, 50 MHz"
-                    "\n(*its CORDIC point joins the area of the parallel with the cycles of the iterative)")
-    figure.tight_layout()
+    labels = []
+    figure, grid = pyplot.subplots(2, 2, figsize=(15, 14), sharey="row")
+    for axes, way in zip(grid, ("fk", "ik")):
+        shown = [row for row in rows if row["function"].startswith(way)]
+        for axis, unit, measure, clock in ((axes[0], "cycles", lambda row: row["latency_cycles"], 1),
+                                           (axes[1], "ns at the core's own ECP5 clock", lambda row: row["latency_ns"],
+                                            1000 / PAPER_MHZ)):
+            points = [(measure(row), area_of(row), name(row), colour[row["family"]], marker[row["function"]], "full")
+                      for row in shown]
+            for function in sorted({row["function"] for row in shown} & set(PAPER_CYCLES)):
+                points += [(PAPER_CYCLES[function][i] * clock, PAPER_LE[function][i], f"{what} {function.upper()}",
+                            tint, marker[function], "none")
+                           for i, (what, tint) in enumerate((("printed rational", "tab:orange"),
+                                                             ("printed CORDIC*", "tab:blue")))]
+            for x, y, _, tint, shape, fill in points:
+                axis.plot([x], [y], marker=shape, color=tint, linestyle="", fillstyle=fill, markersize=8)
+            axis.set(xscale="log", yscale="log", xlabel=f"latency, {unit}")
+            axis.grid(True, which="both", alpha=0.25)
+            axis.margins(x=0.2, y=0.12)
+            labels.append((axis, points))
+        axes[0].set_ylabel("Cyclone V ALUT (proxy for LE), DSP blocks not counted")
+    figure.suptitle("Area against latency. Orange: paper's circuits, green: rational, blue: CORDIC; hollow: printed "
+                    "at 50 MHz\n(*the area is that of its parallel CORDIC, the cycles are those of its iterative one)")
+    figure.tight_layout(rect=(0, 0, 1, 0.98))
+    for axis, points in labels:
+        _label(axis, points)
     figure.savefig(folder / PLOTS[0], dpi=110, metadata=metadata)
     pyplot.close(figure)
 
@@ -400,19 +405,27 @@ def plots(report: dict, folder: Path) -> None:
     pyplot.close(figure)
 
 
-def _spread(points: list[tuple]) -> list[tuple[float, float]]:
-    """Label offsets in points: right of the mark, moved down a line where the place is taken."""
-    import math
+def _label(axis, points: list[tuple]) -> None:
+    """Name every point beside its mark: at the nearest place that hides no mark and no other name."""
+    taken = [(x - 6, y - 6, x + 6, y + 6) for x, y in axis.transData.transform([point[:2] for point in points])]
+    scale = 72 / axis.figure.dpi
+    offsets = sorted(((dx, dy) for dx in range(-90, 91, 15) for dy in range(-96, 97, 8)),
+                     key=lambda at: (math.hypot(*at), -at[0]))
+    for x, y, text, *_ in points:
+        px, py = axis.transData.transform((x, y))
+        width, height = 3.9 * len(text) / scale, 9 / scale
 
-    taken: list[tuple[float, float]] = []
-    offsets = []
-    for x, y, *_ in points:
-        place_x, place_y, step = 130 * math.log10(max(x, 0.5)), 170 * math.log10(max(y, 1)), 0
-        order = sorted(range(-14, 15), key=abs)
-        while any(abs(place_x - tx) < 95 and abs(place_y + 10 * order[step] - ty) < 9.5 for tx, ty in taken):
-            if step + 1 == len(order):
-                break
-            step += 1
-        taken.append((place_x, place_y + 10 * order[step]))
-        offsets.append((10, 10 * order[step]))
-    return offsets
+        def box(dx: float, dy: float, px=px, py=py, width=width, height=height) -> tuple[float, float, float, float]:
+            left = px + dx / scale if dx > 0 else px + dx / scale - width if dx < 0 else px - width / 2
+            return left, py + dy / scale - height / 2, left + width, py + dy / scale + height / 2
+
+        def clash(at: tuple[float, float], box=box) -> float:
+            left, low, right, high = box(*at)
+            inside = axis.bbox.x0 < left and right < axis.bbox.x1 and axis.bbox.y0 < low and high < axis.bbox.y1
+            return (not inside) + sum(left < b[2] and b[0] < right and low < b[3] and b[1] < high for b in taken)
+
+        dx, dy = min(offsets, key=clash)
+        taken.append(box(dx, dy))
+        axis.annotate(text, (x, y), xytext=(dx, dy), textcoords="offset points", fontsize=7, va="center",
+                      ha="left" if dx > 0 else "right" if dx < 0 else "center",
+                      arrowprops={"arrowstyle": "-", "lw": 0.4, "color": "grey"} if math.hypot(dx, dy) > 16 else None)

@@ -173,9 +173,9 @@ def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
         return _digest(texts, core.name, core.family, core.function, core.architecture, core.params, ports,
                        core.latency, core.ii)
 
-    files = [tools.ROOT / name for name in CODE] + [
+    files = [tools.ROOT / name for name in CODE] + [  # models that derive configuration words from the arm's links
         path for family in sorted({core.family for core in listed if core.cfg})
-        if (path := tools.ROOT / "models" / f"{family}.py").exists()]
+        if (path := tools.ROOT / "models" / f"{family}.py").exists() and "\ndef config(" in path.read_text()]
     return {"cores": {core.id: of(core) for core in listed}, "arm": _digest(arms.path_of(arm_name).read_text()),
             "code": {str(path.relative_to(tools.ROOT)): _digest(path.read_text()) for path in files}}
 

@@ -262,10 +262,23 @@ def _round_saturate(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
     return {"out_x": np.clip(floats(inputs["in_x"]) * 2.0 ** -core.params["SHIFT"], -limit, limit - 1)}
 
 
+def _within(core: Core, name: str, value: Floats) -> Floats:
+    """`value`, NaN where it does not fit the port: saturation is flagged, not an arithmetic error."""
+    port = _ports(core.outputs)[name]
+    return np.where((value >= port.low) & (value <= port.high), value, np.nan)
+
+
+def _rotate(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    theta = truth.binary_word_to_angle(inputs["in_angle"], _ports(core.inputs)["in_angle"].width)
+    turned = (floats(inputs["in_x"]) + 1j * inputs["in_y"]) * np.exp(1j * theta)
+    return {"out_x": _within(core, "out_x", turned.real), "out_y": _within(core, "out_y", turned.imag)}
+
+
 PRIMITIVES: dict[str, tuple[Callable, Callable]] = {
     "isqrt": (_any_words, _isqrt),
     "divide": (_any_words, _divide),
     "round_saturate": (_any_words, _round_saturate),
+    "rotate": (_any_words, _rotate),
 }
 
 
