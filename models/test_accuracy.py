@@ -108,6 +108,33 @@ def test_a_word_off_by_one_is_an_error_and_a_tie_is_not(function, family):
     assert abs(before - theta) < 1e-4 * truth.TURN / turn * 8 and after == pytest.approx(theta, abs=1e-12)
 
 
+@FAMILIES
+def test_a_cell_ends_half_an_lsb_from_its_word(family):
+    one = core("ik1", family)
+    port = one.outputs[0]
+    word = np.array([(1 << port.width) // 8])
+    theta = accuracy.decode(port, one, word)
+    for off in (-3, 2):
+        border = accuracy.decode(port, one, word + off - 0.5 * np.sign(off))
+        assert accuracy.within_cell(port, one, word + off, theta) == pytest.approx(border, abs=1e-12)
+
+
+@FUNCTIONS
+def test_the_words_lose_the_same_whatever_the_core_answers(function):
+    one = core(function)
+    case = accuracy.trajectory_case(one, ARM)
+    answer = ideal(one, case)
+    wrong = {name: words * 0 for name, words in answer.items()}
+    good, bad = (accuracy.errors(one, ARM, case, outputs) for outputs in (answer, wrong))
+    assert np.array_equal(good.quantisation, bad.quantisation) and bad.arithmetic.max() > 1000
+
+
+def test_the_elbow_follows_the_arm():
+    for name, elbow in (("cobra600", 0), ("geomagic_touch", 1)):
+        words = accuracy.trajectory_case(core("ik2"), arms.load(name)).inputs["in_elbow"]
+        assert np.all(words == elbow)
+
+
 def test_cells_wrap_round_the_full_turn():
     for family in JOINT:
         one = core("ik1", family)
