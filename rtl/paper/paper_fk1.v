@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forward kinematics of one joint, the paper's way: quadrance times spread, then the square root.
+//   x = +-sqrt(Q1 (1 - s1)), y = +-sqrt(Q1 s1), Q1 = cfg_l1^2, signs by quadrant
+// Formats: in_j1 turn-spread u2.S, cfg_l1 u(W-F).F, out_x out_y s(W-F).F; rounded to nearest, ties outward.
+// Error: arithmetic <= 1/2 LSB (Q1 s is exact down to the bit that decides the rounding).
+// Latency 2, II 2. Clock 1: spread f from the port; clock 2: spread 1 - f. One multiplier pair, one root.
+// Status: overflow (a magnitude rounds to 2^(W-1) LSB or more: saturated)
+// Source: paper eqs. 51-52, Fig. 8, Table I read as turn-spread (odd quadrants swap s and 1 - s)
+// Model: paper.fk1
+`default_nettype none
+module paper_fk1 #(
+    parameter W = 16,
+    parameter F = 8,
+    parameter S = 8
+) (
+    input  wire         clk,
+    input  wire         rst,
+    input  wire [W-1:0] cfg_l1,
+    input  wire         in_valid,
+    output wire         in_ready,
+    input  wire [S+1:0] in_j1,
+    output reg          out_valid,
+    input  wire         out_ready,
+    output reg  [W-1:0] out_x,
+    output reg  [W-1:0] out_y,
+    output wire [3:0]   out_status
+);
+    generate
+        if (W < 4 || W > 18 || F < 0 || F >= W || S < 2 || S > 24) begin : g_illegal
+            paper_fk1_needs_W_from_4_to_18_F_below_W_and_S_from_2_to_24 rule ();
+        end
+    endgenerate
+
+    reg         second;      // the clock of the spread 1 - f
+    reg [1:0]   kept_k;
+    reg [S:0]   kept_s;
+    reg         over_x, over_y;
+
+    wire [1:0]  k = second ? kept_k : in_j1[S +: 2];
+    wire [S:0]  s = second ? kept_s : {1'b0, in_j1[S-1:0]};
+
+    // Q1 s as L1 (L1 s): the same product, but no factor is wider than a DSP block at S = 8
+    wire [W+S:0]     ls = cfg_l1 * s;
+    wire [2*W+S-1:0] q  = cfg_l1 * ls;
+    wire [W-1:0]     root;  // one bit more than the magnitude: it rounds
+    wire [W:0]       rem;
+    isqrt_comb #(.W(2*W)) square_root (.in_d(q[2*W+S-3 : S-2]), .out_root(root), .out_rem(rem));
+    wire             unused = &{1'b0, q, rem};
+
+    // f belongs to y in even quadrants and to x in odd ones
+    wire         to_x = second ^ k[0];
+    wire         negative = k[1] ^ (to_x & k[0]);
+    // -(m + r) = ~m + !r: sign and rounding share one increment, whose carry is cheaper as gates than as a chain
+    wire [W-1:0] m = {negative, root[W-1:1] ^ {(W-1){negative}}};
+    reg  [W-1:0] word;
+    reg          carry;
+    integer      i;
+    always @* begin
+        carry = negative ^ root[0];
+        for (i = 0; i < W; i = i + 1) begin
+            word[i] = m[i] ^ carry;
+            carry = m[i] & carry;
+        end
+    end
+    wire         over = |q[2*W+S-1 -: 2] || &root;
+    wire [W-1:0] result = over ? {negative, {(W-1){!negative}}} : word;
+
+    wire         accept = in_valid && in_ready;
+    always @(posedge clk) begin
+        if (accept) begin
+            kept_k <= in_j1[S +: 2];
+            kept_s <= {1'b1, {S{1'b0}}} - {1'b0, in_j1[S-1:0]};
+        end
+        if (accept || second) begin
+            if (to_x) {over_x, out_x} <= {over, result};
+            else      {over_y, out_y} <= {over, result};
+        end
+    end
+
+    assign in_ready = !second && (!out_valid || out_ready);
+    assign out_status = {1'b0, over_x || over_y, 2'b00};
+    always @(posedge clk) begin
+        second    <= accept;
+        out_valid <= second || (out_valid && !out_ready);
+        if (rst) begin
+            second    <= 1'b0;
+            out_valid <= 1'b0;
+        end
+    end
+endmodule
+`default_nettype wire
