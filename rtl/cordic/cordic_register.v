@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pipeline register where CLOCKED, a wire where not: one array serves the _comb and the _pipe form of a core.
+`default_nettype none
+module cordic_register #(
+    parameter WIDTH   = 16,
+    parameter CLOCKED = 1
+) (
+    input  wire             clk,
+    input  wire             in_enable,
+    input  wire [WIDTH-1:0] in_d,
+    output wire [WIDTH-1:0] out_q
+);
+    generate
+        if (CLOCKED) begin : g_register
+            reg [WIDTH-1:0] q;
+            always @(posedge clk) if (in_enable) q <= in_d;
+            assign out_q = q;
+        end else begin : g_wire
+            wire unused = &{1'b0, clk, in_enable};
+            assign out_q = in_d;
+        end
+    endgenerate
+endmodule
+`default_nettype wire

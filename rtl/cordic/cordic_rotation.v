@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Micro-rotation I of an unrolled CORDIC, combinational. It carries w = y or ~y, whichever is added to x:
+//   x' = x + (w >> I),  u = w + ~(x >> I) + n,  w' = u or ~u,  z' = 2 (z -+ atan 2^-I),  n = w is ~y = z is positive
+// so that a bit costs three cells instead of four: an exclusive or before an adder is a cell of its own.
+// The arithmetic of cordic_turn_iter, bit for bit. LAST: w' is y', whatever the sign of z'.
+`default_nettype none
+module cordic_rotation #(
+    parameter I    = 1,
+    parameter D    = 22,
+    parameter Z    = 20,
+    parameter LAST = 0
+) (
+    input  wire signed [D-1:0] in_x,
+    input  wire signed [D-1:0] in_w,
+    input  wire                in_n,
+    input  wire        [Z-1:0] in_z,
+    output wire        [D-1:0] out_x,
+    output wire        [D-1:0] out_w,
+    output wire                out_n,
+    output wire        [Z-1:0] out_z
+);
+    localparam LOW = I > 3 ? I - 3 : 0;
+    wire [Z-1:0] angle, sum;
+    wire [D-1:0] xt = in_x >>> I;
+    wire [D-1:0] wt = in_w >>> I;
+    wire [D-1:0] u;
+    wire         unused;
+    cordic_angle #(.I(I), .Z(Z), .LOW(LOW)) constant (.out_angle(angle));
+    assign sum = in_z + ((angle ^ {Z{in_n}}) & {Z{1'b1}} << LOW);
+    assign out_z = sum << 1;
+    assign out_n = LAST == 0 && !out_z[Z-1];
+    assign out_x = in_x + wt;
+    assign {u, unused} = {in_w, 1'b1} + {~xt, in_n};  // the carry in as one more bit of the chain
+    assign out_w = u ^ {D{in_n ^ out_n}};
+endmodule
+`default_nettype wire
