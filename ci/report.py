@@ -108,9 +108,9 @@ def _job(what: str, core_id: str, arm_name: str) -> tuple[str, object]:
 
 
 def _rounded(value: object) -> object:
-    """Floats to 6 significant digits: more would change with the last bit of a library's cosine."""
+    """Floats to 6 digits, significant and behind the point: more would change with the last bit of a cosine."""
     if isinstance(value, float):
-        return float(f"{value:.6g}")
+        return round(float(f"{value:.6g}"), 6)
     if isinstance(value, dict):
         return {key: _rounded(one) for key, one in value.items()}
     return value
