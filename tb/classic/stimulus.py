@@ -1,0 +1,41 @@
+"""Corners of rtl/classic: quadrant borders, the axes, the origin, saturation; link lengths as their derived words."""
+
+from __future__ import annotations
+
+import numpy as np
+from quadrance import classic
+from quadrance.cores import Core
+
+from tb.lib.stimulus import Vectors
+
+
+def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
+    """Link lengths from the greatest to none: saturating, the longest that never saturates, common, short."""
+    if not core.cfg:
+        return [{}]
+    half = 1 << core.params["W"] - 1
+    lengths = (2 * half - 1, half - 1, int(rng.integers(half // 16, half)), int(rng.integers(half, 2 * half)), 1, 0)
+    return [classic.config(core.params, cfg_l1=length) for length in lengths]
+
+
+def _angles(core: Core) -> np.ndarray:
+    """Every eighth of a turn with its neighbours."""
+    full = 1 << core.params["A"]
+    return np.unique((np.arange(8)[:, None] * (full // 8) + np.arange(-2, 3)) % full)
+
+
+def _coordinates(core: Core) -> np.ndarray:
+    """Extremes and powers of two of a coordinate word, both signs."""
+    half = 1 << core.params["W"] - 1
+    small = [0, 1, 2, 3, half // 3, half // 2, half - 2, half - 1, *(1 << i for i in range(4, core.params["W"] - 2, 3))]
+    return np.unique([*small, *(-value for value in small), -half])
+
+
+def corners(core: Core, cfg: dict[str, int]) -> Vectors:
+    """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
+    if core.function == "fk1":
+        return {"in_j1": _angles(core)}
+    x, y = (grid.ravel() for grid in np.meshgrid(_coordinates(core), _coordinates(core)))
+    order = np.random.default_rng(1).permutation(x.size)
+    blank = np.arange(x.size) % 17 == 3
+    return {"in_x": np.where(blank, 0, x[order]), "in_y": np.where(blank, 0, y[order])}
