@@ -70,11 +70,11 @@ async def corners_and_random_combinational(dut):
 
 @cocotb.test(skip=not CLOCKED)
 async def corners_back_to_back(dut):
-    """Every corner at every configuration, without a gap and without a reset between."""
+    """Corners at every configuration, without a gap and without a reset between."""
     bench = await _fresh(dut)
     for cfg in stimulus.configs(CORE, _rng()):
         bench.configure(cfg)
-        await bench.send(stimulus.corners(CORE, cfg))
+        await bench.send(_cut(stimulus.corners(CORE, cfg), 120))  # the bulk run takes all of them
         await bench.drain()
 
 

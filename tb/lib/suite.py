@@ -30,13 +30,15 @@ def simulators() -> list[str]:
 
 
 def bulk_run(core: Core, samples: int, seed: int) -> int:
-    """Random words (all words of a narrow input), split over the configurations; how many were compared."""
+    """Corners and random words (all words of a narrow input) at every configuration; how many were compared."""
     rng = np.random.default_rng(seed)
     configs = stimulus.configs(core, rng)
     every = stimulus.input_bits(core) <= EXHAUSTIVE_BITS
     total = 0
     for index, cfg in enumerate(configs):
         inputs = stimulus.exhaustive(core) if every else stimulus.uniform(core, rng, samples // len(configs))
+        corners = stimulus.corners(core, cfg)
+        inputs = {name: np.concatenate([corners[name], words]) for name, words in inputs.items()}
         # odd configurations see idle cycles and stalls, even ones the full rate
         result = bulk.stream(core, inputs, cfg, seed=(seed + index) * (index % 2))
         bulk.compare(core, inputs, cfg, result)
