@@ -61,6 +61,16 @@ def pick(report: dict, functions: Iterable[str], families: Iterable[str] = FAMIL
     return sorted(rows, key=lambda row: (functions.index(row["function"]), families.index(row["family"])))
 
 
+def q7_8(rows: Iterable[Row]) -> list[Row]:
+    """Rows with the paper's coordinates, Q7.8: others do less work and are not compared."""
+    return [row for row in rows if (row["params"].get("W"), row["params"].get("F")) == (16, 8)]
+
+
+def leading(rows: Iterable[Row]) -> list[Row]:
+    """The first parameter set of each core, which is the one that is compared."""
+    return list({row["core"]: row for row in reversed(list(rows))}.values())[::-1]
+
+
 def _part(row: Row, key: str, part: str) -> float | None:
     return row[key][part] if row[key] else None
 
@@ -115,7 +125,7 @@ def headline_table(report: dict, functions: Iterable[str] = ("fk1", "ik1")) -> T
                 number(_part(row, "error_lsb", "max")), number(_part(row, "error_mm", "max")),
                 number(_part(row, "input_error_lsb", "max")))
 
-    rows = pick(report, functions)
+    rows = q7_8(pick(report, functions))
     return Table("One joint", ("core", "cycles", "ns", "MHz", "ALUT", "DSP", "mem", "ALUT, no DSP", "error LSB",
                                "error mm", "words LSB"), tuple(map(line, rows)))
 
@@ -140,7 +150,7 @@ def area_of(row: Row) -> float:
 def paper_table(report: dict, functions: tuple[str, ...], title: str, measured: str) -> Table:
     """One of Tables III, IV (`measured` = "LE") or V ("cycles"): the paper's columns and ours, one flow.
 
-    Where a family has several cores the one with the smallest figure stands in the cell, named below the table.
+    Where a family has several cores the smallest figure stands in the cell.
     """
     def cell(rows: list[Row]) -> str:
         if measured == "LE":
@@ -159,7 +169,7 @@ def paper_table(report: dict, functions: tuple[str, ...], title: str, measured: 
 
     lines = []
     for function in functions:
-        rows = pick(report, [function])
+        rows = leading(pick(report, [function]))
         if not rows:
             continue
         figures = PAPER_LE if measured == "LE" else PAPER_CYCLES
@@ -204,7 +214,7 @@ def cordic_wins(report: dict) -> list[str]:
     """One sentence for each function and figure in which the best classic core beats the best rational one."""
     sentences = []
     for function in KINEMATIC:
-        classic, rational = pick(report, [function], ["classic"]), pick(report, [function], ["rational"])
+        classic, rational = (leading(pick(report, [function], [family])) for family in ("classic", "rational"))
         for label, unit, measure in METRICS:
             one, other = best(classic, measure), best(rational, measure)
             if one and other and measure(one) < measure(other):
@@ -218,8 +228,8 @@ def pareto(report: dict) -> list[str]:
     at no larger arithmetic error? If not, by how much it misses."""
     sentences = []
     for function in KINEMATIC:
-        rational = pick(report, [function], ["rational"])
-        for rival in (row for row in pick(report, [function], ["classic"]) if kind(row) == "iterative"):
+        rational = leading(pick(report, [function], ["rational"]))
+        for rival in (row for row in leading(pick(report, [function], ["classic"])) if kind(row) == "iterative"):
             if not rational:
                 continue
 
@@ -301,8 +311,10 @@ def markdown(report: dict) -> str:
 PAPER_NOTE = """\
 The paper counts Cyclone V logic elements (Quartus 16.0) and cycles at 50 MHz; ours are the ALUT proxy with DSP blocks
 beside it (in brackets: without DSP blocks) and measured cycles with the time at the core's own ECP5 clock. It compares
-area with the parallel CORDIC alone and latency with the iterative one alone; here both stand against both. Each
-cell is the family's smallest figure, so the area and the cycles of one column may come from two cores."""
+area with the parallel CORDIC alone and latency with the iterative one alone; here both stand against both. Every
+core stands with its first parameter set (Q7.8; `paper_*` at the paper's 8 spread bits, `rational_*` at 24 spread bits,
+`classic_*` at 16 angle bits). Each cell is the family's smallest figure, so the area and the cycles of one column may
+come from two cores."""
 
 
 def _list(sentences: list[str], none: str) -> str:
@@ -354,7 +366,7 @@ def plots(report: dict, folder: Path) -> None:
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    rows = pick(report, KINEMATIC)
+    rows = q7_8(pick(report, KINEMATIC))
     colour = {"paper": "tab:orange", "rational": "tab:green", "classic": "tab:blue"}
     marker = dict(zip(KINEMATIC, "os^DvP"))
     metadata = {"Software": None, "Description": stamp(report)}

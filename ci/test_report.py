@@ -37,6 +37,8 @@ ROWS = [row("paper_fk1", "paper", "fk1", "comb", 340, 2, mhz=30.0, words=600.0),
         row("rational_ik1", "rational", "ik1", "iter", 300, 9),
         row("classic_ik1_iter", "classic", "ik1", "iter", 270, 17),
         row("isqrt_iter", "arith", "isqrt", "iter", 61, 9)]
+SMALL = row("classic_fk1_iter", "classic", "fk1", "iter", 90, 1, error=0.1, words=0.1) | {
+    "set": "W12", "params": {"W": 12, "F": 4}}
 for one in ROWS:
     if one["family"] == "arith":
         one |= {"error_mm": None, "input_error_lsb": None, "sweep_error_lsb": {"max": 0.99, "rms": 0.5}}
@@ -216,6 +218,15 @@ def test_the_pareto_goal_is_judged_with_the_miss(made):
     made["cores"][1]["error_lsb"]["max"] = 0.6
     assert render.pareto(made)[0] == ("FK1: `rational_fk1-S24` takes fewer ALUTs and fewer cycles than "
                                       "`classic_fk1_iter-S24` at no larger arithmetic error.")
+
+
+def test_smaller_parameter_sets_are_not_compared(made):
+    """A twelve-bit CORDIC must not stand for the family against a sixteen-bit rational core."""
+    before = render.paper_tables(made), render.cordic_wins(made), render.pareto(made), render.headline_table(made)
+    made["cores"].insert(3, copy.deepcopy(SMALL))
+    assert before == (render.paper_tables(made), render.cordic_wins(made), render.pareto(made),
+                      render.headline_table(made))
+    assert "`classic_fk1_iter-W12`" in render.markdown(made)
 
 
 @pytest.mark.parametrize("value, text", [(None, "–"), (0, "0"), (0.00004, "< 0.001"), (0.01234, "0.0123"),
