@@ -274,12 +274,51 @@ def _rotate(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
     return {"out_x": _within(core, "out_x", turned.real), "out_y": _within(core, "out_y", turned.imag)}
 
 
+def _long_vectors(core: Core, rng: np.random.Generator, count: int) -> dict[str, Ints]:
+    """Every direction at a quarter of the full scale and more, the axes and diagonals among them."""
+    full = core.inputs[0].high
+    theta = np.append(rng.uniform(0, truth.TURN, count - 8), np.arange(8) * (truth.TURN / 8))
+    length = full * rng.uniform(0.25, 1, count)
+    return {port.name: np.rint(length * part).astype(np.int64) for port, part in zip(core.inputs, truth.unit(theta))}
+
+
+def _vector(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    x, y = inputs["in_x"], inputs["in_y"]
+    turn = 2.0 ** _ports(core.outputs)["out_angle"].width
+    return {"out_magnitude": np.hypot(x, y), "out_angle": truth.angle(x, y) / truth.TURN * turn}
+
+
+def _spread_to_vector(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    c, n = truth.unit(truth.spread_word_to_angle(inputs["in_j"], core.params["S"]))
+    return {"out_c": c * 2.0 ** core.params["U"], "out_n": n * 2.0 ** core.params["U"]}
+
+
+def _vector_to_spread(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    return {"out_j": truth.angle_to_spread(truth.angle(inputs["in_c"], inputs["in_n"]), core.params["S"])}
+
+
+def _at_most_one(core: Core, rng: np.random.Generator, count: int) -> dict[str, Ints]:
+    """Dividends up to their divisor."""
+    words = _any_words(core, rng, count)
+    return {"in_rem": np.minimum(words["in_rem"], words["in_d"]), "in_d": np.maximum(words["in_d"], 1)}
+
+
+def _quotient(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    return {"out_digits": inputs["in_rem"] / inputs["in_d"] * 2.0 ** core.params["R"]}
+
+
 PRIMITIVES: dict[str, tuple[Callable, Callable]] = {
     "isqrt": (_any_words, _isqrt),
+    "root": (_any_words, lambda core, inputs: {"out_root": np.sqrt(floats(inputs["in_d"]))}),
     "divide": (_any_words, _divide),
+    "quotient": (_at_most_one, _quotient),
     "round_saturate": (_any_words, _round_saturate),
     "rotate": (_any_words, _rotate),
+    "vector": (_long_vectors, _vector),
+    "spread_to_vector": (_any_words, _spread_to_vector),
+    "vector_to_spread": (_any_words, _vector_to_spread),
 }
+CIRCULAR = ("out_angle", "out_j")  # outputs that wrap at the full turn
 
 
 def _primitive(core: Core, case: Case, outputs: dict[str, Ints]) -> Floats:
@@ -287,7 +326,7 @@ def _primitive(core: Core, case: Case, outputs: dict[str, Ints]) -> Floats:
     worst = np.zeros(len(next(iter(case.inputs.values()))))
     for name, exact in PRIMITIVES[core.function][1](core, case.inputs).items():
         error = np.abs(outputs[name] - exact)
-        if name in ("out_angle", "out_j1"):
+        if name in CIRCULAR:
             turn = 2.0 ** _ports(core.outputs)[name].width
             error = np.minimum(np.mod(error, turn), turn - np.mod(error, turn))
         worst = np.maximum(worst, error)  # NaN stays NaN

@@ -206,6 +206,18 @@ def test_primitives_in_lsb_of_their_output(function, params, answer, worst):
     assert accuracy.trajectory_case(one, ARM) is None
 
 
+@pytest.mark.parametrize("one", [one for one in cores.all_cores() if one.function in accuracy.PRIMITIVES],
+                         ids=lambda one: one.id)
+def test_bit_true_models_of_the_primitives_are_near_their_functions(one):
+    """And an answer one LSB off is farther away: the real-valued truths stand on the right ports and scales."""
+    case = accuracy.sweep_case(one, ARM)
+    answer = one.model(one.params, **case.inputs)
+    exact = accuracy.PRIMITIVES[one.function][1](one, case.inputs)
+    assert 0 <= accuracy.errors(one, ARM, case, answer).arithmetic.max() <= 1.5
+    shifted = {name: words + 2 * (name in exact) for name, words in answer.items()}
+    assert accuracy.errors(one, ARM, case, shifted).arithmetic.max() >= 1.5
+
+
 def test_an_unknown_function_has_no_truth():
     one = cores.Core(**{**core("fk1").__dict__, "function": "skid"})
     assert accuracy.trajectory_case(one, ARM) is None and accuracy.sweep_case(one, ARM) is None
