@@ -23,6 +23,23 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     return [{port.name: length for port in core.cfg} for length in lengths] if core.cfg else [{}]
 
 
+def points(w: int) -> tuple[np.ndarray, np.ndarray]:
+    """Every pair of 0, powers of two of both signs and their neighbours; directions where the nearer axis changes."""
+    high = 1 << w - 1
+    near = {sign * (1 << i) + j for i in range(w) for j in (-1, 0, 1) for sign in (-1, 1)}
+    edge = np.array(sorted(value for value in near if -high <= value < high))
+    x, y = (grid.ravel() for grid in np.meshgrid(edge, edge, indexing="ij"))
+    return x, y
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
-    """Directed inputs of one core."""
-    return {"in_j1": np.random.default_rng(1).permutation(turn_spreads(core.params["S"]))}
+    """Directed inputs of one core; a singular sample follows and precedes a regular one."""
+    rng = np.random.default_rng(1)
+    if core.function == "fk1":
+        return {"in_j1": rng.permutation(turn_spreads(core.params["S"]))}
+    x, y = points(core.params["W"])
+    order = np.append(rng.permutation(np.arange(x.size)), rng.integers(0, x.size, x.size // 8))
+    x, y = x[order], y[order]
+    zero = rng.random(x.size) < 0.05
+    zero[:2] = True  # held word: 0 after reset
+    return {"in_x": np.where(zero, 0, x), "in_y": np.where(zero, 0, y)}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// First half of the turn-spread decoder: in one clock from a joint word to the chords of |cos| and |sin|.
+// With f the fraction of the word and v = min(f, 1 - f), sqrt(1 - v) is `wide` and sqrt(v) is `thin`; the user's
+// multiplier completes root = knot + (step * offset >> D) in units of 2^-(U+3), D bits of offset.
+// 1 - f is taken as the one's complement followed by ones, which costs no adder. `thin` has 512 segments for each
+// range of v (tops 2^-1, 2^-5, 2^-10, 2^-15, 2^-21), stored denormalised: no shift behind the multiplier. In the
+// last range that S needs every word is a knot, so that even sqrt(2^-S) is exact to the unit.
+// Knots lie half the sag above the curve: a chord errs by at most half its sag, 0.2 units of 2^-U.
+// out_thin_n: the sine is `thin`; out_neg_c, out_neg_n: signs of cosine and sine.
+// Model: rational.roots
+`default_nettype none
+module rational_roots #(
+    parameter S = 24,
+    parameter U = 16,
+    parameter D = 12
+) (
+    input  wire         clk,
+    input  wire [S+1:0] in_j,
+    output reg  [U+2:0] out_wide_knot,
+    output reg  [U-6:0] out_wide_step,  // negative
+    output reg  [D-1:0] out_wide_offset,
+    output reg  [U+2:0] out_thin_knot,
+    output reg  [U-6:0] out_thin_step,
+    output reg  [D-1:0] out_thin_offset,
+    output reg          out_thin_n,
+    output reg          out_neg_c,
+    output reg          out_neg_n
+);
+    localparam LEVELS = S > 24 ? 5 : 4;
+
+    // sqrt(v), v = a d with d = 2^-h, in units of 2^-(U+3), lifted: sqrt(v + d^2 / (32 v)). No lift where offsets are 0.
+    // Newton's rounds from the knot before, which is near: elaboration time is what this is careful with.
+    function [U+2:0] knot(input integer h, input integer a, input [U+2:0] before);
+        reg [63:0] square, root;
+        integer    i;
+        begin
+            square = {32'd0, a};
+            square = a < 8 ? square << 2*(U+3) - h + 2 : ((32 * square * square + 1) << 2*(U+3) - h + 2) / (32 * square);
+            root = a < 16 ? 64'd2 << U + 3 : 2 * before;
+            for (i = a < 16 ? 0 : 22; i < 26; i = i + 1)
+                root = (root + square / root) >> 1;
+            root = root - (root * root > square) + 1;
+            knot = root[U+4] ? {(U+3){1'b1}} : root[U+3:1];
+        end
+    endfunction
+
+    function integer scale(input integer level);
+        scale = level == 0 ? 0 : level == 1 ? 4 : level == 2 ? 9 : level == 3 ? 14 : 20;
+    endfunction
+
+    reg [2*U-3:0] thin [0:512*LEVELS-1];  // {step, knot}
+    reg [2*U-3:0] wide [0:255];
+    reg [U+2:0]   here, next;
+    integer       level_, a;
+    initial begin
+        for (level_ = 0; level_ < LEVELS; level_ = level_ + 1) begin
+            next = 0;
+            for (a = 0; a < 512; a = a + 1) begin
+                here = next;
+                next = knot(10 + scale(level_), a + 1, here);
+                thin[512*level_ + a] = {next[U-6:0] - here[U-6:0], here};
+            end
+        end
+        next = {(U+3){1'b1}};
+        for (a = 0; a < 256; a = a + 1) begin
+            here = next;
+            next = knot(9, 511 - a, here);
+            wide[a] = {next[U-6:0] - here[U-6:0], here};
+        end
+    end
+
+    localparam T = 34;  // 2 v left-aligned in a word that holds every S
+    wire         fold = in_j[S-1];
+    wire [T-1:0] v = {in_j[S-2:0] ^ {(S-1){fold}}, {(T-S+1){fold}}};
+    wire         past4 = v[T-1:T-4] == 0, past9 = v[T-1:T-9] == 0;
+    wire         past14 = v[T-1:T-14] == 0, past20 = LEVELS == 5 && v[T-1:T-20] == 0;
+    wire [2:0]   level = {past20, past9 && !past20, past9 ? past14 && !past20 : past4};
+    reg  [8+D:0] segment;
+    always @*
+        case (level)
+            3'd0: segment = v[T-1:T-9-D];
+            3'd1: segment = v[T-5:T-13-D];
+            3'd2: segment = v[T-10:T-18-D];
+            3'd3: segment = {v[T-15:0], {(D-11){fold}}};
+            default: segment = {v[T-21:0], {(D-5){fold}}};
+        endcase
+    always @(posedge clk) begin
+        {out_thin_step, out_thin_knot} <= thin[{level[(LEVELS+3)/4:0], segment[8+D:D]}];
+        {out_wide_step, out_wide_knot} <= wide[v[T-1:T-8]];
+        out_thin_offset <= segment[D-1:0];
+        out_wide_offset <= v[T-9:T-8-D];
+        out_thin_n      <= fold == in_j[S];
+        out_neg_c       <= in_j[S+1] ^ in_j[S];
+        out_neg_n       <= in_j[S+1];
+    end
+endmodule
+`default_nettype wire
