@@ -51,3 +51,49 @@ def spread_chord(p: Params, *, in_s: Ints, in_not: Ints) -> dict[str, Ints]:
     middle = segment << 9 | (offset & 0x80) << 1 | (~offset & 0x80) | offset & 0x7F
     w = np.where(row == 3, segment << 9 | (flip & 1) << 8, middle)
     return {"out_w": w, "out_slope": chord_slopes()[row, segment]}
+
+
+def spread_to_vector(p: Params, *, in_j: Ints) -> dict[str, Ints]:
+    """Unit vector of a turn-spread word, each coordinate to nearest (ties outward): error <= 1/2 LSB of 2^-U.
+
+    c = +-sqrt(1 - s), n = +-sqrt(s), signs by quadrant (paper Table I in the continuous reading).
+    """
+    s, u = p["S"], p["U"]
+    j = ints(in_j)
+    k, f = j >> s, j & (1 << s) - 1
+
+    def root(spread: Ints) -> Ints:
+        cut = spread << 2 * u + 2 - s if 2 * u + 2 >= s else spread >> s - 2 * u - 2
+        return fixed.isqrt(cut) + 1 >> 1
+
+    one = 1 << u
+    near_f, near_g = root(f), np.where(f == 0, one, root((1 << s) - f))
+    c, n = np.where(k & 1, near_f, near_g), np.where(k & 1, near_g, near_f)
+    return {"out_c": np.where((k == 1) | (k == 2), -c, c), "out_n": np.where(k >= 2, -n, n)}
+
+
+def vector_to_spread(p: Params, *, in_c: Ints, in_n: Ints) -> dict[str, Ints]:
+    """Turn-spread word of a direction, ``s = n^2 / (c^2 + n^2)`` to nearest; c = n = 0 holds the last word.
+
+    Quadrant by the signs. Ties go up in the even quadrants and down in the odd ones, where 1 - s is the fraction.
+    Error <= 1/2 LSB of the word (paper eq. 9).
+    """
+    c, n = np.broadcast_arrays(ints(in_c), ints(in_n))
+    q, qn = c * c + n * n, n * n
+    k = np.where(n < 0, np.where(c < 0, 2, 3), np.where(c < 0, 1, 0))
+    most = (2 << p["S"]) - 1
+    twice = np.minimum(quotient(qn, np.where(q == 0, 1, q), p["S"] + 1), most)
+    twice = np.where(k % 2 == 1, most - twice, twice)
+    word = (k << p["S"]) + (twice + 1 >> 1) & (4 << p["S"]) - 1
+    return {"out_j": fixed.hold_last(word, q != 0), "out_status": (q == 0) * 2}
+
+
+def quotient(numerator: Ints, divisor: Ints, bits: int) -> Ints:
+    """``floor(numerator * 2^bits / divisor)`` for numerator <= divisor < 2^62, in steps that stay inside int64."""
+    result, rem = numerator // divisor, numerator % divisor
+    while bits:
+        step = min(bits, 62 - int(np.max(divisor, initial=1)).bit_length())
+        result = result << step | (rem << step) // divisor
+        rem = (rem << step) % divisor
+        bits -= step
+    return result

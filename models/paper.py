@@ -10,23 +10,50 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from quadrance import joint
 from quadrance.cores import STATUS_BITS
-from quadrance.fixed import Ints, hold_last, ints, isqrt
+from quadrance.fixed import Ints, ints, isqrt, round_shift
 
 Params = dict[str, int]
 Bools = NDArray[np.bool_]
 
 
-def signed_root(square: Ints, negative: Bools, width: int) -> tuple[Ints, Bools]:
-    """``+-sqrt(square / 4)`` rounded to nearest (ties outward) in a signed word of `width` bits.
+# Parts
 
-    `square` is the square of twice the result. Also returned: where the magnitude is 2^(width-1) or more,
-    which saturates.
-    """
-    magnitude = (isqrt(square) + 1) >> 1
-    over = magnitude >= 1 << width - 1
-    clamped = np.minimum(magnitude, (1 << width - 1) - 1 + negative)
-    return np.where(negative, -clamped, clamped), over
+
+def root(p: Params, *, in_d: Ints) -> dict[str, Ints]:
+    """``floor(sqrt(d))``."""
+    return {"out_root": isqrt(in_d)}
+
+
+def sign(p: Params, *, in_root: Ints, in_negative: Ints, in_over: Ints) -> dict[str, Ints]:
+    """``+-root / 2^(N-W+1)`` to nearest, ties away from zero; +-(2^(W-1) - 1) where it or `in_over` goes over."""
+    high = (1 << p["W"] - 1) - 1
+    shift = p["N"] - p["W"] + 1
+    magnitude = round_shift(in_root, shift)
+    over = magnitude > high
+    magnitude = np.where(over | (ints(in_over) != 0), high, magnitude)
+    return {"out_word": np.where(ints(in_negative) != 0, -magnitude, magnitude), "out_over": ints(over)}
+
+
+def quotient(p: Params, *, in_rem: Ints, in_d: Ints) -> dict[str, Ints]:
+    """R restoring digits of rem / d, as the rows do it: exact for 0 <= rem <= d, defined for every word."""
+    rem, d = np.broadcast_arrays(ints(in_rem), ints(in_d))
+    digits, mask = np.zeros_like(rem), (1 << p["Q"]) - 1
+    for _ in range(p["R"]):
+        trial = 2 * rem - d
+        less = trial >> p["Q"] & 1
+        rem = np.where(less, 2 * rem, trial) & mask
+        digits = 2 * digits + (1 - less)
+    return {"out_rem": rem, "out_digits": digits}
+
+
+def complement(fraction: Ints, fall: Bools, s: int) -> Ints:
+    """1 - f where `fall`, else f; both have S fraction bits, and 1 is a value of its own."""
+    return np.where(fall, (1 << s) - ints(fraction), fraction)
+
+
+# One joint
 
 
 def status(**bits: Bools) -> Ints:
@@ -36,13 +63,17 @@ def status(**bits: Bools) -> Ints:
 
 def fk1(p: Params, *, in_j1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
     """``x = +-sqrt(Q1 (1 - s1))``, ``y = +-sqrt(Q1 s1)``, Q1 = L1^2 (eqs. 51-52, Table I)."""
-    fraction, k = ints(in_j1) & (1 << p["S"]) - 1, ints(in_j1) >> p["S"]
-    fall = (1 << p["S"]) - fraction
-    odd = k % 2 == 1
+    w, s = p["W"], p["S"]
+    fraction, k = ints(in_j1) & (1 << s) - 1, ints(in_j1) >> s
     quadrance = ints(cfg_l1) * ints(cfg_l1)
-    x, over_x = signed_root(quadrance * np.where(odd, fraction, fall) >> p["S"] - 2, (k == 1) | (k == 2), p["W"])
-    y, over_y = signed_root(quadrance * np.where(odd, fall, fraction) >> p["S"] - 2, k >= 2, p["W"])
-    return {"out_x": x, "out_y": y, "out_status": status(overflow=over_x | over_y)}
+    out, over = {}, False
+    for axis, fall, negative in (("x", k % 2 == 0, (k == 1) | (k == 2)), ("y", k % 2 == 1, k >= 2)):
+        square = quadrance * complement(fraction, fall, s) >> s - 2  # of twice the result
+        beyond = square >> 2 * w != 0
+        signed = sign({"W": w, "N": w}, in_root=isqrt(square & (1 << 2 * w) - 1), in_negative=negative, in_over=beyond)
+        out[f"out_{axis}"] = signed["out_word"]
+        over = over | beyond | (signed["out_over"] != 0)
+    return out | {"out_status": status(overflow=over)}
 
 
 def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
@@ -50,11 +81,93 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
 
     Ties go up in the even quadrants and down in the odd ones, where 1 - s1 is the fraction.
     """
-    x, y = np.broadcast_arrays(ints(in_x), ints(in_y))
-    qx, qy = x * x, y * y
-    singular = qx + qy == 0
-    k = np.where(y < 0, np.where(x < 0, 2, 3), np.where(x < 0, 1, 0))
-    twice = np.minimum((qy << p["S"] + 1) // np.where(singular, 1, qx + qy), (2 << p["S"]) - 1)
-    twice = np.where(k % 2 == 1, (2 << p["S"]) - 1 - twice, twice)
-    word = (k << p["S"]) + (twice + 1 >> 1) & (4 << p["S"]) - 1
-    return {"out_j1": hold_last(word, ~singular), "out_status": status(singular=singular)}
+    answer = joint.vector_to_spread(p, in_c=in_x, in_n=in_y)
+    return {"out_j1": answer["out_j"], "out_status": answer["out_status"]}
+
+
+# Two and three joints, forward
+
+
+DIGITS = 3  # quotient digits a clock
+
+
+def chain(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints | None, cfg_l1: Ints, cfg_l2: Ints) -> dict[str, Ints]:
+    """Cross law, spread of the base angle, spread difference, 1DOF (eqs. 11-17, 24-31, Table II corrected).
+
+    Every word, also where the tip is out of range, is the word of rtl/paper/paper_chain.v.
+    """
+    w, f, s = p["W"], p["F"], p["S"]
+    i = w - 1 - f
+    n = max(s + 1, w - 1)
+    g = min(s, 27 - 2 * i)
+    q = 2 * i + g
+    c = n - w + 1
+    j1, j2, l1, l2 = np.broadcast_arrays(*map(ints, (in_j1, in_j2, cfg_l1, cfg_l2)))
+    one = (1 << s) - 1
+    f1, k1, f2, k2 = j1 & one, j1 >> s, j2 & one, j2 >> s
+    short = (1 << w - 1) - 1
+
+    def square(side: Ints) -> Ints:
+        """Quadrance u(2I).G of a length with half an LSB of the root; more than Q bits where it is out of range."""
+        return side * side >> 2 * n + 2 - q
+
+    def dof(left: Ints, right: Ints) -> tuple[Ints, Ints]:
+        """Fig. 8a: product of a u0.Q or quadrance word with a u1.N spread, and the root of it."""
+        product = left * right
+        return product, isqrt(product >> q - n & (1 << 2 * n) - 1)
+
+    # cross law, its square completed: q3 = (sqrt(Q1) +- sqrt(Q2 (1 - s2)))^2 + Q2 s2
+    quad = square((l2 & short) << c + 1) & (1 << q) - 1
+    product, b = dof(quad, complement(f2, k2 % 2 == 0, s) << n - s)
+    plus = (k2 == 0) | (k2 == 3)
+    side = (l1 & short) << c + 1
+    acc = 2 * b - np.where(plus, ~side, side)
+    h = quad - (product >> n)
+    whole = (square(acc) & (4 << q) - 1)
+    quad = (whole & (1 << q) - 1) + h
+    beyond = (l1 > short) | (l2 > short) | (whole >> q != 0) | (quad >> q != 0)
+    quad = quad & (1 << q) - 1
+    obtuse = ~plus & (acc >= 0)
+
+    # s' = s2 Q2 / q3, then the one difference that Table II comes down to
+    digits = DIGITS * -(-(s + 1) // DIGITS)
+    share = quotient({"Q": q, "R": digits}, in_rem=h, in_d=quad)["out_digits"] << q - digits
+    add = k2 < 2
+    rest = (1 << q) - 1 - share
+    flipped = obtuse ^ add
+    _, near = dof(np.where(flipped, share, rest), f1 << n - s)
+    _, far = dof(np.where(flipped, rest, share), complement(f1, True, s) << n - s)
+    difference = far - near
+    borrow = difference >= 0
+    k = k1 + np.where(add, 1 + obtuse, -ints(obtuse)) - borrow & 3
+    spread = difference * difference >> n
+    odd = (k1 + obtuse + add) % 2 == 1
+    spread = np.where(odd, (1 << n) - 1 - spread, spread)
+    behind = (k == 1) | (k == 2)
+
+    product, top = dof(quad, spread)
+    if in_j3 is None:
+        _, other = dof(quad, (1 << n) - 1 - spread)
+        roots = {"y": (top, k >= 2), "x": (other, behind)}
+    else:
+        f3, k3 = ints(in_j3) & one, ints(in_j3) >> s
+        flat = quad - (product >> n)  # qa = q3 - qz
+        _, y = dof(flat, complement(f3, k3 % 2 == 1, s) << n - s)
+        _, x = dof(flat, complement(f3, k3 % 2 == 0, s) << n - s)
+        roots = {"z": (top, k >= 2), "y": (y, behind ^ (k3 >= 2)), "x": (x, behind ^ ((k3 == 1) | (k3 == 2)))}
+    out, over = {}, beyond
+    for axis, (magnitude, negative) in roots.items():
+        signed = sign({"W": w, "N": n}, in_root=magnitude, in_negative=negative, in_over=beyond)
+        out[f"out_{axis}"] = signed["out_word"]
+        over = over | (signed["out_over"] != 0)
+    return out | {"out_status": status(overflow=over)}
+
+
+def fk2(p: Params, *, in_j1: Ints, in_j2: Ints, cfg_l1: Ints, cfg_l2: Ints) -> dict[str, Ints]:
+    """Two joints in the plane (eqs. 11-17, Table II corrected)."""
+    return chain(p, in_j1=in_j1, in_j2=in_j2, in_j3=None, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+
+
+def fk3(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints, cfg_l1: Ints, cfg_l2: Ints) -> dict[str, Ints]:
+    """Three joints: the plane of the two links turns (eqs. 24-31), the sign of rho restored."""
+    return chain(p, in_j1=in_j1, in_j2=in_j2, in_j3=in_j3, cfg_l1=cfg_l1, cfg_l2=cfg_l2)

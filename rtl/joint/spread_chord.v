@@ -24,7 +24,7 @@ module spread_chord #(
         end
     endgenerate
 
-    // 2^25 slopes of all segments, root by Newton from the neighbour's. With b = 2 t, the factor 1 - 1/(8 b^2) under the
+    // 2^25 slopes of all segments, root by Newton from the neighbour's. With b = 2 t, factor 1 - 1/(8 b^2) under the
     // root lowers the tangent by half of what it gains towards the ends, 1 + 1/(256 b) centres the cut of d.
     localparam SEGMENTS = 2048;
     function [17*SEGMENTS-1:0] slopes(input integer ranges);

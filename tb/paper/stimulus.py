@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from quadrance.cores import Core
 
+from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
 
@@ -13,6 +14,11 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     if not core.cfg:
         return [{}]
     half = 1 << core.params["W"] - 1
+    if len(core.cfg) == 2:
+        near = int(rng.integers(half // 64, half // 32))  # the paper's range, (L1 + L2)^2 < 128, and what ours adds
+        pairs = [(half // 2 - 1, half // 2), (3 * near, 2 * near), (2 * near, 3 * near), (near, near),
+                 (half - 1, half - 1), (2 * half - 1, 2 * half - 1), (half, 1), (0, 0), (near, 0), (0, near)]
+        return [{"cfg_l1": first, "cfg_l2": second} for first, second in pairs]
     some, long = int(rng.integers(half // 16, half)), int(rng.integers(half, 2 * half))
     return [{"cfg_l1": length} for length in (2 * half - 1, half, half - 1, some, long, 1, 0)]
 
@@ -33,11 +39,40 @@ def coordinates(core: Core) -> list[int]:
     return [*small, *(-value for value in small if value), -half]
 
 
+def cells(core: Core) -> list[np.ndarray]:
+    """Joint words for every cell of quadrants, off the borders, then borders paired at random."""
+    s, joints = core.params["S"], len(core.inputs)
+    middles = [(k << s) + f for k in range(4) for f in (1 << s - 2, 3 << s - 2)]
+    inside = np.stack(np.meshgrid(*[middles[::joints - 1]] * joints), axis=-1).reshape(-1, joints)
+    rng = np.random.default_rng(1)
+    edge = rng.choice(joint_words(core), (400, joints))
+    return list(np.concatenate([inside, edge]).T)
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
     if core.function == "fk1":
         return {"in_j1": joint_words(core)}
+    if core.function in ("fk2", "fk3"):
+        return dict(zip((port.name for port in core.inputs), cells(core)))
+    if core.function in ("root", "quotient", "sign"):
+        return _parts(core)
     x, y = (grid.ravel() for grid in np.meshgrid(coordinates(core), coordinates(core)))
     order = np.random.default_rng(1).permutation(x.size)
     blank = np.arange(x.size) % 17 == 3
     return {"in_x": np.where(blank, 0, x[order]), "in_y": np.where(blank, 0, y[order])}
+
+
+def _parts(core: Core) -> Vectors:
+    """Squares and their neighbours; remainders at the divisor; the extremes of every port."""
+    if core.function == "root":
+        roots = np.arange(1 << core.params["N"])[::1 if core.params["N"] < 10 else 97]
+        near = (roots * roots)[:, None] + np.array([-1, 0, 1])
+        return {"in_d": np.unique(np.clip(near, 0, (1 << 2 * core.params["N"]) - 1))}
+    rng = np.random.default_rng(1)
+    columns = {port.name: rng.choice(stimulus.extremes(port), 200) for port in core.inputs}
+    if core.function == "quotient":
+        d = rng.integers(0, 1 << core.params["Q"], 400)
+        rem = d - rng.integers(0, 2, 400) * rng.integers(0, d + 1)
+        columns = {"in_rem": np.append(columns["in_rem"], rem), "in_d": np.append(columns["in_d"], d)}
+    return columns
