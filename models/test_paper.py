@@ -31,7 +31,7 @@ def test_fk1_is_the_nearest_word(p):
 def test_fk1_saturates_and_says_so(p):
     border = np.arange(4) << p["S"]
     out = paper.fk1(p, in_j1=border, cfg_l1=(1 << 16) - 1)
-    assert np.array_equal(out["out_x"], [32767, 0, -32768, 0]) and np.array_equal(out["out_y"], [0, 32767, 0, -32768])
+    assert np.array_equal(out["out_x"], [32767, 0, -32767, 0]) and np.array_equal(out["out_y"], [0, 32767, 0, -32767])
     assert np.all(out["out_status"] == OVERFLOW)
     assert not np.any(paper.fk1(p, in_j1=border, cfg_l1=(1 << 15) - 1)["out_status"])
 

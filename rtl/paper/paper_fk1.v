@@ -4,7 +4,7 @@
 // Formats: in_j1 turn-spread u2.S, cfg_l1 u(W-F).F, out_x out_y s(W-F).F; rounded to nearest, ties outward.
 // Error: arithmetic <= 1/2 LSB (Q1 s is exact down to the bit that decides the rounding).
 // Latency 2, II 2. Clock 1: spread f from the port; clock 2: spread 1 - f. One multiplier pair, one root.
-// Status: overflow (a magnitude rounds to 2^(W-1) LSB or more: saturated)
+// Status: overflow (a magnitude rounds to 2^(W-1) LSB or more: +-(2^(W-1) - 1))
 // Source: paper eqs. 51-52, Fig. 8, Table I read as turn-spread (odd quadrants swap s and 1 - s)
 // Model: paper.fk1
 `default_nettype none
@@ -43,27 +43,17 @@ module paper_fk1 #(
     wire [W+S:0]     ls = cfg_l1 * s;
     wire [2*W+S-1:0] q  = cfg_l1 * ls;
     wire [W-1:0]     root;  // one bit more than the magnitude: it rounds
-    wire [W:0]       rem;
-    isqrt_comb #(.W(2*W)) square_root (.in_d(q[2*W+S-3 : S-2]), .out_root(root), .out_rem(rem));
-    wire             unused = &{1'b0, q, rem};
+    paper_root #(.N(W)) square_root (.in_d(q[2*W+S-3 : S-2]), .out_root(root));
+    wire             unused = &{1'b0, q};
 
     // f belongs to y in even quadrants and to x in odd ones
     wire         to_x = second ^ k[0];
-    wire         negative = k[1] ^ (to_x & k[0]);
-    // -(m + r) = ~m + !r: sign and rounding share one increment, whose carry is cheaper as gates than as a chain
-    wire [W-1:0] m = {negative, root[W-1:1] ^ {(W-1){negative}}};
-    reg  [W-1:0] word;
-    reg          carry;
-    integer      i;
-    always @* begin
-        carry = negative ^ root[0];
-        for (i = 0; i < W; i = i + 1) begin
-            word[i] = m[i] ^ carry;
-            carry = m[i] & carry;
-        end
-    end
-    wire         over = |q[2*W+S-1 -: 2] || &root;
-    wire [W-1:0] result = over ? {negative, {(W-1){!negative}}} : word;
+    wire         beyond = |q[2*W+S-1 -: 2];
+    wire         rounded;
+    wire [W-1:0] word;
+    paper_sign #(.W(W), .N(W)) sign (.in_root(root), .in_negative(k[1] ^ (to_x & k[0])), .in_over(beyond),
+                                     .out_word(word), .out_over(rounded));
+    wire         over = beyond || rounded;
 
     wire         accept = in_valid && in_ready;
     always @(posedge clk) begin
@@ -72,8 +62,8 @@ module paper_fk1 #(
             kept_s <= {1'b1, {S{1'b0}}} - {1'b0, in_j1[S-1:0]};
         end
         if (accept || second) begin
-            if (to_x) {over_x, out_x} <= {over, result};
-            else      {over_y, out_y} <= {over, result};
+            if (to_x) {over_x, out_x} <= {over, word};
+            else      {over_y, out_y} <= {over, word};
         end
     end
 

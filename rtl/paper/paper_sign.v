@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sign (Fig. 8b) and rounding of a root: out_word = -+in_root / 2^(N-W+1), to nearest, ties away from zero.
+//   Formats: in_root uN.0, N >= W-1; out_word sW.0. With N = W-1 nothing is rounded.
+// The increments of sign and rounding are one: x + 1 toggles up to the lowest 0, -x above the lowest 1, -(x + 1) all.
+// The word is +-(2^(W-1) - 1) with in_over, and with out_over: the magnitude would round to 2^(W-1).
+// Model: paper.sign
+`default_nettype none
+module paper_sign #(
+    parameter W = 16,
+    parameter N = 16
+) (
+    input  wire [N-1:0] in_root,
+    input  wire         in_negative,
+    input  wire         in_over,
+    output reg  [W-1:0] out_word,
+    output wire         out_over
+);
+    wire         half;  // the bit below the word's LSB
+    wire [W-1:0] x = {1'b0, in_root[N-1 -: W-1] | {(W-1){in_over}}};
+    generate
+        if (N < W - 1) begin : g_illegal
+            paper_sign_needs_N_from_W_minus_1 rule ();
+        end
+        if (N < W) begin : g_exact
+            assign half = 1'b0;
+            assign out_over = 1'b0;
+        end else begin : g_round
+            assign half = in_root[N-W] && !in_over && !out_over;
+            assign out_over = &in_root[N-1 -: W];
+        end
+        if (N > W) begin : g_fine
+            wire unused = &{1'b0, in_root};
+        end
+    endgenerate
+
+    reg     toggle;
+    integer i;
+    always @* begin
+        toggle = half;
+        for (i = 0; i < W; i = i + 1) begin
+            out_word[i] = x[i] ^ toggle;
+            toggle = in_negative ? toggle | x[i] : toggle & x[i];
+        end
+    end
+endmodule
+`default_nettype wire
