@@ -1,0 +1,156 @@
+"""rational_* models against float64: derived error bounds, borders, symmetries, status."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from quadrance import joint, rational, truth
+
+ONE = {"W": 16, "F": 8, "S": 24}
+LENGTHS = (1, 100, 4095, 8320, 11111, 16383, 16384)  # LSB; 16384 is 64 units of Q7.8
+
+
+# One joint
+
+
+def _words(s: int) -> np.ndarray:
+    """Every word of a format up to 16 bits of spread; else both ends and middle of every table segment, and a rest."""
+    if s <= 16:
+        return np.arange(4 << s)
+    edges = [np.arange(joint.SEGMENTS)[:, None] << width for width in joint.SEGMENT_BITS]
+    near = np.concatenate([edge + (np.array([0, 1, 2, 3]) << width >> 1) + step
+                           for edge, width in zip(edges, joint.SEGMENT_BITS) for step in (-1, 0, 1)], axis=None)
+    rest = np.random.default_rng(2).integers(0, 1 << s, 30000)
+    spread = np.concatenate([near, -near, rest]) & (1 << s) - 1
+    return np.unique(np.arange(4)[:, None] * (1 << s) + spread)
+
+
+def _coordinate_bound(length: int) -> float:
+    """1/2 rounding, 1/16 cut of L1 w (2^-5 LSB times a slope of at most 2), 0.56 / 2^15 of the table; LSB."""
+    return 0.5 + 1 / 16 + 0.56 * length / 2**15
+
+
+@pytest.mark.parametrize("s", [8, 16, 24])
+@pytest.mark.parametrize("length", LENGTHS)
+def test_fk1_error(s, length):
+    word = _words(s)
+    answer = rational.fk1(ONE | {"S": s}, in_j1=word, cfg_l1=length)
+    x, y = truth.fk1(truth.spread_word_to_angle(word, s), length)
+    dx, dy = answer["out_x"] - x, answer["out_y"] - y
+    assert max(np.abs(dx).max(), np.abs(dy).max()) <= _coordinate_bound(length)
+    assert np.hypot(dx, dy).max() <= 1.0
+    assert not answer["out_status"].any()
+
+
+def test_fk1_is_exact_on_every_border():
+    """Spread 0 gives the whole length and nothing, from either side of the border."""
+    length = np.arange(1 << 15)
+    for k, (c, n) in enumerate([(1, 0), (0, 1), (-1, 0), (0, -1)]):
+        answer = rational.fk1(ONE, in_j1=np.full(length.shape, k << 24), cfg_l1=length)
+        assert (answer["out_x"] == c * length).all() and (answer["out_y"] == n * length).all()
+
+
+@pytest.mark.parametrize("length", LENGTHS)
+def test_fk1_never_steps_back_by_more_than_one_lsb(length):
+    """Segments of the table join within 0.82 / 2^15, so the rounded coordinates within one LSB."""
+    word = _words(24)
+    answer = rational.fk1(ONE, in_j1=word, cfg_l1=length)
+    quadrant = word >> 24
+    for k, (rise_x, rise_y) in enumerate([(-1, 1), (-1, -1), (1, -1), (1, 1)]):
+        here = quadrant == k
+        assert (np.diff(answer["out_x"][here]) * rise_x).min() >= -1
+        assert (np.diff(answer["out_y"][here]) * rise_y).min() >= -1
+
+
+@given(st.integers(0, (4 << 24) - 1), st.integers(0, 65535))
+def test_fk1_half_a_turn_negates(word, length):
+    here, there = (rational.fk1(ONE, in_j1=np.array([w]), cfg_l1=length) for w in (word, word + (2 << 24) & (4 << 24) - 1))
+    saturated = here["out_status"] | there["out_status"]
+    for port in ("out_x", "out_y"):  # ties go upward, and -32768 has no opposite: one LSB at most
+        assert saturated[0] or abs(int(here[port][0]) + int(there[port][0])) <= 1
+
+
+def test_fk1_saturates_with_a_flag():
+    word = _words(24)
+    answer = rational.fk1(ONE, in_j1=word, cfg_l1=65535)
+    x, y = truth.fk1(truth.spread_word_to_angle(word, 24), 65535)
+    away = _coordinate_bound(65535)
+    for port, exact in (("out_x", x), ("out_y", y)):
+        assert (np.abs(answer[port] - np.clip(exact, -32768, 32767)) <= away).all()
+    outside = np.maximum.reduce([x - 32767, -32768 - x, y - 32767, -32768 - y])
+    assert (answer["out_status"][outside > away] == 4).all()
+    assert (answer["out_status"][outside < -away] == 0).all()
+
+
+def _cell_error(x: np.ndarray, y: np.ndarray, word: np.ndarray, s: int) -> np.ndarray:
+    """Angle (rad) from (x, y) to the nearest direction that rounds to `word`."""
+    theta = np.arctan2(y, x)
+    size = 4.0 * 2**s
+    off = np.mod(truth.angle_to_spread(theta, s) - word + size / 2, size) - size / 2
+    return np.abs(truth.difference(truth.spread_word_to_angle(word + np.clip(off, -0.5, 0.5), s), theta))
+
+
+# Bound of the direction, rad. s = m^2 r, so d theta = (dr / r) t / 2, t = m / M <= 1 but at near ties, q = M^2 (1 + t^2):
+#   sag of the chord h^2 / (8 q^2) t / 2, h = 2^-8                 <= 0.65 * 2^-19
+#   cut of q, 2^-17 around its middle, / q * t / 2                 <= 0.87 * 2^-17
+#   knot and product of the chord, 2^-17 + 2^-17 + 2^-17 (cut), * q t / 2 <= 3 * 2^-17
+#   cut of m^2 (at most 4/8 of 2^-27, times r): below 2^-15 at the first words past a border, where t is near 0
+IK1_BOUND = 0.6 * 2.0**-14
+
+
+@pytest.mark.parametrize("s", [8, 16, 24])
+def test_ik1_error(s):
+    rng = np.random.default_rng(4)
+    angle, size = rng.uniform(-np.pi, np.pi, 200000), np.exp(rng.uniform(0, np.log(46000), 200000))
+    x, y = (np.clip(np.round(size * f(angle)), -32768, 32767).astype(np.int64) for f in (np.cos, np.sin))
+    x[:50000] = rng.integers(-90, 91, 50000)  # near the border, where the spread is flat
+    keep = (x != 0) | (y != 0)
+    x, y = x[keep], y[keep]
+    word = rational.ik1(ONE | {"S": s}, in_x=x, in_y=y)["out_j1"]
+    assert _cell_error(x, y, word, s).max() <= IK1_BOUND
+
+
+def test_ik1_error_of_every_short_point():
+    x, y = (grid.ravel() for grid in np.meshgrid(np.arange(-128, 128), np.arange(-128, 128)))
+    answer = rational.ik1({"W": 8, "F": 4, "S": 24}, in_x=x, in_y=y)
+    zero = (x == 0) & (y == 0)
+    assert (answer["out_status"] == np.where(zero, 2, 0)).all()
+    assert _cell_error(x[~zero], y[~zero], answer["out_j1"][~zero], 24).max() <= IK1_BOUND
+
+
+def test_ik1_error_first_words_past_the_borders():
+    """Every m up to 40 beside every long coordinate: here one spread LSB is most of an LSB of the tip."""
+    m, long = (grid.ravel() for grid in np.meshgrid(np.arange(-40, 41), np.arange(8192, 32768, 7)))
+    for x, y in ((long, m), (m, long), (-long, m), (m, -long)):
+        word = rational.ik1(ONE, in_x=x, in_y=y)["out_j1"]
+        assert _cell_error(x, y, word, 24).max() <= IK1_BOUND
+
+
+def test_ik1_is_exact_on_every_axis():
+    length = np.arange(1, 1 << 15)
+    for k, (c, n) in enumerate([(1, 0), (0, 1), (-1, 0), (0, -1)]):
+        assert (rational.ik1(ONE, in_x=c * length, in_y=n * length)["out_j1"] == k << 24).all()
+    corner = rational.ik1(ONE, in_x=np.array([-32768, -1, 32767]), in_y=np.array([-32768, -1, 32767]))["out_j1"]
+    assert corner[:2].tolist() == [(2 << 24) + (1 << 23)] * 2
+
+
+@given(st.integers(-8191, 8191), st.integers(-8191, 8191), st.integers(1, 2))
+def test_ik1_depends_on_the_direction_alone(x, y, shift):
+    short, long = (rational.ik1(ONE, in_x=np.array([x << k]), in_y=np.array([y << k])) for k in (0, shift))
+    assert short["out_j1"] == long["out_j1"] and short["out_status"] == long["out_status"]
+
+
+def test_ik1_holds_the_last_word_where_there_is_no_direction():
+    answer = rational.ik1(ONE, in_x=np.array([0, 0, 0, -5, 0]), in_y=np.array([0, 7, 0, 0, 0]))
+    assert answer["out_j1"].tolist() == [0, 1 << 24, 1 << 24, 2 << 24, 2 << 24]
+    assert answer["out_status"].tolist() == [2, 0, 2, 0, 2]
+
+
+@pytest.mark.parametrize("length", LENGTHS[3:])
+def test_one_joint_there_and_back(length):
+    """ik1 of fk1 returns the direction within both bounds: the tip's distance, 1 LSB, and ik1's own."""
+    word = _words(24)
+    tip = rational.fk1(ONE, in_j1=word, cfg_l1=length)
+    back = rational.ik1(ONE, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
+    turned = _cell_error(*truth.fk1(truth.spread_word_to_angle(word, 24), length), back, 24)
+    assert turned.max() <= 1.0 / (length - 1) + IK1_BOUND
