@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The angle of micro-rotation I as a constant, no logic: out_angle = floor(atan(2^-I) / (2 pi) * 2^(I + Z)),
-// the LOW last bits 0. Scaled by 2^I every angle lies between 0.125 and 0.16 turns; from I = 9 on it is the radian.
+// The angles of N micro-rotations from I on with their signs, summed by look-up, combinational; N = 1: a constant.
+//   out_sum = sum over k of a_k or, where in_minus[N-1-k], ~a_k,  a_k = floor(atan 2^-(I+k) / (2 pi) * 2^Z)
+// Up to six signs are the inputs of one cell a bit: a fifth of what the adders would take.
 `default_nettype none
 module cordic_angle #(
-    parameter I   = 1,
-    parameter Z   = 20,
-    parameter LOW = 0
+    parameter I = 0,
+    parameter N = 1,
+    parameter Z = 21
 ) (
-    output wire [Z-1:0] out_angle
+    input  wire [N-1:0] in_minus,
+    output wire [Z-1:0] out_sum
 );
-    function [31:0] angle(input integer i);
+    function [31:0] angle(input integer i);  // in 2^-(32 + i) turns; from i = 9 on it is the radian
         case (i)
             0: angle = 32'h20000000;
             1: angle = 32'h25c80a3b;
@@ -23,7 +25,20 @@ module cordic_angle #(
             default: angle = 32'h28be5d76;
         endcase
     endfunction
-    localparam [31:0] ANGLE = angle(I);
-    assign out_angle = {ANGLE[31 -: Z-LOW], {LOW{1'b0}}};
+    function [(Z<<N)-1:0] table_of_sums(input integer entries);
+        integer c, k;
+        reg [31:0] term;
+        begin
+            table_of_sums = {(Z<<N){1'b0}};
+            for (c = 0; c < entries; c = c + 1)
+                for (k = 0; k < N; k = k + 1) begin
+                    term = angle(I + k) >> 32 - Z + I + k;
+                    if (((c >> N - 1 - k) & 1) != 0) term = ~term;
+                    table_of_sums[Z*c +: Z] = table_of_sums[Z*c +: Z] + term[Z-1:0];
+                end
+        end
+    endfunction
+    localparam [(Z<<N)-1:0] SUMS = table_of_sums(1 << N);
+    assign out_sum = SUMS[Z*in_minus +: Z];
 endmodule
 `default_nettype wire

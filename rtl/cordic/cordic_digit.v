@@ -25,11 +25,14 @@ module cordic_digit #(
     wire         some = top != 3'd0;
     wire [P-1:0] xt = two ? in_xf >>> S - 1 : in_xf >>> S;
     wire [P-1:0] yt = two ? in_yf >>> S - 1 : in_yf >>> S;
-    wire [Z-1:0] radian, sum;
-    cordic_angle #(.I(9), .Z(Z), .LOW(LOW)) constant (.out_angle(radian));
+    wire [Z+8:0] radian;
+    wire [Z-1:0] angle = two ? {radian[Z-2:0], 1'b0} : radian[Z-1:0];
+    wire [Z-1:0] sum;
+    wire         unused = &{1'b0, radian[Z+8:Z]};
+    cordic_angle #(.I(9), .Z(Z + 9)) constant (.in_minus(1'b0), .out_sum(radian));
     assign out_x = in_x + ((yt ^ {P{!minus}}) & {P{some}});
     assign out_y = in_y + ((xt ^ {P{ minus}}) & {P{some}});
-    assign sum = in_z + (((two ? radian << 1 : radian) ^ {Z{!minus}}) & {Z{some}} << LOW);
+    assign sum = in_z + ((angle ^ {Z{!minus}}) & {Z{some}} << LOW);
     assign out_z = sum << 2;
 endmodule
 `default_nettype wire

@@ -20,13 +20,15 @@ module cordic_rotation #(
     output wire        [Z-1:0] out_z
 );
     localparam LOW = I > 3 ? I - 3 : 0;
-    wire [Z-1:0] angle, sum;
+    wire [Z+I-1:0] angle;  // scaled by 2^I: between 0.125 and 0.16
+    wire [Z-1:0] sum;
     wire [D-1:0] xt = in_x >>> I;
     wire [D-1:0] wt = in_w >>> I;
     wire [D-1:0] u;
     wire         unused;
-    cordic_angle #(.I(I), .Z(Z), .LOW(LOW)) constant (.out_angle(angle));
-    assign sum = in_z + ((angle ^ {Z{in_n}}) & {Z{1'b1}} << LOW);
+    cordic_angle #(.I(I), .Z(Z + I)) constant (.in_minus(in_n), .out_sum(angle));
+    assign sum = in_z + (angle[Z-1:0] & {Z{1'b1}} << LOW);
+    wire         unused_high = &{1'b0, angle[Z+I-1:Z]};
     assign out_z = sum << 1;
     assign out_n = LAST == 0 && !out_z[Z-1];
     assign out_x = in_x + wt;

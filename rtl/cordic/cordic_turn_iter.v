@@ -80,19 +80,25 @@ module cordic_turn_iter #(
     end
 
     // angle: scaled by 2 or 4 a step, so that a digit always sits in the top bits
-    wire [16*Z-1:0] values, masks;
+    wire [32*Z-1:0] terms;  // to subtract, then to add: the sign is one more input of the ROM's cell
     genvar g;
     generate
-        for (g = 0; g < 16; g = g + 1) begin : g_word
-            localparam I = g < C ? g + 1 : 9;
-            localparam LOW = g < C ? (g > 2 ? g - 2 : 0) : C > 2 ? C - 2 : 0;  // bits finer than the first step's last one stay as they are
-            wire [Z-1:0] angle;
-            cordic_angle #(.I(I), .Z(Z), .LOW(LOW)) constant (.out_angle(angle));
-            assign values[Z*g +: Z] = g == C + 2 ? angle << 1 : angle;
-            assign masks[Z*g +: Z] = g == C ? 0 : {Z{1'b1}} << LOW;
+        for (g = 0; g < 32; g = g + 1) begin : g_word
+            localparam M = g % 16;
+            localparam I = M < C ? M + 1 : 9;
+            localparam LOW = M < C ? (M > 2 ? M - 2 : 0) : C > 2 ? C - 2 : 0;  // bits too fine to matter then
+            localparam TWO = M == C + 2 ? 1 : 0;
+            wire [Z+I-1:0] angle;
+            wire           unused = &{1'b0, angle};
+            cordic_angle #(.I(I), .Z(Z + I)) constant (.in_minus(1'b0), .out_sum(angle));
+            if (M == C || M > C + 2) begin : g_none
+                assign terms[Z*g +: Z] = {Z{1'b0}};
+            end else begin : g_some
+                assign terms[Z*g +: Z] = {angle[Z-1-TWO:LOW-TWO] ^ {(Z-LOW){g < 16}}, {LOW{1'b0}}};
+            end
         end
     endgenerate
-    assign sum_z = z + ((values[Z*word +: Z] ^ {Z{!z[Z-1]}}) & masks[Z*word +: Z]);
+    assign sum_z = z + terms[Z*{z[Z-1], word} +: Z];
     assign next_z = tail ? sum_z << 2 : sum_z << 1;
     always @(posedge clk)
         if (in_start) z <= in_z;
