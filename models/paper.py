@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from quadrance import joint
 from quadrance.cores import STATUS_BITS
-from quadrance.fixed import Ints, ints, isqrt, round_shift
+from quadrance.fixed import Ints, hold_last, ints, isqrt, round_shift
 
 Params = dict[str, int]
 Bools = NDArray[np.bool_]
@@ -171,3 +171,87 @@ def fk2(p: Params, *, in_j1: Ints, in_j2: Ints, cfg_l1: Ints, cfg_l2: Ints) -> d
 def fk3(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints, cfg_l1: Ints, cfg_l2: Ints) -> dict[str, Ints]:
     """Three joints: the plane of the two links turns (eqs. 24-31), the sign of rho restored."""
     return chain(p, in_j1=in_j1, in_j2=in_j2, in_j3=in_j3, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+
+
+# Two and three joints, inverse
+
+
+def solve(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints | None, in_elbow: Ints, cfg_l1: Ints,
+          cfg_l2: Ints) -> dict[str, Ints]:
+    """Spreads of a triangle from its quadrances, then a spread sum or difference (eqs. 18-23, 32-40).
+
+    Every word is the word of rtl/paper/paper_solve.v, also with links out of range.
+    """
+    w, f, s, rows = p["W"], p["F"], p["S"], p["R"]
+    i = w - 1 - f
+    g = min(s, 2 * f)
+    q = 2 * i + 2 + g
+    digits = rows * -(-(s + 3) // rows)
+    right = max(digits, w)
+    left = min(2 * i + g, 27)
+    squared = min(right, 26)
+    n = min(digits, 26)
+    x, y, elbow, l1, l2 = np.broadcast_arrays(*map(ints, (in_x, in_y, in_elbow, cfg_l1, cfg_l2)))
+    short = (1 << w - 1) - 1
+    quadrance = lambda side: side * side >> 2 * f - g  # noqa: E731 (a formula of one line)
+    q1, q2, product = quadrance(l1 & short), quadrance(l2 & short), (l1 & short) * (l2 & short)
+    whole = {"Q": q, "R": digits}
+
+    def word(k: Ints, share: Ints, bits: int, fall: Bools) -> Ints:
+        """The share (or its complement) to nearest in quadrant k."""
+        top = share >> bits - s - 1 ^ np.where(fall, (2 << s) - 1, 0)
+        return (k << s) + (top + 1 >> 1) & (4 << s) - 1
+
+    # directions: of the yaw, then of the tip in the links' plane
+    kr = np.where(y < 0, np.where(x < 0, 2, 3), np.where(x < 0, 1, 0))
+    q3, rise, ka = quadrance(x) + quadrance(y), quadrance(y), kr
+    out, still = {}, np.zeros(x.shape, dtype=bool)
+    if in_z is not None:
+        still = q3 == 0
+        yaw = quotient(whole, in_rem=rise, in_d=q3)["out_digits"]
+        out["out_j3"] = hold_last(word(kr, yaw, digits, kr % 2 == 1), ~still)
+        z = np.broadcast_to(ints(in_z), x.shape)
+        q3, rise, ka = q3 + quadrance(z), quadrance(z), np.where(z < 0, 3, 0)
+    tip = quotient(whole, in_rem=rise, in_d=q3)["out_digits"]
+    undefined = q3 == 0
+
+    # the elbow by the cross law: v = 1 - |c| / (2 L1 L2), cos = +-(1 - v)
+    c = q3 - q1 - q2
+    obtuse = (c < 0) & (2 * q1 - np.abs(c) < 0)
+    twice = product << 1 >> 2 * f - g
+    slack = twice - np.abs(c)
+    unreachable = slack < 0
+    v = quotient(whole, in_rem=np.maximum(slack, 0), in_d=twice)["out_digits"]
+    cosine = (1 << squared) - 1 - (v << right - digits >> right - squared)
+    square = cosine * cosine
+    k2 = np.where(elbow != 0, np.where(c < 0, 2, 3), np.where(c < 0, 1, 0))
+    out["out_j2"] = word(k2, square, 2 * squared, k2 % 2 == 0)
+
+    # the base angle by the spread law, and the difference that both elbows come down to
+    s2 = (1 << right) - 1 - (square >> 2 * squared - right)
+    h = (q2 >> 2 * i + g - left) * s2 >> left + right - 2 * i - g
+    base = quotient(whole, in_rem=h, in_d=q3)["out_digits"] << left - digits
+    base = np.where(obtuse ^ (elbow != 0), base, (1 << left) - 1 - base)
+    tip = tip << right - digits
+    tip = np.where(ka % 2 == 1, (1 << right) - 1 - tip, tip)
+
+    def root(a: Ints, b: Ints) -> Ints:
+        return isqrt(a * b >> left + right - 2 * n)
+
+    difference = root((1 << left) - 1 - base, (1 << right) - 1 - tip) - root(base, tip)
+    borrow = difference >= 0
+    k1 = ka + np.where(elbow != 0, 1 + obtuse, -ints(obtuse)) - borrow & 3
+    out["out_j1"] = hold_last(word(k1, difference * difference, 2 * n, borrow), ~undefined)
+    beyond = (l1 > short) | (l2 > short)
+    return out | {"out_status": status(unreachable=unreachable, singular=undefined | still, overflow=beyond)}
+
+
+def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints) -> dict[str, Ints]:
+    """Two joints in the plane (eqs. 18-23), the elbow and every quadrant recovered."""
+    return solve(p, in_x=in_x, in_y=in_y, in_z=None, in_elbow=in_elbow, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+
+
+def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints,
+        cfg_l2: Ints) -> dict[str, Ints]:
+    """Three joints (eqs. 32-40), the tip in front of the yaw axis (rho >= 0)."""
+    return solve(p, in_x=in_x, in_y=in_y, in_z=in_z, in_elbow=in_elbow, cfg_l1=cfg_l1, cfg_l2=cfg_l2)

@@ -49,12 +49,32 @@ def cells(core: Core) -> list[np.ndarray]:
     return list(np.concatenate([inside, edge]).T)
 
 
+def targets(core: Core, cfg: dict[str, int]) -> Vectors:
+    """The axes, the origin between other targets, the yaw axis, both edges of the annulus, and all of the extremes."""
+    rng = np.random.default_rng(1)
+    axes = [port.name for port in core.inputs if port.name != "in_elbow"]
+    half = 1 << core.params["W"] - 1
+    far, near = cfg["cfg_l1"] + cfg["cfg_l2"], abs(cfg["cfg_l1"] - cfg["cfg_l2"])
+    radius = (np.array([far, near, far / 2, (far + near) / 2])[:, None] + np.arange(-2, 3)).ravel()
+    angle = np.pi / 4 * np.arange(8)[:, None]
+    edge = [(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), np.zeros(radius.size * 8)]
+    word = rng.choice(coordinates(core), (300, len(axes)))
+    word[rng.random(word.shape) < 0.2] = 0
+    word[3::17] = 0
+    rows = np.concatenate([np.rint(np.stack(edge[:len(axes)], axis=-1)), word])
+    rows = np.clip(rows, -half, half - 1).astype(np.int64)
+    columns = dict(zip(axes, rows.T))
+    return columns | {"in_elbow": np.arange(len(rows)) // 3 % 2}
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
     if core.function == "fk1":
         return {"in_j1": joint_words(core)}
     if core.function in ("fk2", "fk3"):
         return dict(zip((port.name for port in core.inputs), cells(core)))
+    if core.function in ("ik2", "ik3"):
+        return targets(core, cfg)
     if core.function in ("root", "quotient", "sign"):
         return _parts(core)
     x, y = (grid.ravel() for grid in np.meshgrid(coordinates(core), coordinates(core)))
