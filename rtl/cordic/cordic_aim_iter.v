@@ -39,7 +39,8 @@ module cordic_aim_iter #(
     (* fsm_encoding = "none" *) reg [1:0] by6;
     (* fsm_encoding = "none" *) reg [1:0] own;  // 0: shifted y, 1: v >> 2, 2: v >> 3, 3: the rounding
     reg  grow, move, tail, less, mirror;
-    assign out_done = out_busy && next == STEPS;
+    wire signed [31:0] at = {27'd0, next};
+    assign out_done = out_busy && at == STEPS;
     always @(posedge clk) begin
         next     <= !rst && (in_start || (out_busy && !out_done)) ? next + 5'd1 : 5'd0;
         out_busy <= !rst && (in_start || (out_busy && !out_done));
@@ -55,12 +56,12 @@ module cordic_aim_iter #(
             5'd7:    {by6, by2} <= 4'b1001;
             default: {by6, by2} <= 4'b1010;
         endcase
-        grow <= next <= U || (MAGNITUDE && next == C + 7);  // at last v, to be rounded: the last y is not looked at
-        move <= next <= U || (MAGNITUDE && next <= C + 8);
-        tail <= next > C;
-        own  <= !MAGNITUDE || next <= C ? 2'd0 : next == C + 8 ? 2'd3
-                : next == C + 2 || next == C + 3 || next == C + 7 ? 2'd1 : 2'd2;
-        less <= next == C + 3 || next == C + 6;
+        grow <= at <= U || (MAGNITUDE && at == C + 7);  // at last v, to be rounded: the last y is not looked at
+        move <= at <= U || (MAGNITUDE && at <= C + 8);
+        tail <= at > C;
+        own  <= !MAGNITUDE || at <= C ? 2'd0 : at == C + 8 ? 2'd3
+                : at == C + 2 || at == C + 3 || at == C + 7 ? 2'd1 : 2'd2;
+        less <= at == C + 3 || at == C + 6;
         if (in_start) mirror <= in_x[W-1];
     end
 

@@ -32,7 +32,7 @@ module cordic_turn_iter #(
     localparam Z = W + 4;
     localparam C = (W + 1) / 2;
     localparam T = (W - C + 1) / 2 + 1;
-    localparam N = GAIN ? 3 + (W > 10) + (W > 12) + (W > 15) : 0;
+    localparam integer N = GAIN ? 3 + (W > 10) + (W > 12) + (W > 15) : 0;
     localparam STEPS = N + C + T + 1;
 
     // the shift of a step as digits in base 3, {9s, 3s, 1s}; 3 in the last one stands for the constant R
@@ -63,17 +63,18 @@ module cordic_turn_iter #(
     wire        [2:0]   top = next_z[Z-2 -: 3] ^ {3{next_z[Z-1]}};
     wire                two = top[2];
     wire                one = !top[2] && top[1:0] != 2'd0;
-    wire                to_tail = next >= N + C && next < N + C + T;
-    assign out_done = out_busy && next == STEPS;
+    wire signed [31:0]  at = {27'd0, next};
+    wire                to_tail = at >= N + C && at < N + C + T;
+    assign out_done = out_busy && at == STEPS;
     always @(posedge clk) begin
         next  <= !rst && (in_start || (out_busy && !out_done)) ? next + 5'd1 : 5'd0;
         shift <= SHIFTS[5 * {26'd0, to_tail && two, next} +: 5];
         word  <= to_tail ? C[3:0] + {2'd0, two, one} : next[3:0] - N[3:0];
-        turning <= next >= N && next < N + C + T;
+        turning <= at >= N && at < N + C + T;
         tail  <= to_tail;
-        less  <= GAIN && next > 0 && next < 5;
+        less  <= GAIN && at > 0 && at < 5;
         move  <= !to_tail || two || one;
-        thaw  <= next + 1 >= N && next < N + C;
+        thaw  <= at + 1 >= N && at < N + C;
         out_busy <= !rst && (in_start || (out_busy && !out_done));
         if (in_start) {minus_x, minus_y} <= {in_minus_x, in_minus_y};
         else if (turning) {minus_x, minus_y} <= 2'b00;  // R is added as it is
