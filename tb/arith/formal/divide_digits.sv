@@ -3,6 +3,7 @@
 // d = 0 yields q = 1 and the low WD bits of 2 rem + bit.
 // rtl: arith/divide_digits.v
 // proof 0_to_20_by_16 mode=prove depth=1 N=20 WD=16
+// proof 0_to_38_by_36 mode=prove depth=1 N=38 WD=36
 // proof 0_to_4_by_1 mode=prove depth=1 N=4 WD=1
 // proof 0_to_8_by_6 mode=prove depth=1 N=8 WD=6
 module divide_digits_props #(parameter N = 20, WD = 16) (input clk);

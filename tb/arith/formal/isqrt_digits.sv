@@ -2,7 +2,7 @@
 //   4 rem + pair = out_rem + ((2 root + q)^2 - 4 root^2), q the new digit, the bracket being q (4 root + 1).
 // So radicand = root^2 + rem follows for any number of digits: by induction, and by the identity asserted last.
 // rtl: arith/isqrt_digits.v
-// proof digits_1_to_16 mode=prove depth=1 N=16
+// proof digits_1_to_32 mode=prove depth=1 N=32
 module isqrt_digits_props #(parameter N = 16) (input clk);
     genvar k;
     for (k = 1; k <= N; k = k + 1) begin : g_row
