@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-
-from quadrance.cordic import OVERFLOW, turn
-from quadrance.fixed import Ints, ints, saturate, wrap
+from quadrance.cordic import OVERFLOW, SINGULAR, aim, turn
+from quadrance.fixed import Ints, hold_last, ints, saturate, wrap
 
 GUARD = 4  # fraction bits below a coordinate LSB
 ROUND = 14  # half an LSB, and 6 units for what rounds down
+AIM_GUARD = 3
 SHRINK = math.prod((1 + 4.0**-i) ** -0.5 for i in range(40))  # 0.607252935: what all micro-rotations lengthen, undone
 
 
@@ -33,3 +33,11 @@ def fk1(p: dict[str, int], *, in_j1, cfg_c1) -> dict[str, Ints]:
     x, y = turn(width, x, y, z + 2, ROUND)
     (out_x, over_x), (out_y, over_y) = (saturate(v >> GUARD, width) for v in (x, y))
     return {"out_x": out_x, "out_y": out_y, "out_status": OVERFLOW * (over_x | over_y)}
+
+
+def ik1(p: dict[str, int], *, in_x, in_y) -> dict[str, Ints]:
+    """``j1 = atan2(y, x)``; at the origin the last angle stays (0 before there was one)."""
+    in_x, in_y = np.broadcast_arrays(ints(in_x), ints(in_y))
+    origin = (in_x == 0) & (in_y == 0)
+    _, angle = aim(p["W"], p["A"], AIM_GUARD, in_x, in_y, False)
+    return {"out_j1": hold_last(angle, ~origin), "out_status": SINGULAR * origin.astype(np.int64)}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectoring unrolled: the arithmetic of cordic_aim_iter, bit for bit, in L + 2 stages: registers where CLOCKED.
+// Vectoring unrolled: the arithmetic of cordic_aim_iter, bit for bit, in L + 1 stages: registers where CLOCKED.
 // Up to C a micro-rotation carries w = y or ~y, whichever is not negative:
 //   x' = x + (w >> 2i),  u = w + ~x + (w is ~y),  w' = 2 u or ~2 u
 // three cells a bit instead of four: an exclusive or before an adder is a cell of its own. Then the division.
@@ -34,9 +34,9 @@ module cordic_aim_array #(
             wire [D-1:0] x0, x1, x, v0, v1, v;
             wire [Y-1:0] y0, y1, y;
             wire [Z-1:0] z0, z1, z;
-            wire [5:0]   signs0, signs;
+            wire [4:0]   signs0, signs;
             wire         minus0, minus1, minus, mirror0, mirror;
-            wire         unused_sign = signs0[5];
+            wire         unused_here = &{1'b0, signs0, v0};
             if (i == 0) begin : g_fold
                 assign {minus0, mirror0} = {in_y[W-1], in_x[W-1]};
                 assign x0 = {1'b0, in_x ^ {W{mirror0}}, {G{mirror0}}};
@@ -76,25 +76,24 @@ module cordic_aim_array #(
                 localparam SHIFT = i == C + 2 || i == C + 3 || i == C + 7 ? 2 : 3;
                 assign v1 = x0 + ((v0 >> SHIFT) ^ {D{i == C + 3 || i == C + 6}});
             end
-            if (i > 0 && i % 6 == 0) begin : g_sum
+            if (i % 6 == 5 || i == L) begin : g_sum
+                localparam N = i % 6 + 1;
                 wire [Z-1:0] sum;
-                cordic_angle #(.I(i - 6), .N(6), .Z(Z)) angle_sum (.in_minus(signs0), .out_sum(sum));
+                wire [5:0]   minuses = {signs0, minus0 ^ mirror0};
+                wire         unused_signs = &{1'b0, minuses};
+                cordic_angle #(.I(i + 1 - N), .N(N), .Z(Z)) angles (.in_minus(minuses[N-1:0]), .out_sum(sum));
                 assign z1 = z0 + sum;
             end else begin : g_wait
                 assign z1 = z0;
             end
-            cordic_register #(.WIDTH(2*D+Y+Z+8), .CLOCKED(CLOCKED)) stage (.clk(clk), .in_enable(in_enable),
-                .in_d({x1, v1, y1, z1, signs0[4:0], minus0 ^ mirror0, minus1, mirror0}),
+            cordic_register #(.WIDTH(2*D+Y+Z+7), .CLOCKED(CLOCKED)) stage (.clk(clk), .in_enable(in_enable),
+                .in_d({x1, v1, y1, z1, signs0[3:0], minus0 ^ mirror0, minus1, mirror0}),
                 .out_q({x, v, y, z, signs, minus, mirror}));
         end
     endgenerate
 
-    localparam N = L % 6 + 1;
-    wire [Z-1:0] sum, z;
-    wire [D-1:0] v;
-    cordic_angle #(.I(L + 1 - N), .N(N), .Z(Z)) angle_sum (.in_minus(g_step[L].signs[N-1:0]), .out_sum(sum));
-    cordic_register #(.WIDTH(D+Z), .CLOCKED(CLOCKED)) last (.clk(clk), .in_enable(in_enable),
-        .in_d({g_step[L].v, g_step[L].z + sum}), .out_q({v, z}));
+    wire [D-1:0] v = g_step[L].v;
+    wire [Z-1:0] z = g_step[L].z;
     assign out_magnitude = v[D-1 -: W];
     assign out_angle = z[Z-1 -: A];
     wire unused = &{1'b0, v[G:0], z[4:0], g_step[L].x, g_step[L].y, g_step[L].signs, g_step[L].minus, g_step[L].mirror};

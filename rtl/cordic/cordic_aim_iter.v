@@ -3,8 +3,9 @@
 //   i = 0 .. L:   x += d y >> 2i (up to i = U),  y = 2 (y - d x),  angle += d atan 2^-i,  d = sign of y, -1 or 1
 // y is scaled by 2^i: it needs no shifter and loses nothing. From i = C + 1 on x stands still, so that this is a
 // division, and the low B bits of x are left out. x < 0 is mirrored first. Minus is the one's complement.
-// With MAGNITUDE the adder of x, free from then on, takes the gain out: seven times v = x +- (v >> 2 or 3), a Horner
+// With MAGNITUDE the adder of x, free from then on, takes out the gain: v = x +- (v >> 2 or 3) seven times, a Horner
 // scheme of 1.214509 = 2 * 0.607254, then the rounding. Without it U is smaller: the angle needs no more.
+// in_hold with in_start: the angle is to stay what it was, 0 after a reset.
 // STEPS clocks after in_start out_done is high for one clock; the results are final from the next one on.
 `default_nettype none
 module cordic_aim_iter #(
@@ -16,6 +17,7 @@ module cordic_aim_iter #(
     input  wire         clk,
     input  wire         rst,
     input  wire         in_start,
+    input  wire         in_hold,
     input  wire [W-1:0] in_x,
     input  wire [W-1:0] in_y,
     output reg          out_busy,
@@ -38,7 +40,7 @@ module cordic_aim_iter #(
     (* fsm_encoding = "none" *) reg [1:0] by2;
     (* fsm_encoding = "none" *) reg [1:0] by6;
     (* fsm_encoding = "none" *) reg [1:0] own;  // 0: shifted y, 1: v >> 2, 2: v >> 3, 3: the rounding
-    reg  grow, move, tail, less, mirror;
+    reg  grow, move, tail, less, mirror, hold;
     wire signed [31:0] at = {27'd0, next};
     assign out_done = out_busy && at == STEPS;
     always @(posedge clk) begin
@@ -62,7 +64,7 @@ module cordic_aim_iter #(
         own  <= !MAGNITUDE || at <= C ? 2'd0 : at == C + 8 ? 2'd3
                 : at == C + 2 || at == C + 3 || at == C + 7 ? 2'd1 : 2'd2;
         less <= at == C + 3 || at == C + 6;
-        if (in_start) mirror <= in_x[W-1];
+        if (in_start) {mirror, hold} <= {in_x[W-1], in_hold};
     end
 
     // angle
@@ -81,8 +83,9 @@ module cordic_aim_iter #(
         end
     endgenerate
     always @(posedge clk)
-        if (in_start) z <= {in_x[W-1], {(A-1){1'b0}}, 5'd24};  // half an LSB, and 8 units for the one's complements
-        else if (out_busy) z <= z + values[Z*{minus ^ mirror, step} +: Z];
+        if (rst) z <= {Z{1'b0}};
+        else if (in_start && !in_hold) z <= {in_x[W-1], {(A-1){1'b0}}, 5'd24};  // half an LSB, and 8 units for the one's complements
+        else if (out_busy && !hold) z <= z + values[Z*{minus ^ mirror, step} +: Z];
     assign out_angle = z[Z-1:5];
 
     // vector

@@ -31,7 +31,7 @@ module cordic_vector_iter #(
     wire busy, done;
     wire start = in_valid && in_ready;
     reg  singular;
-    cordic_aim_iter #(.W(W), .A(A), .G(4), .MAGNITUDE(1)) aim (.clk(clk), .rst(rst), .in_start(start),
+    cordic_aim_iter #(.W(W), .A(A), .G(4), .MAGNITUDE(1)) aim (.clk(clk), .rst(rst), .in_start(start), .in_hold(1'b0),
         .in_x(in_x), .in_y(in_y), .out_busy(busy), .out_done(done),
         .out_magnitude(out_magnitude), .out_angle(out_angle));
     assign in_ready = !busy && (!out_valid || out_ready);

@@ -4,7 +4,7 @@
 // Formats: in_x, in_y sW, any fraction; out_magnitude uW, the same; out_angle uA, 2^A to the turn.
 // Error at W = A = 16: magnitude at most 1 LSB; angle at most 0.85 LSB + 0.13 rad LSB / length, so 1 LSB from a
 // length of 9000 LSB on, and 0.13 LSB across the vector for short ones (derivation on the family's page).
-// Latency 18 at W = 16, II 1; the pipeline moves as a whole.
+// Latency 17 at W = 16, II 1; the pipeline moves as a whole.
 // Status: singular (x = y = 0: magnitude 0, the angle means nothing). Model: cordic.vector
 `default_nettype none
 module cordic_vector_pipe #(
@@ -23,7 +23,7 @@ module cordic_vector_pipe #(
     output wire [A-1:0] out_angle,
     output wire [3:0]   out_status
 );
-    localparam STAGES = W / 2 + 10;
+    localparam STAGES = W / 2 + 9;
     generate
         if (W < 8 || W > 16 || A < 4 || A > W) begin : g_illegal
             cordic_vector_pipe_needs_W_from_8_to_16_and_A_from_4_to_W rule ();
