@@ -64,7 +64,8 @@ def test_fk1_never_steps_back_by_more_than_one_lsb(length):
 
 @given(st.integers(0, (4 << 24) - 1), st.integers(0, 65535))
 def test_fk1_half_a_turn_negates(word, length):
-    here, there = (rational.fk1(ONE, in_j1=np.array([w]), cfg_l1=length) for w in (word, word + (2 << 24) & (4 << 24) - 1))
+    opposite = word + (2 << 24) & (4 << 24) - 1
+    here, there = (rational.fk1(ONE, in_j1=np.array([w]), cfg_l1=length) for w in (word, opposite))
     saturated = here["out_status"] | there["out_status"]
     for port in ("out_x", "out_y"):  # ties go upward, and -32768 has no opposite: one LSB at most
         assert saturated[0] or abs(int(here[port][0]) + int(there[port][0])) <= 1
@@ -90,7 +91,7 @@ def _cell_error(x: np.ndarray, y: np.ndarray, word: np.ndarray, s: int) -> np.nd
     return np.abs(truth.difference(truth.spread_word_to_angle(word + np.clip(off, -0.5, 0.5), s), theta))
 
 
-# Bound of the direction, rad. s = m^2 r, so d theta = (dr / r) t / 2, t = m / M <= 1 but at near ties, q = M^2 (1 + t^2):
+# Bound of the direction, rad. s = m^2 r: d theta = (dr / r) t / 2, t = m / M (<= 1 but at near ties), q = M^2 (1 + t^2):
 #   sag of the chord h^2 / (8 q^2) t / 2, h = 2^-8                 <= 0.65 * 2^-19
 #   cut of q, 2^-17 around its middle, / q * t / 2                 <= 0.87 * 2^-17
 #   knot and product of the chord, 2^-17 + 2^-17 + 2^-17 (cut), * q t / 2 <= 3 * 2^-17

@@ -92,8 +92,8 @@ module rational_ik1 #(
     reg         both_one;        // x = y = -1 (scaled): the one case where m^2 is 1.0
     reg         zero;
 
-    // s = m^2 / q, with one guard bit. Nearest, ties away from the axis, and sign in one increment as -(s + g) = ~s + ~g;
-    // its carry is cheaper as gates than as a chain.
+    // s = m^2 / q, with one guard bit. Nearest, ties away from the axis, and sign share one increment, since
+    // -(s + g) = ~s + ~g; its carry is cheaper as gates than as a chain.
     wire [1:0]   above;  // m^2 / q < 1
     wire [S-1:0] s;
     wire         guard;
@@ -107,9 +107,14 @@ module rational_ik1 #(
     wire [1:0]   quarter = axis - {1'b0, negative};
     wire [S+1:0] floor = {quarter, {S{negative}} ^ s ^ {both_one, {(S-1){1'b0}}}};
     reg  [S+1:0] word;
-    always @*
-        for (i = 0; i < S + 2; i = i + 1)
-            word[i] = floor[i] ^ ((guard ^ negative) & (&(floor | {(S+2){1'b1}} << i)));
+    reg          carry;
+    always @* begin
+        carry = guard ^ negative;
+        for (i = 0; i < S + 2; i = i + 1) begin
+            word[i] = floor[i] ^ carry;
+            carry = floor[i] & carry;
+        end
+    end
 
     assign out_status = {2'd0, zero, 1'b0};
     always @(posedge clk) begin

@@ -19,7 +19,13 @@ def turn_spreads(s: int) -> np.ndarray:
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Link lengths: longest, none, one LSB, the longest that never saturates, 64 units, and two at random."""
     high, f = (1 << core.params["W"]) - 1, core.params["F"]
-    lengths = [high, 0, 1, high >> 1, (high >> 1) + 1, min(64 << f, high), *rng.integers(0, high, 2, endpoint=True).tolist()]
+    if len(core.cfg) == 2:
+        half = min(32 << f, high)
+        pairs = [(high, high), (0, 0), (half, half), (high, 1), (1, high), (0, half), (half, 0), (3 << f, 2 << f),
+                 *rng.integers(0, high, (3, 2), endpoint=True).tolist(), *rng.integers(0, half, (3, 2)).tolist()]
+        return [{"cfg_l1": l1, "cfg_l2": l2} for l1, l2 in pairs]
+    lengths = [high, 0, 1, high >> 1, (high >> 1) + 1, min(64 << f, high),
+               *rng.integers(0, high, 2, endpoint=True).tolist()]
     return [{port.name: length for port in core.cfg} for length in lengths] if core.cfg else [{}]
 
 
@@ -35,8 +41,9 @@ def points(w: int) -> tuple[np.ndarray, np.ndarray]:
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     rng = np.random.default_rng(1)
-    if core.function == "fk1":
-        return {"in_j1": rng.permutation(turn_spreads(core.params["S"]))}
+    if core.function.startswith("fk"):
+        words = turn_spreads(core.params["S"])
+        return {port.name: rng.permutation(words) for port in core.inputs}
     x, y = points(core.params["W"])
     order = np.append(rng.permutation(np.arange(x.size)), rng.integers(0, x.size, x.size // 8))
     x, y = x[order], y[order]
