@@ -91,7 +91,7 @@ def _cell_error(x: np.ndarray, y: np.ndarray, word: np.ndarray, s: int) -> np.nd
     return np.abs(truth.difference(truth.spread_word_to_angle(word + np.clip(off, -0.5, 0.5), s), theta))
 
 
-# Bound of the direction, rad. s = m^2 r: d theta = (dr / r) t / 2, t = m / M (<= 1 but at near ties), q = M^2 (1 + t^2):
+# Bound of the direction, rad. s = m^2 r: d theta = (dr / r) t / 2, t = m / M <= 1 but at near ties, q = M^2 (1 + t^2):
 #   sag of the chord h^2 / (8 q^2) t / 2, h = 2^-8                 <= 0.65 * 2^-19
 #   cut of q, 2^-17 around its middle, / q * t / 2                 <= 0.87 * 2^-17
 #   knot and product of the chord, 2^-17 + 2^-17 + 2^-17 (cut), * q t / 2 <= 3 * 2^-17
