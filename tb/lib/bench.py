@@ -17,7 +17,7 @@ from cocotb.triggers import RisingEdge, Timer
 from quadrance.cores import Core
 
 from tb.lib import stimulus
-from tb.lib.stream import Bench, Scoreboard, read, to_word
+from tb.lib.stream import Bench, Scoreboard, bit, read, to_word
 
 with open(os.environ["QUADRANCE_CORE"], "rb") as _file:
     CORE: Core = pickle.load(_file)
@@ -105,6 +105,7 @@ async def stalled_output_loses_nothing(dut):
         await RisingEdge(dut.clk)
     assert not bench.board.results, "a result was taken although out_ready was low"
     assert bench.board.accepted, "nothing was accepted"
+    assert bit(dut.out_valid), "out_valid waits for out_ready"
     assert not sender.done(), "a core without room accepted every sample"
     bench.pressure = _chance(0.0)
     await sender

@@ -11,7 +11,8 @@ from tb.lib.simulate import simulate
 from tb.lib.suite import SEED, simulators
 
 FAULTS = {1: "out_valid_stuck_at_0", 2: "drops_a_sample_under_back_pressure", 3: "one_lsb_off_on_some_words",
-          4: "result_changes_while_it_waits", 5: "late_after_some_words", 6: "survives_a_reset", 7: "sends_twice"}
+          4: "result_changes_while_it_waits", 5: "late_after_some_words", 6: "survives_a_reset", 7: "sends_twice",
+          8: "valid_waits_for_ready"}
 
 
 class Specimen(Core):

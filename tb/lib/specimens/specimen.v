@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A register stage that keeps the contract, or breaks it in the way FAULT says:
 // 0 sound, 1 out_valid stuck at 0, 2 drops a sample under back-pressure, 3 adds one LSB to some words,
-// 4 result changes while it waits, 5 one cycle late after a stall, 6 survives a reset, 7 sends twice.
+// 4 result changes while it waits, 5 one cycle late after a stall, 6 survives a reset, 7 sends twice, 8 valid waits for ready.
 `default_nettype none
 module specimen #(parameter W = 8, parameter FAULT = 0) (
     input  wire         clk,
@@ -17,7 +17,7 @@ module specimen #(parameter W = 8, parameter FAULT = 0) (
   reg [W-1:0] data;
   wire stalled = full && !out_ready;
   assign in_ready = FAULT == 2 ? 1'b1 : FAULT == 7 ? !full || (out_ready && again) : !full || out_ready;
-  assign out_valid = FAULT == 1 ? 1'b0 : FAULT == 5 ? full && !late : full;
+  assign out_valid = FAULT == 1 ? 1'b0 : FAULT == 5 ? full && !late : FAULT == 8 ? full && out_ready : full;
   assign out_data = FAULT == 3 && data[3:0] == 4'd13 ? data + 1'b1 : data;
   always @(posedge clk) begin
     late <= in_valid && data[0];
