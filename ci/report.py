@@ -134,6 +134,7 @@ def measure(arm_name: str, listed: tuple[Core, ...]) -> dict:
 
     arm = arms.load(arm_name)
     found: dict[str, dict[str, object]] = {core.id: {} for core in listed}
+    failures: list[str] = []
     columns = (TextColumn("measuring"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
                TextColumn("{task.description}"))
     LOG.unlink(missing_ok=True)
@@ -144,12 +145,17 @@ def measure(arm_name: str, listed: tuple[Core, ...]) -> dict:
                 for core in listed for what in ("area", "clock", "simulate")}
         try:
             for job in as_completed(jobs):
-                what, value = job.result()
-                found[jobs[job]][what] = value
-                progress.update(task, advance=1, description=f"{jobs[job]} {what}")
+                try:
+                    what, value = job.result()
+                    found[jobs[job]][what] = value
+                    progress.update(task, advance=1, description=f"{jobs[job]} {what}")
+                except RuntimeError as error:  # measure the others all the same: they are in the cache next time
+                    failures.append(str(error))
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
+    if failures:
+        raise RuntimeError("\n".join([f"{len(failures)} measurements failed", *failures]))
     rows = [row_of(core, *(found[core.id][what] for what in ("area", "clock", "simulate"))) for core in listed]
     return {
         "tools": tools.versions(), "arm": arm_name,

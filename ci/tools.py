@@ -36,6 +36,11 @@ HINTS = {
 }
 
 
+def local(path: Path) -> str:
+    """`path` relative to the repository: YoWASP tools see their working folder, wherever it lies, but no system one."""
+    return os.path.relpath(path, ROOT)
+
+
 def require(tool: str) -> str:
     """Absolute path of `tool`, or a clear exit that says what to install."""
     found = shutil.which(tool, path=environment()["PATH"])

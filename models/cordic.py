@@ -97,7 +97,7 @@ def aim(width: int, turn_bits: int, guard: int, x: Ints, y: Ints, magnitude: boo
     -------
     length : 0 .. 2^width - 1; angle : 0 .. 2^turn_bits - 1, a turn 2^turn_bits. Errors: rtl/cordic/README.md
     """
-    half = width // 2
+    half = (width + 1) // 2
     grows = half if magnitude else (width + 1) // 3
     last = half + 8 if magnitude else width
     mirror = -(x < 0).astype(np.int64)

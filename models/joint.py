@@ -28,7 +28,7 @@ def chord_slopes() -> Ints:
         for a in range(SEGMENTS):
             if row < 3:
                 b = 2 * a + 1
-                square = (((256 * b + 1) * (8 * b * b - 1) << 20) // b**4) << width - 4
+                square = (((512 * b + 1) * (8 * b * b - 1) << 20) // b**4) << width - 5
             else:
                 square = ((16 * a * a - 1) << 22) // a**3 if a else 1 << 28
             for _ in range(4):
@@ -38,18 +38,18 @@ def chord_slopes() -> Ints:
 
 
 def spread_chord(p: Params, *, in_s: Ints, in_not: Ints) -> dict[str, Ints]:
-    """Factors of the square root of a spread (or of its complement): sqrt(v) ~ w * slope / 2^33.
+    """Factors of the square root of a spread (or of its complement): sqrt(v) ~ w * slope / 2^34.
 
-    |sqrt(v) - w * slope / 2^33| <= 0.56 / 2^15, and 0 at v = 0.
+    |sqrt(v) - w * slope / 2^34| <= 0.52 / 2^15, and 0 at v = 0.
     """
     flip = -ints(in_not)  # every bit
     v = (ints(in_s) << 24 - p["S"] ^ flip) & 0xFFFFFF
     row = np.select([v >= 1 << 20, v >= 1 << 15, v >= 1 << 9], [0, 1, 2], 3)
     width = ints(SEGMENT_BITS)[row]
     segment = v >> width & SEGMENTS - 1
-    offset = (v << 8 | flip & 0xFF) >> width & 0xFF  # 8 bits, behind the word come more of its kind
-    middle = segment << 9 | (offset & 0x80) << 1 | (~offset & 0x80) | offset & 0x7F
-    w = np.where(row == 3, segment << 9 | (flip & 1) << 8, middle)
+    offset = (v << 9 | flip & 0x1FF) >> width & 0x1FF  # 9 bits, behind the word come more of its kind
+    middle = segment << 10 | (offset & 0x100) << 1 | (~offset & 0x100) | offset & 0xFF
+    w = np.where(row == 3, segment << 10 | (flip & 1) << 9, middle)
     return {"out_w": w, "out_slope": chord_slopes()[row, segment]}
 
 

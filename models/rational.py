@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from math import isqrt
 
 import numpy as np
 from quadrance import joint
@@ -17,14 +18,14 @@ Params = dict[str, int]
 def fk1(p: Params, *, in_j1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
     """``x = L1 cos, y = L1 sin``, nearest (ties upward) and saturated.
 
-    Each coordinate is within 1/2 + 1/16 + 0.56 L1 / 2^15 LSB, L1 in LSB.
+    Each coordinate is within 1/2 + 1/16 + 0.52 L1 / 2^15 LSB, L1 in LSB.
     """
     s, spread = p["S"], ints(in_j1) & (1 << p["S"]) - 1
     odd, lower = ints(in_j1) >> s & 1, ints(in_j1) >> s + 1 & 1
 
     def coordinate(complement: Ints, negative: Ints) -> tuple[Ints, Ints]:
         root = joint.spread_chord(p, in_s=spread, in_not=complement)
-        n = (ints(cfg_l1) * root["out_w"] >> 13) * 2 + 1
+        n = (ints(cfg_l1) * root["out_w"] >> 14) * 2 + 1
         value, over = saturate(round_shift(np.where(negative, -n, n) * root["out_slope"], 21), p["W"])
         return value, over
 
@@ -61,3 +62,71 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     word = (axis << s) + np.where((x < 0) ^ (y < 0) ^ ~long, -spread, spread) & (4 << s) - 1
     zero = (x == 0) & (y == 0)
     return {"out_j1": hold_last(word, ~zero), "out_status": 2 * ints(zero)}
+
+
+# Two and three joints
+
+
+@cache
+def _knots(u: int, h: int) -> Ints:
+    """``sqrt(a / 2^h)``, a = 0 ... 512, lifted by half the chord's sag (a >= 8), rounded up to a unit of 2^-(u+3)."""
+    k, scale = u + 3, 2 * (u + 3) - h
+    squares = [a << scale if a < 8 else ((32 * a * a + 1) << scale) // (32 * a) for a in range(1, 513)]
+    return ints([0, *(min(isqrt(square) + 1, (1 << k) - 1) for square in squares)])
+
+
+def roots(p: Params, word: Ints) -> tuple[Ints, Ints]:
+    """(cos, sin) of a turn-spread word as odd integers of 2^-(U+1), each within 0.72 / 2^U: rational_roots.v.
+
+    With f the fraction and v = min(f, 1 - f) the roots are those of v and 1 - v, on chords of 512 segments a
+    range and of 256; 1 - f is the one's complement followed by ones.
+    """
+    s, u, d = p["S"], p["U"], 12
+    word = ints(word)
+    quadrant, f = word >> s, word & (1 << s) - 1
+    fold = f >> s - 1
+    v = ((f ^ -fold) & (1 << s - 1) - 1) << 54 - (s - 1) | -fold & (1 << 54 - (s - 1)) - 1  # 2 v, 54 bits
+    thin = np.zeros_like(v)
+    for shift, last in ((0, 4), (4, 9), (9, 14), (14, 20 if s > 24 else 64), (20, 64)):
+        knots = _knots(u, 10 + shift)
+        scaled = (v << shift | -fold & (1 << shift) - 1) & (1 << 54) - 1
+        a, offset = scaled >> 45, scaled >> 45 - d & (1 << d) - 1
+        root = knots[a] + ((knots[a + 1] - knots[a]) * offset >> d) >> 3
+        thin = np.where((v < 1 << 54 - shift) & (shift <= 14 or s > 24), root, thin)
+    knots, a, offset = _knots(u, 9), v >> 46, v >> 46 - d & (1 << d) - 1
+    wide = knots[512 - a] + ((knots[511 - a] - knots[512 - a]) * offset >> d) >> 3
+    thin_n = fold == quadrant & 1
+    c, n = 2 * np.where(thin_n, wide, thin) + 1, 2 * np.where(thin_n, thin, wide) + 1
+    return np.where((quadrant ^ quadrant >> 1) & 1, -c, c), np.where(quadrant >> 1, -n, n)
+
+
+def _turn(p: Params, x: Ints, y: Ints, c: Ints, n: Ints) -> tuple[Ints, Ints]:
+    """(x, y) turned by the direction (c, n); every product is cut to the fraction of x and y."""
+    u = p["U"] + 1
+    return (x * c >> u) + (y * -n >> u), (x * n >> u) + (y * c >> u)
+
+
+def _chain(p: Params, words: tuple[Ints, ...], cfg_l1: Ints, cfg_l2: Ints) -> tuple[Ints, ...]:
+    """Tip of the chain with 5 fraction bits below the coordinate's LSB: rational_chain.v."""
+    u, g = p["U"] + 1, 5
+    l1, l2 = ints(cfg_l1) << g, ints(cfg_l2) << g
+    c, n = roots(p, words[1])
+    x, y = _turn(p, l1 + (l2 * c >> u), l2 * n >> u, *roots(p, words[0]))
+    return (x, y) if len(words) == 2 else (*_turn(p, x, ints(0), *roots(p, words[2])), y)
+
+
+def _coordinates(p: Params, axes: str, exact: tuple[Ints, ...]) -> dict[str, Ints]:
+    """Nearest coordinates (ties upward), saturated, and the overflow bit."""
+    pairs = [saturate(round_shift(value, 5), p["W"]) for value in exact]
+    over = np.any(np.broadcast_arrays(*(over for _, over in pairs)), axis=0)
+    return {f"out_{axis}": value for axis, (value, _) in zip(axes, pairs)} | {"out_status": 4 * ints(over)}
+
+
+def fk2(p: Params, *, in_j1: Ints, in_j2: Ints, cfg_l1: Ints, cfg_l2: Ints) -> dict[str, Ints]:
+    """``x = A c1 - B n1, y = A n1 + B c1`` with ``A = L1 + L2 c2, B = L2 n2``, nearest and saturated."""
+    return _coordinates(p, "xy", _chain(p, (in_j1, in_j2), cfg_l1, cfg_l2))
+
+
+def fk3(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints, cfg_l1: Ints, cfg_l2: Ints) -> dict[str, Ints]:
+    """`fk2` in the plane of the arm, (rho, z), then ``x = rho c3, y = rho n3``; rho keeps its sign and its fraction."""
+    return _coordinates(p, "xyz", _chain(p, (in_j1, in_j2, in_j3), cfg_l1, cfg_l2))

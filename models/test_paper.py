@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import paper, truth
+from quadrance import paper, paper_printed, truth
 
 SETS = [{"W": 16, "F": 8, "S": s} for s in (8, 24)]
 OVERFLOW, SINGULAR = 4, 2
@@ -76,3 +76,152 @@ def test_what_eight_fraction_bits_cost():
     step = np.degrees(truth.spread_word_to_angle(1, 8) - truth.spread_word_to_angle(0, 8))
     worst = np.degrees(truth.spread_word_to_angle(0.5, 8) - truth.spread_word_to_angle(0, 8))
     assert (round(step, 2), round(worst, 2)) == (3.58, 2.53)
+
+
+# Two and three joints
+
+FORWARD = {8: (9, 15, 8, 22), 24: (27, 25, 13, 27)}  # S: digits of s', digits of the root, quadrance fraction and width
+LINKS = [(3.0, 2.0), (2.0, 3.0), (2.5, 2.5), (32.5, 27.5), (20.0, 30.0), (63.9, 63.9), (0.0, 5.0), (5.0, 0.0)]
+
+
+@pytest.mark.parametrize("l1, l2", [(3, 2), (2, 3), (2.5, 2.5)])
+def test_table_two_corrected_is_the_truth_in_every_cell(l1, l2):
+    words = (np.arange(4)[:, None] + (np.arange(12) + 0.5) / 12).ravel()
+    j1, j2, j3 = np.meshgrid(words, words, words, indexing="ij")
+    angles = [truth.spread_word_to_angle(j * 2.0**40, 40) for j in (j1, j2, j3)]
+    for tip, exact in ((paper_printed.table_two(j1, j2, l1, l2), truth.fk2(*angles[:2], l1, l2)),
+                       (paper_printed.fk3(j1, j2, j3, l1, l2), truth.fk3(*angles, l1, l2))):
+        assert max(np.max(np.abs(a - b)) for a, b in zip(tip, exact)) < 1e-7
+
+
+def test_as_printed_six_percent_of_three_joints_are_right():
+    assert round(100 * paper_printed.share_right(3, 3, 2, ())) == 6
+    steps = [paper_printed.share_right(3, 2, 3, paper_printed.CORRECTIONS[:n]) for n in range(5)]
+    assert all(np.diff(steps) > 0) and steps[-1] == 1, "every correction is needed"
+
+
+def test_the_paper_s_worked_example():
+    """Section III-D: Q1 = 9, Q2 = 4, s = 0.5, 0.6, 0.3; the paper prints y = 1.281."""
+    x, y, z = paper_printed.fk3(0.5, 2.6, 0.3, 3, 2)  # its second configuration, measured clockwise
+    assert np.allclose([x, y, z], [1.9430075965662645, 1.2719970553055894, 0.13144803754939447], atol=1e-12)
+
+
+def forward_bound(s: int, reach: float, joints: int) -> float:
+    """README's bound of the tip distance in LSB of 2^-8."""
+    d, n, g, q = FORWARD[s]
+    share = 2.0 ** (-d / 2) + np.sqrt(3 * 2.0**-n) + 2.0 ** (-q / 2)
+    return 256 * (reach * share + (joints + 1) * 2.0 ** (-g / 2) + 2.0 ** (7 - n)) + np.sqrt(joints)
+
+
+@pytest.mark.parametrize("l1, l2", LINKS)
+@pytest.mark.parametrize("p", SETS, ids=lambda p: f"S{p['S']}")
+def test_forward_within_the_bound_in_every_cell(p, l1, l2):
+    rng = np.random.default_rng(3)
+    joints = [rng.permutation(words(p, rng, 8000)) for _ in range(3)]
+    assert len(np.unique(sum((j >> p["S"]) << 2 * i for i, j in enumerate(joints)))) == 64
+    links = [round(256 * length) for length in (l1, l2)]
+    cfg = {"cfg_l1": links[0], "cfg_l2": links[1]}
+    angles = [truth.spread_word_to_angle(j, p["S"]) for j in joints]
+    for answer, exact in ((paper.fk2(p, in_j1=joints[0], in_j2=joints[1], **cfg), truth.fk2(*angles[:2], *links)),
+                          (paper.fk3(p, in_j1=joints[0], in_j2=joints[1], in_j3=joints[2], **cfg),
+                           truth.fk3(*angles, *links))):
+        error = np.sqrt(sum((answer[f"out_{axis}"] - tip) ** 2 for axis, tip in zip("xyz", exact)))
+        assert np.max(error) <= forward_bound(p["S"], l1 + l2, len(exact))
+        assert not np.any(answer["out_status"])
+
+
+@pytest.mark.parametrize("p", SETS, ids=lambda p: f"S{p['S']}")
+def test_forward_flags_a_tip_out_of_range(p):
+    rng = np.random.default_rng(4)
+    j1, j2 = words(p, rng, 5000), rng.permutation(words(p, rng, 5000))
+    answer = paper.fk2(p, in_j1=j1, in_j2=j2, cfg_l1=100 << 8, cfg_l2=90 << 8)
+    reach = np.hypot(*truth.fk2(*(truth.spread_word_to_angle(j, p["S"]) for j in (j1, j2)), 100, 90))
+    flag = answer["out_status"] == OVERFLOW
+    assert np.all(flag[reach > 128.1]) and not np.any(flag[reach < 127.9])
+    assert np.all(np.abs(answer["out_x"][flag]) == 32767) and np.all(np.abs(answer["out_y"][flag]) == 32767)
+    assert np.all(paper.fk2(p, in_j1=j1, in_j2=j2, cfg_l1=1 << 15, cfg_l2=0)["out_status"] == OVERFLOW)
+
+
+# Inverse
+
+INVERSE = [{"W": 16, "F": 8, "S": 8, "R": 4}, {"W": 16, "F": 8, "S": 24, "R": 3}]
+SHARES = {8: (12, 12, 2.0**-8, 2.0**-8), 24: (27, 26, 0.0, 2.0**-13)}  # S: digits of share, root; LSB of q's, of Q2 s2
+ARMS = LINKS[:6]
+
+
+def inverse_bound(s: int, reach: float, l1: float, l2: float) -> float:
+    """README's bound of the tip distance in LSB of 2^-8, beyond the half LSB of the joint words."""
+    d, n, u, v = SHARES[s]
+    spreads = (2 * reach + 2 * np.sqrt(2) * l2) * 2.0 ** (-d / 2) + np.sqrt(3) * reach * 2.0 ** (-n / 2)
+    return 256 * (spreads + (2 + 4 * np.sqrt(l2 / l1)) * np.sqrt(u) + np.sqrt(v))
+
+
+def targets(rng: np.random.Generator, l1: float, l2: float, count: int = 20_000) -> tuple[np.ndarray, ...]:
+    """Reachable words: all round, near both edges, near the axes; and which elbow."""
+    t1, t2, t3 = rng.uniform(-np.pi, np.pi, (3, count))
+    small = rng.normal(size=count) * 2.0 ** -rng.integers(2, 18, count)
+    t2[:count // 4] = (rng.choice([0, np.pi], count) + small)[:count // 4]
+    t1[count // 8:count // 2] = (rng.choice([0, 0.5, 1, 1.5], count) * np.pi + small)[count // 8:count // 2]
+    tip = [np.rint(256 * axis).astype(np.int64) for axis in truth.fk3(t1, t2, t3, l1, l2)]
+    flat = [np.rint(256 * axis).astype(np.int64) for axis in truth.fk2(t1, t2, l1, l2)]
+    return *tip, *flat, rng.integers(0, 2, count)
+
+
+def in_cell(word: np.ndarray, theta: np.ndarray, s: int) -> np.ndarray:
+    """The direction nearest to `theta` among those that round to `word`."""
+    off = np.mod(truth.angle_to_spread(theta, s) - word + (2 << s), 4 << s) - (2 << s)
+    return truth.spread_word_to_angle(word + np.clip(off, -0.5, 0.5), s)
+
+
+@pytest.mark.parametrize("l1, l2", ARMS)
+@pytest.mark.parametrize("p", INVERSE, ids=lambda p: f"S{p['S']}")
+def test_inverse_within_the_bound_both_elbows(p, l1, l2):
+    x, y, z, x2, y2, elbow = targets(np.random.default_rng(5), l1, l2)
+    links = [round(256 * length) for length in (l1, l2)]
+    cfg = {"cfg_l1": links[0], "cfg_l2": links[1]}
+    for answer, exact, forward in (
+            (paper.ik2(p, in_x=x2, in_y=y2, in_elbow=elbow, **cfg), truth.ik2(x2, y2, *links, elbow), truth.fk2),
+            (paper.ik3(p, in_x=x, in_y=y, in_z=z, in_elbow=elbow, **cfg), truth.ik3(x, y, z, *links, elbow),
+             truth.fk3)):
+        defined = (answer["out_status"] & SINGULAR == 0) & np.all(np.isfinite(exact), axis=0)
+        near = [in_cell(answer[f"out_j{i + 1}"], theta, p["S"]) for i, theta in enumerate(exact)]
+        error = np.sqrt(sum((a - b) ** 2 for a, b in zip(forward(*near, *links), forward(*exact, *links))))
+        assert np.max(error[defined]) <= inverse_bound(p["S"], l1 + l2, l1, l2) and np.mean(defined) > 0.7
+
+
+@pytest.mark.parametrize("p", INVERSE, ids=lambda p: f"S{p['S']}")
+def test_inverse_turns_joint_two_the_way_of_the_elbow(p):
+    x, y = np.meshgrid(np.arange(-1200, 1201, 37), np.arange(-1200, 1201, 41))
+    for elbow in (0, 1):
+        answer = paper.ik2(p, in_x=x.ravel(), in_y=y.ravel(), in_elbow=elbow, cfg_l1=768, cfg_l2=512)
+        joint = answer["out_j2"] * 2.0 ** -p["S"]
+        assert np.all(joint <= 2) if elbow == 0 else np.all((joint >= 2) | (joint == 0))
+
+
+@pytest.mark.parametrize("p", INVERSE, ids=lambda p: f"S{p['S']}")
+def test_unreachable_is_the_nearest_point(p):
+    turn = np.linspace(0, 2 * np.pi, 1000)
+    for radius, stretched, straight in ((5.2, 0, True), (9.0, 0, True), (0.8, 2, True), (0.8, 2, False)):
+        l1, l2 = (768, 512) if straight else (512, 768)
+        x, y = (np.rint(256 * radius * f(turn)).astype(np.int64) for f in (np.cos, np.sin))
+        answer = paper.ik2(p, in_x=x, in_y=y, in_elbow=0, cfg_l1=l1, cfg_l2=l2)
+        assert np.all(answer["out_status"] == 1) and np.all(answer["out_j2"] == stretched << p["S"])
+        exact = truth.ik2(x, y, l1, l2)[0]
+        off = truth.difference(in_cell(answer["out_j1"], exact, p["S"]), exact)
+        assert np.max(np.abs(off)) <= 4 * 2.0 ** (-SHARES[p["S"]][0] / 2)
+    inside = paper.ik2(p, in_x=np.rint(256 * 4.9 * np.cos(turn)).astype(np.int64),
+                       in_y=np.rint(256 * 4.9 * np.sin(turn)).astype(np.int64), in_elbow=0, cfg_l1=768, cfg_l2=512)
+    assert not np.any(inside["out_status"])
+
+
+@pytest.mark.parametrize("p", INVERSE, ids=lambda p: f"S{p['S']}")
+def test_inverse_holds_what_is_undefined(p):
+    x, y, z = np.array([[512, 0, 0, 512], [512, 0, 0, -512], [256, 256, 0, 0]])
+    answer = paper.ik3(p, in_x=x, in_y=y, in_z=z, in_elbow=0, cfg_l1=640, cfg_l2=640)
+    assert answer["out_status"].tolist() == [0, SINGULAR, SINGULAR, 0]
+    assert answer["out_j3"][0] == answer["out_j3"][1] == answer["out_j3"][2] == 1 << p["S"] - 1
+    assert answer["out_j1"][1] == answer["out_j1"][2] != answer["out_j1"][0] and answer["out_j2"][2] == 2 << p["S"]
+    flat = paper.ik2(p, in_x=np.array([0, 512, 0]), in_y=np.array([0, 0, 0]), in_elbow=0, cfg_l1=640, cfg_l2=640)
+    assert flat["out_status"].tolist() == [SINGULAR, 0, SINGULAR] and flat["out_j1"][0] == 0
+    assert flat["out_j1"][2] == flat["out_j1"][1]
+    assert np.all(paper.ik2(p, in_x=x, in_y=y, in_elbow=0, cfg_l1=1 << 15, cfg_l2=1)["out_status"] & OVERFLOW)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of one joint by the parallel CORDIC: j1 = atan2(y, x), in one long clock.
-// Formats: in_x, in_y s(W-F).F; out_j1 uA, 2^A to the turn, to nearest. The arithmetic of classic_ik1_iter, bit for bit.
+// Formats: in_x, in_y s(W-F).F; out_j1 uA, 2^A to the turn, to nearest. Bit for bit classic_ik1_iter.
 // Error: at most 0.9 LSB of the angle and 0.25 LSB at the tip besides (page). Latency and II 1.
 // Status: singular (x = y = 0: the last angle stays, 0 after a reset).
 // Paper: the parallel CORDIC of its table V. Model: classic.ik1

@@ -19,7 +19,7 @@ module cordic_aim_array #(
     output wire [W-1:0] out_magnitude,
     output wire [A-1:0] out_angle
 );
-    localparam C = W / 2;
+    localparam C = (W + 1) / 2;
     localparam U = MAGNITUDE ? C : (W + 1) / 3;
     localparam L = MAGNITUDE ? C + 8 : W;
     localparam B = G + C / 2;

@@ -25,7 +25,7 @@ module cordic_aim_iter #(
     output wire [W-1:0] out_magnitude,
     output wire [A-1:0] out_angle
 );
-    localparam C = W / 2;
+    localparam C = (W + 1) / 2;
     localparam U = MAGNITUDE ? C : (W + 1) / 3;
     localparam L = MAGNITUDE ? C + 8 : W;
     localparam STEPS = L + 1;
@@ -84,7 +84,7 @@ module cordic_aim_iter #(
     endgenerate
     always @(posedge clk)
         if (rst) z <= {Z{1'b0}};
-        else if (in_start && !in_hold) z <= {in_x[W-1], {(A-1){1'b0}}, 5'd24};  // half an LSB, and 8 units for the one's complements
+        else if (in_start && !in_hold) z <= {in_x[W-1], {(A-1){1'b0}}, 5'd24};  // half an LSB, and 8 units for complements
         else if (out_busy && !hold) z <= z + values[Z*{minus ^ mirror, step} +: Z];
     assign out_angle = z[Z-1:5];
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One digit d in -2 .. 2 of the residual angle, and its row of the linear rotation, combinational.
-//   out_x = in_x - d (in_yf >> S),  out_y = in_y + d (in_xf >> S),  z' = 4 (z - d radian); minus is the one's complement
+//   out_x = in_x - d (in_yf >> S),  out_y = in_y + d (in_xf >> S),  z' = 4 (z - d radian); minus: one's complement
 // The digit reads three bits and the sign: 1 from 0.39, 2 from 1.57 radians, where -2 .. 2 leaves 1/3 to either side.
 // The arithmetic of cordic_turn_iter, bit for bit.
 `default_nettype none

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotation unrolled: C micro-rotations, then T digits of the residual angle. What cordic_turn_iter does in STEPS clocks,
+// Rotation unrolled: C micro-rotations, then T digits of the residual angle. What cordic_turn_iter does step by step,
 // bit for bit, in C + T + 1 stages: registers where CLOCKED, none otherwise. The rows of the digits are 2^-C of the
 // vector at most: they are summed by themselves, in narrow adders, the rounding constant R with them.
 `default_nettype none

@@ -23,7 +23,7 @@ module cordic_vector_pipe #(
     output wire [A-1:0] out_angle,
     output wire [3:0]   out_status
 );
-    localparam STAGES = W / 2 + 9;
+    localparam STAGES = (W + 1) / 2 + 9;
     generate
         if (W < 8 || W > 16 || A < 4 || A > W) begin : g_illegal
             cordic_vector_pipe_needs_W_from_8_to_16_and_A_from_4_to_W rule ();

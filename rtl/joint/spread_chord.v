@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Square root of a spread or of its complement as a product, sqrt(v) = out_w * out_slope / 2^33, one clock a root.
+// Square root of a spread or of its complement as a product, sqrt(v) = out_w * out_slope / 2^34, one clock a root.
 //   v = in_not ? 1 - in_s : in_s = (a + d) h, d in [0, 1), t = a + 1/2: the tangent in the middle of segment a,
 //   sqrt(v) = (v/h + t) * sqrt(h) / (2 sqrt(t)), needs no addend, and v/h + t is wiring: {a, d[top], ~d[top], d[rest]}.
-// Formats: in_s u0.S; out_w u18 with in_s; out_slope u17 one clock after in_read, held until the next.
+// Formats: in_s u0.S; out_w u19 with in_s; out_slope u17 one clock after in_read, held until the next.
 // Four ranges of v, from 2^-4, 2^-9, 2^-15 and 0, of 512 segments each: w is a 4:1 selection, and the slopes are stored
 // denormalised, so nothing is shifted. 1 - s is ~s followed by ones. The last range has a segment for every word.
-// Error: |sqrt - product| <= 0.56 * 2^-15, 0 is exact; at segment borders it may step back by 0.82 * 2^-15.
+// Error: |sqrt - product| <= 0.52 * 2^-15, 0 is exact; at segment borders it may step back by 0.84 * 2^-15.
 // Model: joint.spread_chord
 `default_nettype none
 module spread_chord #(
@@ -15,7 +15,7 @@ module spread_chord #(
     input  wire         in_read,
     input  wire [S-1:0] in_s,
     input  wire         in_not,
-    output reg  [17:0]  out_w,
+    output reg  [18:0]  out_w,
     output reg  [16:0]  out_slope
 );
     generate
@@ -25,7 +25,7 @@ module spread_chord #(
     endgenerate
 
     // 2^25 slopes of all segments, root by Newton from the neighbour's. With b = 2 t, factor 1 - 1/(8 b^2) under the
-    // root lowers the tangent by half of what it gains towards the ends, 1 + 1/(256 b) centres the cut of d.
+    // root lowers the tangent by half of what it gains towards the ends, 1 + 1/(512 b) centres the cut of d.
     localparam SEGMENTS = 2048;
     function [17*SEGMENTS-1:0] slopes(input integer ranges);
         integer    range, a;
@@ -37,8 +37,8 @@ module spread_chord #(
                 for (a = 0; a < 512; a = a + 1) begin
                     if (range < 3) begin
                         b = {31'd0, a, 1'b1};
-                        square = (((256 * b + 1) * (8 * b * b - 1) << 20) / (b * b * b * b))
-                            << (range == 0 ? 11 : range == 1 ? 7 : 2);
+                        square = (((512 * b + 1) * (8 * b * b - 1) << 20) / (b * b * b * b))
+                            << (range == 0 ? 10 : range == 1 ? 6 : 1);
                     end else begin
                         b = {32'd0, a};
                         square = a == 0 ? 64'd1 << 28 : ((16 * b * b - 1) << 22) / (b * b * b);
@@ -65,13 +65,13 @@ module spread_chord #(
     wire [1:0]  range = {!high && !middle, !high && (middle || !low)};
     always @*
         case (range)
-            2'd0: out_w = {v[23:14], ~v[14], v[13:7]};
-            2'd1: out_w = {v[19:10], ~v[10], v[9:3]};
-            2'd2: out_w = {v[14:5], ~v[5], v[4:0], {2{in_not}}};
-            default: out_w = {v[8:0], in_not, 8'd0};
+            2'd0: out_w = {v[23:14], ~v[14], v[13:6]};
+            2'd1: out_w = {v[19:10], ~v[10], v[9:2]};
+            2'd2: out_w = {v[14:5], ~v[5], v[4:0], {3{in_not}}};
+            default: out_w = {v[8:0], in_not, 9'd0};
         endcase
     always @(posedge clk)
         if (in_read)
-            out_slope <= slope[{range, out_w[17:9]}];
+            out_slope <= slope[{range, out_w[18:10]}];
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of one joint: x = L1 cos = +-L1 sqrt(1 - s), y = L1 sin = +-L1 sqrt(s).
 // Formats: in_j1 turn-spread u2.S, cfg_l1 uQ(W-F).F, out_x and out_y sQ(W-F).F, nearest, saturated.
-// Error of a coordinate: 1/2 + 1/16 + 0.56 L1 / 2^15 LSB with L1 in LSB: 0.84 LSB at 2^14 (64 units in Q7.8).
+// Error of a coordinate: 1/2 + 1/16 + 0.52 L1 / 2^15 LSB with L1 in LSB: 0.83 LSB at 2^14 (64 units in Q7.8).
 // Latency 2, II 2: one table and two products serve x, then y. root = slope * w, and L1 * w needs no table, so
 //   before clock 0 (accept): n = +-L1 * w of x, read its slope | before 1: x = n * slope, n of y, read its slope
 //   before 2: y = n * slope stands behind the table until it is taken
@@ -39,7 +39,7 @@ module rational_fk1 #(
 
     // odd quadrants hold 1 - s: they swap the roles of the word and its complement
     wire [S+1:0] word = busy ? j1 : in_j1;
-    wire [17:0]  w;
+    wire [18:0]  w;
     wire [16:0]  slope;
     spread_chord #(.S(S)) chord (
         .clk(clk), .in_read(accept || busy), .in_s(word[S-1:0]), .in_not(busy == word[S]),
@@ -47,7 +47,7 @@ module rational_fk1 #(
 
     // n = L1 * w cut 4 bits below the coordinate's LSB; a constant 1 behind the cut centres it, and makes
     // the one's complement an exact negation: -(2 n + 1) = 2 ~n + 1
-    wire [12:0]   below_n;
+    wire [13:0]   below_n;
     wire [W+4:0]  magnitude;
     wire          negative = word[S+1] ^ (!busy & word[S]);
     reg  [W+5:0]  n;
