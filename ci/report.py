@@ -142,7 +142,7 @@ def measure(arm_name: str, listed: tuple[Core, ...]) -> dict:
             Progress(*columns, console=Console(stderr=True)) as progress:
         task = progress.add_task("", total=3 * len(listed))
         jobs = {pool.submit(_job, what, core.id, arm_name): core.id
-                for core in listed for what in ("area", "clock", "simulate")}
+                for what in ("clock", "area", "simulate") for core in listed}  # the long ones first
         try:
             for job in as_completed(jobs):
                 try:

@@ -137,7 +137,11 @@ def fmax(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequ
 
 def core_area(core: Core) -> dict[str, dict[str, int]]:
     """All area columns of one core."""
-    return {target: area(target, core.name, core.params, core.sources) for target in SYNTH}
+    columns = {target: area(target, core.name, core.params, core.sources) for target in SYNTH if "nodsp" not in target}
+    without = columns["cyclonev"]  # a core without a product is not synthesised twice
+    if without["dsp"]:
+        without = area("cyclonev_nodsp", core.name, core.params, core.sources)
+    return {target: columns.get(target, without) for target in SYNTH}
 
 
 def core_fmax(core: Core) -> float:

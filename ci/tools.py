@@ -49,10 +49,14 @@ def require(tool: str) -> str:
     return found
 
 
-def run(tool: str, *args: str | Path, cwd: Path = ROOT, log: Path | None = None) -> str:
-    """Run `tool`, return its output; on failure raise with the tail of the output."""
-    done = subprocess.run([require(tool), *map(str, args)], cwd=cwd, env=environment(),
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+def run(tool: str, *args: str | Path, cwd: Path = ROOT, log: Path | None = None,
+        timeout: float | None = None) -> str:
+    """Run `tool`, return its output; on failure, or after `timeout` seconds, raise RuntimeError."""
+    try:
+        done = subprocess.run([require(tool), *map(str, args)], cwd=cwd, env=environment(), timeout=timeout,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    except subprocess.TimeoutExpired:
+        raise RuntimeError(f"{tool} took more than {timeout:.0f} s") from None
     if log is not None:
         log.parent.mkdir(parents=True, exist_ok=True)
         log.write_text(done.stdout)

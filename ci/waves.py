@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sys
 
-from ci import tools
 from quadrance import cores
+
+from ci import tools
 from tb.lib.simulate import available, simulate
 
 

@@ -224,6 +224,9 @@ def errors(core: Core, arm: Arm, case: Case, outputs: dict[str, Ints]) -> Errors
         ports = _joints(core, core.outputs)
         exact = _inverse(core, case.inputs, links)
         valid = np.all(np.isfinite(exact), axis=0)
+        for axis in AXES[core.function]:  # a target that the word cannot hold is not the core's error
+            port = _ports(core.inputs)[f"in_{axis}"]
+            valid &= (case.inputs[port.name] >= port.low) & (case.inputs[port.name] <= port.high)
         exact = np.where(valid, exact, 0)
         answer = [within_cell(port, core, outputs[port.name], theta) for port, theta in zip(ports, exact)]
         rounded = [decode(port, core, encode(port, core, theta)) for port, theta in zip(ports, exact)]

@@ -87,12 +87,12 @@ def roots(p: Params, word: Ints) -> tuple[Ints, Ints]:
     fold = f >> s - 1
     v = ((f ^ -fold) & (1 << s - 1) - 1) << 54 - (s - 1) | -fold & (1 << 54 - (s - 1)) - 1  # 2 v, 54 bits
     thin = np.zeros_like(v)
-    for shift, last in ((0, 4), (4, 9), (9, 14), (14, 20 if s > 24 else 64), (20, 64)):
+    for shift in (0, 4, 9, 14, 20) if s > 24 else (0, 4, 9, 14):
         knots = _knots(u, 10 + shift)
         scaled = (v << shift | -fold & (1 << shift) - 1) & (1 << 54) - 1
         a, offset = scaled >> 45, scaled >> 45 - d & (1 << d) - 1
         root = knots[a] + ((knots[a + 1] - knots[a]) * offset >> d) >> 3
-        thin = np.where((v < 1 << 54 - shift) & (shift <= 14 or s > 24), root, thin)
+        thin = np.where(v < 1 << 54 - shift, root, thin)
     knots, a, offset = _knots(u, 9), v >> 46, v >> 46 - d & (1 << d) - 1
     wide = knots[512 - a] + ((knots[511 - a] - knots[512 - a]) * offset >> d) >> 3
     thin_n = fold == quadrant & 1

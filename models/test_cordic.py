@@ -48,7 +48,7 @@ def rotation_bound(p: dict[str, int]) -> float:
     rest = np.stack([*np.cumprod(steps[::-1], axis=0)[::-1], np.ones(words.shape)]) * (1 + 1j * tangent)
     shifts = [shift for shift, _ in cordic.GAIN_DIGITS if shift < 10 or shift <= p["W"]]
     gain = sum((-1.0) ** minus * 2.0**-shift for shift, minus in cordic.GAIN_DIGITS if shift in shifts)
-    sources = [gain * rest[0], *[rest[0]] * (len(shifts) - 1), *rest[1:]]  # complement, digits but the exact first, steps
+    sources = [gain * rest[0], *[rest[0]] * (len(shifts) - 1), *rest[1:]]  # complement, inexact digits, steps
     low_x = sum(-0.5 * (1 + 1j) * source for source in sources) - 0.5 * (1 + 1j) * rows  # the mean of all that is low
     spread = sum(0.5 * (np.abs(source.real) + np.abs(source.imag)) for source in sources) + 0.5 * rows
     drift = np.maximum(np.abs(low_x.real + cordic.ROUND - 16), np.abs(low_x.imag + cordic.ROUND - 16))
@@ -82,7 +82,8 @@ def test_rotation_over_the_whole_circle(p):
 
 
 def test_rotation_saturates_and_says_so():
-    out = cordic.rotate(W16, in_angle=[8192, 40960, 0, 32768], in_x=[32767, 32767, -32768, -32768], in_y=[32767, 32767, 0, 0])
+    out = cordic.rotate(W16, in_angle=[8192, 40960, 0, 32768], in_x=[32767, 32767, -32768, -32768],
+                        in_y=[32767, 32767, 0, 0])
     assert out["out_y"].tolist()[:2] == [32767, -32768]
     assert out["out_status"].tolist() == [4, 4, 0, 4]
     assert out["out_x"].tolist()[2:] == [-32768, 32767]

@@ -84,7 +84,7 @@ module cordic_aim_iter #(
     endgenerate
     always @(posedge clk)
         if (rst) z <= {Z{1'b0}};
-        else if (in_start && !in_hold) z <= {in_x[W-1], {(A-1){1'b0}}, 5'd24};  // half an LSB, and 8 units for complements
+        else if (in_start && !in_hold) z <= {in_x[W-1], {(A-1){1'b0}}, 5'd24};  // half an LSB, 8 units for complements
         else if (out_busy && !hold) z <= z + values[Z*{minus ^ mirror, step} +: Z];
     assign out_angle = z[Z-1:5];
 
