@@ -18,7 +18,8 @@ PAPER_LE = {"fk1": (359, 1573), "fk2": (582, 1657), "fk3": (918, 1796),  # Table
             "ik1": (317, 1569), "ik2": (671, 1673), "ik3": (1023, 1787)}
 PAPER_CYCLES = {"fk1": (2, 22), "fk2": (10, 25), "fk3": (15, 52)}  # Table V, at 50 MHz
 PAPER_MHZ = 50
-PLOTS = ("area_latency.png", "accuracy.png")
+PLOTS = ("area_latency.png", "accuracy.png", "tip_error_map.png")
+MAPPED = ("fk2", "ik2")  # functions with a map of the workspace
 
 
 @dataclass(frozen=True)
@@ -116,8 +117,8 @@ def primitive_table(rows: list[Row]) -> Table:
                  ("primitive", "max LSB", "rms LSB"), lines)
 
 
-def headline_table(report: dict, functions: Iterable[str] = ("fk1", "ik1")) -> Table:
-    """The one-joint numbers of the README."""
+def headline_table(report: dict, functions: Iterable[str] = KINEMATIC) -> Table:
+    """The numbers of the README: every kinematic core at its first parameter set."""
     def line(row: Row) -> tuple[str, ...]:
         area = row["area"]["cyclonev"]
         return (f"`{name(row)}`", _cycles(row), number(row["latency_ns"]), number(row["fmax_mhz"]["ecp5"], 4),
@@ -125,8 +126,8 @@ def headline_table(report: dict, functions: Iterable[str] = ("fk1", "ik1")) -> T
                 number(_part(row, "error_lsb", "max")), number(_part(row, "error_mm", "max")),
                 number(_part(row, "input_error_lsb", "max")))
 
-    rows = q7_8(pick(report, functions))
-    return Table("One joint", ("core", "cycles", "ns", "MHz", "ALUT", "DSP", "mem", "ALUT, no DSP", "error LSB",
+    rows = leading(q7_8(pick(report, functions)))
+    return Table("Kinematics", ("core", "cycles", "ns", "MHz", "ALUT", "DSP", "mem", "ALUT, no DSP", "error LSB",
                                "error mm", "words LSB"), tuple(map(line, rows)))
 
 
@@ -291,7 +292,9 @@ def markdown(report: dict) -> str:
         parts += [f"## {(table := cost_table('Kinematic cores', kinematic)).title}", table.markdown(),
                   "![Area against latency](area_latency.png)",
                   f"## {(table := accuracy_table('Accuracy at the tip', kinematic)).title}", table.markdown(),
-                  "![Accuracy](accuracy.png)"]
+                  "![Accuracy](accuracy.png)",
+                  "Over the workspace of two joints (elbow 0), the same scale everywhere:",
+                  "![Tip error over the workspace](tip_error_map.png)"]
     if others:
         parts += [f"## {(table := cost_table('Primitives', others)).title}", table.markdown()]
         table = primitive_table(others)
@@ -359,12 +362,14 @@ def stamp(report: dict) -> str:
     return hashlib.sha256(json.dumps(report["cores"], sort_keys=True).encode()).hexdigest()[:24]
 
 
-def plots(report: dict, folder: Path) -> None:
-    """Write the plots (`PLOTS`) of the kinematic cores."""
+def plots(report: dict, maps: dict[tuple[str, str], dict[str, list]], folder: Path) -> None:
+    """Write the plots (`PLOTS`) of the kinematic cores; `maps` are (function, family) -> what -> grid of LSB."""
     import matplotlib
 
     matplotlib.use("Agg")
+    import numpy
     from matplotlib import pyplot
+    from matplotlib.colors import LogNorm
 
     rows = q7_8(pick(report, KINEMATIC))
     colour = {"paper": "tab:orange", "rational": "tab:green", "classic": "tab:blue"}
@@ -414,6 +419,26 @@ def plots(report: dict, folder: Path) -> None:
     axis.grid(True, axis="x", alpha=0.25)
     figure.tight_layout()
     figure.savefig(folder / PLOTS[1], dpi=110, metadata=metadata)
+    pyplot.close(figure)
+
+    panels = [(function, what) for function in MAPPED for what in ("arithmetic", "words")]
+    figure, grid = pyplot.subplots(len(panels), len(FAMILIES), figsize=(12, 15), layout="constrained")
+    scale = LogNorm(0.01, 1000, clip=True)
+    reach = (report["trajectory"]["l1_mm"] + report["trajectory"]["l2_mm"]) / report["trajectory"]["mm_per_unit"]
+    image = pyplot.cm.ScalarMappable(scale, "viridis")
+    for axes, (function, what) in zip(grid, panels):
+        for axis, family in zip(axes, FAMILIES):
+            if (function, family) in maps:
+                shown = numpy.array(maps[function, family][what])
+                axis.imshow(numpy.maximum(shown, 0.01), norm=scale, cmap="viridis", origin="lower",
+                            extent=[-reach, reach] * 2)
+                axis.set_title(f"{family}_{function}: {what}, max {number(float(numpy.nanmax(shown)))} LSB", fontsize=9)
+            else:
+                axis.set_axis_off()
+    figure.colorbar(image, ax=grid, shrink=0.5, label="error at the tip, LSB")
+    figure.suptitle(f"Tip error over the workspace of {report['trajectory']['name']}, units; elbow 0\n"
+                    "arithmetic: the core's own; words: what rounding its words costs an exact core")
+    figure.savefig(folder / PLOTS[2], dpi=90, metadata=metadata)
     pyplot.close(figure)
 
 

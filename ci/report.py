@@ -26,6 +26,7 @@ LOG = tools.BUILD / "report.log"
 DEFAULT_ARM = "cobra600"
 SAMPLES = 1000
 SWEEP = 4096
+MAP = 121  # points a side of the map of the workspace
 REFRESH = "run `make report` and commit reports/ and README.md"
 
 # What a figure depends on besides the core's own sources
@@ -89,6 +90,23 @@ def simulate(core: Core, arm_name: str) -> dict:
     return row | {"latency_cycles": cycles, "ii": ii}
 
 
+def tip_map(core: Core, arm_name: str) -> dict[str, list]:
+    """Arithmetic error and rounding of the words over the workspace, LSB: (MAP, MAP) each, NaN out of reach."""
+    import numpy as np
+    from quadrance import accuracy
+
+    arm = arms.load(arm_name)
+    case, inside = accuracy.map_case(core, arm, MAP)
+    outputs = _simulate(core, case.inputs, case.cfg)["outputs"]
+    found = accuracy.errors(core, arm, case, {port: np.array(words) for port, words in outputs.items()}, every=True)
+    maps = {}
+    for what, error in (("arithmetic", found.arithmetic), ("words", found.quantisation)):
+        grid = np.full(inside.shape, np.nan)
+        grid[inside] = error
+        maps[what] = grid.tolist()
+    return maps
+
+
 def _quiet() -> None:
     """Send what the tools of a worker process say to a log, away from the progress bar."""
     LOG.parent.mkdir(parents=True, exist_ok=True)
@@ -102,6 +120,8 @@ def _job(what: str, core_id: str, arm_name: str) -> tuple[str, object]:
     try:
         if what == "area":
             return what, synth.core_area(core)
+        if what == "map":
+            return what, tip_map(core, arm_name)
         return what, synth.core_fmax(core) if what == "clock" else simulate(core, arm_name)
     except (Exception, SystemExit) as error:
         raise RuntimeError(f"{core_id}, {what}: {error} (log: {LOG.relative_to(tools.ROOT)})") from None
@@ -127,8 +147,14 @@ def row_of(core: Core, area: dict, clock: float, simulated: dict) -> dict:
         **{key: simulated[key] for key in ("error_lsb", "error_mm", "input_error_lsb", "sweep_error_lsb")}})
 
 
-def measure(arm_name: str, listed: tuple[Core, ...]) -> dict:
-    """The whole report of `listed` cores on an arm, with a progress bar."""
+def mapped(listed: tuple[Core, ...]) -> dict[tuple[str, str], Core]:
+    """The core that stands for (function, family) in the map of the workspace: the first of Q7.8."""
+    return {(core.function, core.family): core for core in reversed(listed)
+            if core.function in render.MAPPED and (core.params.get("W"), core.params.get("F")) == (16, 8)}
+
+
+def measure(arm_name: str, listed: tuple[Core, ...]) -> tuple[dict, dict]:
+    """The whole report of `listed` cores on an arm, with a progress bar, and the maps of the workspace."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
@@ -140,9 +166,11 @@ def measure(arm_name: str, listed: tuple[Core, ...]) -> dict:
     LOG.unlink(missing_ok=True)
     with ProcessPoolExecutor(min(2, os.cpu_count() or 1), initializer=_quiet) as pool, \
             Progress(*columns, console=Console(stderr=True)) as progress:
-        task = progress.add_task("", total=3 * len(listed))
+        shown = mapped(listed)
+        task = progress.add_task("", total=3 * len(listed) + len(shown))
         jobs = {pool.submit(_job, what, core.id, arm_name): core.id
                 for what in ("clock", "area", "simulate") for core in listed}  # the long ones first
+        jobs |= {pool.submit(_job, "map", core.id, arm_name): core.id for core in shown.values()}
         try:
             for job in as_completed(jobs):
                 try:
@@ -157,11 +185,12 @@ def measure(arm_name: str, listed: tuple[Core, ...]) -> dict:
     if failures:
         raise RuntimeError("\n".join([f"{len(failures)} measurements failed", *failures]))
     rows = [row_of(core, *(found[core.id][what] for what in ("area", "clock", "simulate"))) for core in listed]
+    maps = {key: found[core.id]["map"] for key, core in shown.items()}
     return {
         "tools": tools.versions(), "arm": arm_name,
         "trajectory": {"name": arm.name, "l1_mm": arm.l1, "l2_mm": round(arm.l2, 4), "mm_per_unit": arm.mm_per_unit,
                        "yaw": len(arm.limits) == 3, "samples": SAMPLES},
-        "cores": rows, "sources": sources(arm_name, listed)}
+        "cores": rows, "sources": sources(arm_name, listed)}, maps
 
 
 # Checking
@@ -228,13 +257,13 @@ def check(folder: Path = REPORTS, readme: Path = README, listed: tuple[Core, ...
 # Writing
 
 
-def write(report: dict, folder: Path = REPORTS, readme: Path = README) -> None:
+def write(report: dict, maps: dict, folder: Path = REPORTS, readme: Path = README) -> None:
     """report.json, report.md, the plots, and the README's blocks where there is a README."""
     report["sources"]["figures"] = render.stamp(report)
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "report.json").write_text(json.dumps(report, indent=1) + "\n")
     (folder / "report.md").write_text(render.markdown(report))
-    render.plots(report, folder)
+    render.plots(report, maps, folder)
     if readme.exists():
         readme.write_text(render.readme(readme.read_text(), report))
 
@@ -279,8 +308,8 @@ def main() -> None:
         return
     try:
         arms.load(args.arm)
-        report = measure(args.arm, cores.all_cores())
-        write(report)
+        report, maps = measure(args.arm, cores.all_cores())
+        write(report, maps)
     except (arms.ArmError, RuntimeError, ValueError) as error:
         raise SystemExit(f"report: {error}") from None
     show(report)

@@ -66,7 +66,7 @@ def listed(tmp_path, monkeypatch):
 @pytest.fixture
 def committed(tmp_path, made, listed, monkeypatch):
     """A complete written report and README, plots but for their digest left out; returns check() on them."""
-    def stamps(report, folder):
+    def stamps(report, maps, folder):
         for plot in render.PLOTS:
             (folder / plot).write_text(render.stamp(report))
 
@@ -74,7 +74,7 @@ def committed(tmp_path, made, listed, monkeypatch):
     folder, readme = tmp_path / "reports", tmp_path / "README.md"
     readme.write_text(README)
     made["sources"] = report.sources("cobra600", listed)
-    report.write(made, folder, readme)
+    report.write(made, {}, folder, readme)
     return lambda cores=listed: report.check(folder, readme, cores)
 
 
@@ -89,7 +89,7 @@ def test_a_written_report_is_fresh(committed):
 
 
 def test_plots_carry_the_digest_of_their_figures(tmp_path, made):
-    render.plots(made, tmp_path)
+    render.plots(made, {("fk2", "paper"): {"arithmetic": [[0.5]], "words": [[2.0]]}}, tmp_path)
     for plot in render.PLOTS:
         png = (tmp_path / plot).read_bytes()
         assert png.startswith(b"\x89PNG") and render.stamp(made).encode() in png and len(png) > 10000

@@ -179,6 +179,19 @@ def sweep_case(core: Core, arm: Arm, count: int = 4096, seed: int = 1) -> Case |
     return _case(core, arm, angles, tip, words)
 
 
+def map_case(core: Core, arm: Arm, side: int) -> tuple[Case, np.ndarray]:
+    """The reachable points of a `side` x `side` grid over the square of the arm's reach, elbow 0, in the core's words.
+
+    Two-joint functions only. Returns the case and the (side, side) mask of the points it holds, row 0 lowest.
+    """
+    x, y = np.meshgrid(*[np.linspace(-1, 1, side) * (sum(arm.links) - 1e-9)] * 2)
+    inside = truth.reach(x, y, *arm.links) == 0
+    angles = np.stack(truth.ik2(x[inside], y[inside], *arm.links, 0), axis=-1)
+    inside[inside] = defined = np.all(np.isfinite(angles), axis=-1)
+    tip = np.stack([x[inside], y[inside], np.zeros(int(inside.sum()))], axis=-1)
+    return _case(core, arm, angles[defined], tip), inside
+
+
 # Errors
 
 
@@ -204,8 +217,11 @@ def _distance(a: Floats, b: Floats) -> Floats:
     return np.linalg.norm(a - b, axis=-1)
 
 
-def errors(core: Core, arm: Arm, case: Case, outputs: dict[str, Ints]) -> Errors | None:
-    """Errors of the answers of `core` to `case`; None for a function that has no truth here."""
+def errors(core: Core, arm: Arm, case: Case, outputs: dict[str, Ints], every: bool = False) -> Errors | None:
+    """Errors of the answers of `core` to `case`; None for a function that has no truth here.
+
+    With `every`, samples without a truth stay, as NaN.
+    """
     if core.function in PRIMITIVES:
         return Errors(_primitive(core, case, outputs), None)
     if core.function not in JOINTS:
@@ -232,6 +248,8 @@ def errors(core: Core, arm: Arm, case: Case, outputs: dict[str, Ints]) -> Errors
         rounded = [decode(port, core, encode(port, core, theta)) for port, theta in zip(ports, exact)]
         arithmetic = _distance(_forward(core, answer, links), _forward(core, exact, links))
         quantisation = _distance(_forward(core, rounded, arm.links), case.tip)
+    if every:
+        return Errors(np.where(valid, arithmetic, np.nan) * 2.0**f, np.where(valid, quantisation, np.nan) * 2.0**f)
     return Errors(arithmetic[valid] * 2.0**f, quantisation[valid] * 2.0**f)
 
 
