@@ -26,8 +26,8 @@ def _words(rng: np.random.Generator, s: int, count: int) -> np.ndarray:
 
 @pytest.mark.parametrize("p", [P, FINE], ids=["S24", "S28U17"])
 def test_roots_are_within_their_bound_in_every_quadrant(p: dict[str, int]) -> None:
-    words = np.concatenate([_words(np.random.default_rng(1), p["S"], 200_000),
-                            (np.arange(4)[:, None] * (1 << p["S"]) + np.arange(-4096, 4096)).ravel() & (4 << p["S"]) - 1])
+    borders = (np.arange(4)[:, None] * (1 << p["S"]) + np.arange(-4096, 4096)).ravel() & (4 << p["S"]) - 1
+    words = np.append(_words(np.random.default_rng(1), p["S"], 200_000), borders)
     theta = truth.spread_word_to_angle(words, p["S"])
     for root, exact in zip(rational.roots(p, words), truth.unit(theta)):
         assert np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"] <= ROOT[p["U"]]
