@@ -76,7 +76,7 @@ def _knots(u: int, h: int) -> Ints:
 
 
 def roots(p: Params, word: Ints) -> tuple[Ints, Ints]:
-    """(cos, sin) of a turn-spread word as odd integers of 2^-(U+1), each within 0.72 / 2^U: rational_roots.v.
+    """(cos, sin) of a turn-spread word as odd integers of 2^-(U+1), each within 0.83 / 2^U at U = 16: rational_roots.v.
 
     With f the fraction and v = min(f, 1 - f) the roots are those of v and 1 - v, on chords of 512 segments a
     range and of 256; 1 - f is the one's complement followed by ones.

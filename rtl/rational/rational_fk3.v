@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forward kinematics of three joints: x = rho c3, y = rho n3, z = A n1 + B c1 with rho = A c1 - B n1, A = L1 + L2 c2,
+// B = L2 n2. rho keeps its sign: an arm that leans back over the yaw axis lands behind it.
+// Formats: in_j1..3 turn-spread u2.S; cfg_l1, cfg_l2 uQ(W-F).F; out_x..z sQ(W-F).F, nearest, saturated.
+// Error: z as rational_fk2; x, y 0.06 + 0.83 (L1 + L2) / 2^16 LSB more: 1.27 at L1 = L2 = 2^13, 0.93 measured.
+// Latency 9, II 9; the schedule stands in rational_chain.v.
+// Status: overflow (a coordinate was saturated).
+// Source: rational trigonometry paper, eqs. 24-31 in vector form, with the sign of rho that squaring loses.
+// Model: rational.fk3
+`default_nettype none
+module rational_fk3 #(
+    parameter W = 16,
+    parameter F = 8,
+    parameter S = 24,
+    parameter U = 16
+) (
+    input  wire         clk,
+    input  wire         rst,
+    input  wire [W-1:0] cfg_l1,
+    input  wire [W-1:0] cfg_l2,
+    input  wire         in_valid,
+    output wire         in_ready,
+    input  wire [S+1:0] in_j1,
+    input  wire [S+1:0] in_j2,
+    input  wire [S+1:0] in_j3,
+    output wire         out_valid,
+    input  wire         out_ready,
+    output wire [W-1:0] out_x,
+    output wire [W-1:0] out_y,
+    output wire [W-1:0] out_z,
+    output wire [3:0]   out_status
+);
+    generate
+        if (W < 15 || W > 20 || F < 0 || F >= W || S < 10 || S > 30 || U < 13 || U > 18) begin : g_illegal
+            rational_fk3_needs_W_from_15_to_20_and_F_below_W_and_S_from_10_to_30_and_U_from_13_to_18 rule ();
+        end
+    endgenerate
+
+    assign out_status[3] = 1'b0;
+    assign out_status[1:0] = 2'b00;
+    rational_chain #(.JOINTS(3), .W(W), .S(S), .U(U)) chain (
+        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),
+        .in_j1(in_j1), .in_j2(in_j2), .in_j3(in_j3), .out_valid(out_valid), .out_ready(out_ready),
+        .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_overflow(out_status[2]));
+endmodule
+`default_nettype wire
