@@ -11,16 +11,25 @@ from quadrance.fixed import Ints, hold_last, ints, saturate, wrap
 GUARD = 4  # fraction bits below a coordinate LSB
 ROUND = 14  # half an LSB, and 6 units for what rounds down
 AIM_GUARD = 3
+CHAIN_GUARD = 5  # of two and three rotations
+CHAIN_ROUND = 13, 8  # units that two rotations in the plane round down on the average, and those of the third
+YAW_FACTORS = ((2, 0), (5, 1), (9, 0), (10, 0), (16, 0))  # 1 +- 2^-n, together 1.2145060 = 2 * 0.6072530
 SHRINK = math.prod((1 + 4.0**-i) ** -0.5 for i in range(40))  # 0.607252935: what all micro-rotations lengthen, undone
 
 
 def config(p: dict[str, int], *, cfg_l1: int, cfg_l2: int = 0) -> dict[str, int]:
-    """Start vectors of link lengths u(W-F).F: `cfg_c1` as classic_fk1 wants it.
+    """Words that the cores derive from the link lengths u(W-F).F.
 
-    It stops 3 LSB below the longest word, where rounding could no longer tell plus from minus.
+    cfg_c1 : start vector of classic_fk1
+    cfg_s1, cfg_s2 : start vectors of the links in a chain, one rotation before the tip and two
+
+    These stop 3 LSB below the longest word, where rounding could no longer tell plus from minus.
     """
     longest = (1 << p["W"]) - 3
-    return {"cfg_c1": math.floor(min(cfg_l1, longest) * SHRINK * 2**GUARD)}
+    l1, l2 = min(cfg_l1, longest), min(cfg_l2, longest)
+    return {"cfg_c1": math.floor(l1 * SHRINK * 2**GUARD),
+            "cfg_s1": math.floor(l1 * SHRINK * 2**CHAIN_GUARD),
+            "cfg_s2": math.floor(l2 * SHRINK * SHRINK * math.sqrt(2) * 2**CHAIN_GUARD)}
 
 
 def fk1(p: dict[str, int], *, in_j1, cfg_c1) -> dict[str, Ints]:
@@ -33,6 +42,59 @@ def fk1(p: dict[str, int], *, in_j1, cfg_c1) -> dict[str, Ints]:
     x, y = turn(width, x, y, z + 2, ROUND)
     (out_x, over_x), (out_y, over_y) = (saturate(v >> GUARD, width) for v in (x, y))
     return {"out_x": out_x, "out_y": out_y, "out_status": OVERFLOW * (over_x | over_y)}
+
+
+def _signs(quarter: Ints) -> tuple[Ints, Ints]:
+    """Masks (-1: minus) of x and y in the middle of a quadrant, counted from 0."""
+    top, next_bit = quarter >> 1 & 1, quarter & 1
+    return -(top ^ next_bit), -top
+
+
+def _chain(p: dict[str, int], joints: tuple[Ints, ...], s1: Ints, s2: Ints) -> tuple[tuple[Ints, Ints], ...]:
+    """((x, overflow), (y, overflow) ...) of two links: the one engine of classic_fk2 and classic_fk3.
+
+    ``L2 exp(j j2)``, plus L1, times ``exp(j j1)``. The quarter turns of both rotations are signs of the two start
+    vectors, so that nothing is exchanged on the way; the third rotation starts from (+-rho, +-rho) / 2.
+    """
+    width, turn_bits = p["W"], p["A"]
+    eighth, up = 1 << turn_bits - 3, width + 5 - turn_bits
+    j1, j2 = joints[:2]
+    quarter1 = j1 >> turn_bits - 2
+    sx, sy = _signs(quarter1 + (j2 + eighth >> turn_bits - 2))
+    x, y = turn(width, s2 ^ sx, s2 ^ sy, (wrap(j2, turn_bits - 2) << up) + 2, 0)
+    sx, sy = _signs(quarter1)
+    z = (wrap(j1 + eighth, turn_bits - 2) << up) + 2
+    x, y = turn(width, x + (s1 ^ sx), y + (s1 ^ sy), z, 0)
+    half, (plane, yaw) = 1 << CHAIN_GUARD - 1, CHAIN_ROUND
+    height = saturate(y + plane + half >> CHAIN_GUARD, width)
+    if len(joints) == 2:
+        return saturate(x + plane + half >> CHAIN_GUARD, width), height
+    sx, sy = _signs(joints[2] >> turn_bits - 2)
+    flip = sx ^ sy
+    y = (x + plane >> 1) ^ sy
+    x, y = y ^ flip, y + flip
+    for shift, minus in YAW_FACTORS:
+        x, y = x + (y >> shift ^ flip ^ -minus), y + (x >> shift ^ flip ^ -minus)
+    x, y = turn(width, x, y, (wrap(joints[2] + eighth, turn_bits - 2) << up) + 2, yaw + half)
+    return saturate(x >> CHAIN_GUARD, width), saturate(y >> CHAIN_GUARD, width), height
+
+
+def _coordinates(axes: tuple[tuple[Ints, Ints], ...]) -> dict[str, Ints]:
+    """Ports of saturated coordinates."""
+    over = sum(np.asarray(over, dtype=np.int64) for _, over in axes) > 0
+    return {**{f"out_{name}": word for name, (word, _) in zip("xyz", axes)}, "out_status": OVERFLOW * over}
+
+
+def fk2(p: dict[str, int], *, in_j1, in_j2, cfg_s1, cfg_s2) -> dict[str, Ints]:
+    """``x = L1 cos j1 + L2 cos(j1 + j2)``, y with sines: two rotations."""
+    in_j1, in_j2, s1, s2 = np.broadcast_arrays(*map(ints, (in_j1, in_j2, cfg_s1, cfg_s2)))
+    return _coordinates(_chain(p, (in_j1, in_j2), s1, s2))
+
+
+def fk3(p: dict[str, int], *, in_j1, in_j2, in_j3, cfg_s1, cfg_s2) -> dict[str, Ints]:
+    """`fk2` in the plane of the arm, (rho, z); ``x = rho cos j3, y = rho sin j3``: three rotations."""
+    in_j1, in_j2, in_j3, s1, s2 = np.broadcast_arrays(*map(ints, (in_j1, in_j2, in_j3, cfg_s1, cfg_s2)))
+    return _coordinates(_chain(p, (in_j1, in_j2, in_j3), s1, s2))
 
 
 def ik1(p: dict[str, int], *, in_x, in_y) -> dict[str, Ints]:

@@ -14,8 +14,14 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     if not core.cfg:
         return [{}]
     half = 1 << core.params["W"] - 1
+    if core.function not in ("fk1", "ik1"):
+        pairs = [(2 * half - 1, 2 * half - 1), (half // 2, half // 2), (0, 2 * half - 1), (half // 3, half // 4),
+                 (2 * half - 1, 0), (1, half // 5), (half // 5, 1), (0, 0),
+                 *(tuple(map(int, rng.integers(1, half, 2))) for _ in range(2))]
+        derived = [classic.config(core.params, cfg_l1=l1, cfg_l2=l2) for l1, l2 in pairs]
+        return [{port.name: words[port.name] for port in core.cfg} for words in derived]
     lengths = (2 * half - 1, half - 1, int(rng.integers(half // 16, half)), int(rng.integers(half, 2 * half)), 1, 0)
-    return [classic.config(core.params, cfg_l1=length) for length in lengths]
+    return [{"cfg_c1": classic.config(core.params, cfg_l1=length)["cfg_c1"]} for length in lengths]
 
 
 def _angles(core: Core) -> np.ndarray:
@@ -35,6 +41,11 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
     if core.function == "fk1":
         return {"in_j1": _angles(core)}
+    if core.function in ("fk2", "fk3"):
+        order = np.random.default_rng(1)
+        joints = np.stack(np.meshgrid(_angles(core), _angles(core)), axis=-1).reshape(-1, 2)
+        joints = np.column_stack([joints, order.permutation(np.resize(_angles(core), len(joints)))])
+        return {port.name: joints[:, i] for i, port in enumerate(core.inputs)}
     x, y = (grid.ravel() for grid in np.meshgrid(_coordinates(core), _coordinates(core)))
     order = np.random.default_rng(1).permutation(x.size)
     blank = np.arange(x.size) % 17 == 3
