@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import tempfile
 from collections.abc import Sequence
@@ -58,17 +59,22 @@ def build(core: Core, label: str = "") -> Path:
     texts = "".join(source.read_text() for source in (*core.sources, SOURCE))
     digest = hashlib.sha256(f"{texts}{accessors}{core.params}{tools.versions()}".encode()).hexdigest()[:16]
     program = tools.BUILD / "bulk" / f"{core.id}{label}-{digest}"
-    if program.exists():
-        return program
+    program.parent.mkdir(parents=True, exist_ok=True)
+    with open(program.with_suffix(".lock"), "w") as lock:  # two tests of one core build it once
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not program.exists():
+            _compile(core, label, accessors, program)
+    return program
+
+
+def _compile(core: Core, label: str, accessors: str, program: Path) -> None:
     folder = simulate(core, "verilator", compile_only=True, label=label)
     (folder / "ports.inc").write_text(accessors)
     include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
-    program.parent.mkdir(parents=True, exist_ok=True)
     partial = program.with_name(f"{program.name}.{folder.stat().st_ino}")
     tools.run("g++", OPTIMISE, "-Wno-sign-compare", "-I.", f"-I{include}", f"-I{include}/vltstd", SOURCE, "Vtop__ALL.a",
               *runtime(), "-lpthread", "-o", partial, cwd=folder)
     partial.rename(program)
-    return program
 
 
 def stream(core: Core, inputs: Vectors, cfg: dict[str, int] | None = None, *, seed: int = 0,
