@@ -1,0 +1,41 @@
+"""A day of four real arms through the Verilog: bit-true, and its tip in millimetres beside float64."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from quadrance import accuracy, arms
+from quadrance.cores import Core, all_cores
+
+from tb.lib import bulk
+
+SAMPLES = 2000
+ARMS = ("cobra600", "linuxcnc_scara", "staubli_tx40", "geomagic_touch")
+# Greatest distance at the tip in LSB that the pages of rational and classic derive, up to 64 units of reach
+FORWARD_AXIS, INVERSE = 1.0, 2.0
+
+
+def kinematic() -> list[Core]:
+    """The first parameter set of every kinematic core, all of Q7.8."""
+    return [core for core in all_cores() if core.function in accuracy.JOINTS and core.first_set]
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("core", kinematic(), ids=lambda core: core.name)
+def test_a_day_of_the_arm(core: Core, record_property) -> None:
+    for name in ARMS:
+        arm = arms.load(name)
+        case = accuracy.trajectory_case(core, arm, SAMPLES)
+        result = bulk.stream(core, case.inputs, case.cfg)
+        bulk.compare(core, case.inputs, case.cfg, result)
+        assert result.outputs.keys() == {port.name for port in core.outputs}
+        errors = accuracy.errors(core, arm, case, result.outputs)
+        assert errors.arithmetic.size == SAMPLES
+        worst = float(np.max(errors.arithmetic))
+        millimetres = worst * accuracy.mm_per_lsb(core, arm)
+        record_property(f"{name}_mm", millimetres)
+        if core.family != "paper":  # its bound depends on the links, and eight bits see a pole near the yaw axis
+            assert not np.any(result.outputs["out_status"]), f"{name} raised a status bit"
+            axes = len(accuracy.AXES[core.function])
+            limit = FORWARD_AXIS * np.sqrt(axes) if core.function.startswith("fk") else INVERSE
+            assert worst <= limit, f"{name}: {worst:.2f} LSB at the tip, {millimetres:.3f} mm"
