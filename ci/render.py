@@ -328,7 +328,7 @@ def blocks(report: dict) -> dict[str, str]:
     """The generated blocks of the README by name."""
     paper = "\n\n".join(f"**{table.title}**\n\n{table.markdown()}" for table in paper_tables(report))
     return {"headline": headline_table(report).markdown(), "paper": paper or "No core of the paper's functions yet.",
-            "cordic": _list(pareto(report) + cordic_wins(report), "No function has both families yet.")}
+            "pareto": _list(pareto(report), "No function has both families yet.")}
 
 
 def readme(text: str, report: dict) -> str:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangle of two links solved backwards, and with YAW its plane: paper_ik2 and paper_ik3.
+// The triangle of two links solved backwards, and with YAW its plane: paper_ik2 and paper_ik3. Model: paper.solve
 //   s3 = qy / qa, sa = qz / q3, s2 = 1 - (q3 - Q1 - Q2)^2 / (4 Q1 Q2), s' = s2 Q2 / q3, s1 = sa (-) s'
 // One row set divides, M = ceil((S+3) / R) clocks each, sa in the first M after num; one multiplier feeds one root.
 //   clock          squarers, multiplier                   adders                            rows
@@ -10,7 +10,6 @@
 //   2M+4           (1 - v)^2 -> j2, num = Q2 s2           -                                 den = q3
 //   2M+5 .. 3M+4   -                                      -                                 s'
 //   3M+5, +6, +7   sqrt(sa (1-g)), sqrt(g (1-sa)); square  acc = their difference           -> j1
-// Model: models/paper.py (solve)
 `default_nettype none
 module paper_solve #(
     parameter W   = 16,
