@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fcntl
 import hashlib
+import shutil
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,7 +15,7 @@ from quadrance.cores import Core, Port
 from quadrance.fixed import Ints, wrap
 
 from ci import tools
-from tb.lib.simulate import OPTIMISE, runtime, simulate
+from tb.lib.simulate import build_folder, cxx_flags, runtime, verilate
 from tb.lib.stimulus import Vectors
 
 SOURCE = Path(__file__).with_name("bulk.cpp")
@@ -68,12 +69,13 @@ def build(core: Core, label: str = "") -> Path:
 
 
 def _compile(core: Core, label: str, accessors: str, program: Path) -> None:
-    folder = simulate(core, "verilator", compile_only=True, label=label)
+    folder = build_folder(core, "bulk", label)
+    shutil.rmtree(folder, ignore_errors=True)
+    parts = [*verilate(core, folder), SOURCE]  # one compilation: most of it is the headers they share
     (folder / "ports.inc").write_text(accessors)
-    include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
-    partial = program.with_name(f"{program.name}.{folder.stat().st_ino}")
-    tools.run("g++", OPTIMISE, "-Wno-sign-compare", "-I.", f"-I{include}", f"-I{include}/vltstd", SOURCE, "Vtop__ALL.a",
-              *runtime(), "-lpthread", "-o", partial, cwd=folder)
+    (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts))
+    partial = program.with_suffix(".partial")
+    tools.run("g++", *cxx_flags(), "-I.", "all.cpp", *runtime(), "-lpthread", "-o", partial, cwd=folder)
     partial.rename(program)
 
 

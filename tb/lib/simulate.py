@@ -28,13 +28,27 @@ def build_folder(core: Core, simulator: str, label: str = "") -> Path:
     return tools.BUILD / "sim" / simulator / (core.id + label)
 
 
+def cxx_flags() -> list[str]:
+    """How C++ that Verilator wrote is compiled."""
+    include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
+    return ["-std=gnu++17", OPTIMISE, f"-I{include}", f"-I{include}/vltstd", "-DVERILATOR=1", "-Wno-sign-compare",
+            *(f"-DVM_{name}=0" for name in ("COVERAGE", "SC", "TIMING", "TRACE", "TRACE_FST", "TRACE_VCD"))]
+
+
+def verilate(core: Core, folder: Path) -> list[Path]:
+    """C++ of the core as class `Vtop`, without the access from outside that cocotb needs: the files to compile."""
+    folder.mkdir(parents=True, exist_ok=True)
+    tools.run("verilator", "-cc", "-Mdir", folder, "--prefix", "Vtop", "--top-module", core.name, "-Wno-fatal",
+              "-Wno-lint", "-Wno-style", *(f"-G{name}={value}" for name, value in core.params.items()), *core.sources)
+    return sorted(folder.glob("Vtop*.cpp"))
+
+
 def runtime() -> list[Path]:
     """Verilator's own run-time, compiled once and linked into every core: it is most of a build."""
     folder = tools.BUILD / "verilator-runtime"
     folder.mkdir(parents=True, exist_ok=True)
     include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
-    flags = ["-std=gnu++17", OPTIMISE, f"-I{include}", f"-I{include}/vltstd", "-DVERILATOR=1",
-             *(f"-DVM_{name}=0" for name in ("COVERAGE", "SC", "TIMING", "TRACE", "TRACE_FST", "TRACE_VCD"))]
+    flags = cxx_flags()
     objects = [folder / f"{name}.o" for name in ("verilated", "verilated_dpi", "verilated_vpi", "verilated_threads")]
     with open(folder / "lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
