@@ -16,7 +16,8 @@ def main() -> None:
     except KeyError as error:
         raise SystemExit(f"waves: {error.args[0]}") from None
     simulator = "icarus" if available("icarus") else "verilator"
-    folder = simulate(core, simulator, tests="corners|latency", waves=True, label="-waves")
+    tests = "corners_back|latency_and" if core.clocked else "corners_and"
+    folder = simulate(core, simulator, tests=tests, waves=True, label="-waves")
     wave = max((p for p in folder.iterdir() if p.suffix in (".fst", ".vcd")), key=lambda p: p.stat().st_mtime)
     name = wave.relative_to(tools.ROOT)
     print(f"waves: {name}\nopen it with: gtkwave {name}   (or: surfer {name})")
