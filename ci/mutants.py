@@ -3,19 +3,22 @@
 Yosys' `mutate` makes the mutants of the flattened netlist (inverted, stuck, swapped or shifted bits,
 spread over cells and ports). Each goes through the bench of its core under Icarus. A survivor is
 shown equivalent by Yosys' SAT solver (same handshake and, while out_valid, same results from any
-state after a reset) or it counts against the bench. Writes reports/mutants.md.
+state after a reset) or it counts against the bench. Writes reports/mutants.json and, from it,
+reports/mutants.md; a core whose sources and bench did not change since is not broken again.
 """
 
 from __future__ import annotations
 
 import argparse
 import contextlib
+import hashlib
+import json
 import os
 import re
 import shutil
 import sys
-from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field, replace
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from quadrance.cores import Core, all_cores, find
@@ -31,6 +34,8 @@ THRESHOLD = 0.95
 SAT_SECONDS = 60
 WORK = tools.BUILD / "mutants"
 PAGE = tools.ROOT / "reports" / "mutants.md"
+STORE = tools.ROOT / "reports" / "mutants.json"
+BENCH = ("ci/mutants.py", "tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py")
 
 
 @dataclass
@@ -136,6 +141,13 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
     return verdict
 
 
+def digest(core: Core, count: int, seed: int) -> str:
+    """Of all that a verdict follows from."""
+    bench = [tools.ROOT / name for name in (*BENCH, f"tb/{core.family}/stimulus.py")]
+    texts = [path.read_text() for path in (*core.sources, *bench)]
+    return hashlib.sha256(json.dumps([texts, core.params, count, seed]).encode()).hexdigest()[:16]
+
+
 def page(verdicts: list[Verdict], seed: int) -> str:
     """The committed result."""
     lines = ["# Mutation run", "",
@@ -154,12 +166,21 @@ def main() -> int:
     args = parser.parse_args()
     seed = int(os.environ.get("SEED", "2026"))
     cores = [find(name) for name in args.core] or [core for core in all_cores() if core.first_set]
-    verdicts = []
+    store = json.loads(STORE.read_text()) if STORE.exists() and not args.core else {}
+    fresh = {core.id: digest(core, args.count, seed) for core in cores}
+    known = {core: Verdict(**one["verdict"]) for core, one in store.items() if one["digest"] == fresh.get(core)}
     with Progress() as progress, ProcessPoolExecutor(os.cpu_count()) as pool:
         task = progress.add_task("mutants", total=len(cores))
-        for verdict in pool.map(judge, cores, [args.count] * len(cores), [seed] * len(cores)):
-            verdicts.append(verdict)
-            progress.update(task, advance=1, description=verdict.core)
+        jobs = {pool.submit(judge, core, args.count, seed) for core in cores if core.id not in known}
+        progress.update(task, advance=len(known))
+        for job in as_completed(jobs):
+            known[job.result().core] = job.result()
+            progress.update(task, advance=1, description=job.result().core)
+            if not args.core:  # what is done stays done when the run is cut
+                STORE.parent.mkdir(exist_ok=True)
+                STORE.write_text(json.dumps({core: {"digest": fresh[core], "verdict": asdict(verdict)}
+                                             for core, verdict in known.items()}, indent=1) + "\n")
+    verdicts = [known[core.id] for core in cores]
     table = Table("core", "killed", "equivalent", "survived", "rate")
     for v in verdicts:
         style = "" if v.rate >= THRESHOLD else "red"
