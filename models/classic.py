@@ -5,14 +5,18 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from quadrance.cordic import OVERFLOW, SINGULAR, aim, turn
-from quadrance.fixed import Ints, hold_last, ints, saturate, wrap
+from quadrance.cordic import OVERFLOW, SINGULAR, aim, angle, turn
+from quadrance.fixed import Ints, hold_last, ints, isqrt, saturate, wrap
 
 GUARD = 4  # fraction bits below a coordinate LSB
 ROUND = 14  # half an LSB, and 6 units for what rounds down
+UNREACHABLE = 1
 AIM_GUARD = 3
+SOLVE_GUARD = 4  # of two and three joints back
+SOLVE_ANGLE_GUARD = 6
 CHAIN_GUARD = 5  # of two and three rotations
 CHAIN_ROUND = 13, 8  # units that two rotations in the plane round down on the average, and those of the third
+GROWTH = 0x69648523  # 1.646760 * 2^30: what the vectoring lengthens rho by, and so z before they meet
 YAW_FACTORS = ((2, 0), (5, 1), (9, 0), (10, 0), (16, 0))  # 1 +- 2^-n, together 1.2145060 = 2 * 0.6072530
 SHRINK = math.prod((1 + 4.0**-i) ** -0.5 for i in range(40))  # 0.607252935: what all micro-rotations lengthen, undone
 
@@ -22,14 +26,19 @@ def config(p: dict[str, int], *, cfg_l1: int, cfg_l2: int = 0) -> dict[str, int]
 
     cfg_c1 : start vector of classic_fk1
     cfg_s1, cfg_s2 : start vectors of the links in a chain, one rotation before the tip and two
+    cfg_far, cfg_near : (L1 + L2)^2 and (L1 - L2)^2, the squared radii of the reachable annulus
+    cfg_f : (L2 - L1) / (L1 + L2), of the law of tangents, W + 2 fraction bits
 
-    These stop 3 LSB below the longest word, where rounding could no longer tell plus from minus.
+    The start vectors stop 3 LSB below the longest word, where rounding could no longer tell plus from minus.
     """
     longest = (1 << p["W"]) - 3
     l1, l2 = min(cfg_l1, longest), min(cfg_l2, longest)
     return {"cfg_c1": math.floor(l1 * SHRINK * 2**GUARD),
             "cfg_s1": math.floor(l1 * SHRINK * 2**CHAIN_GUARD),
-            "cfg_s2": math.floor(l2 * SHRINK * SHRINK * math.sqrt(2) * 2**CHAIN_GUARD)}
+            "cfg_s2": math.floor(l2 * SHRINK * SHRINK * math.sqrt(2) * 2**CHAIN_GUARD),
+            "cfg_far": (cfg_l1 + cfg_l2) ** 2,
+            "cfg_near": (cfg_l1 - cfg_l2) ** 2,
+            "cfg_f": ((cfg_l2 - cfg_l1) << p["W"] + 2) // max(cfg_l1 + cfg_l2, 1)}
 
 
 def fk1(p: dict[str, int], *, in_j1, cfg_c1) -> dict[str, Ints]:
@@ -103,3 +112,61 @@ def ik1(p: dict[str, int], *, in_x, in_y) -> dict[str, Ints]:
     origin = (in_x == 0) & (in_y == 0)
     _, angle = aim(p["W"], p["A"], AIM_GUARD, in_x, in_y, False)
     return {"out_j1": hold_last(angle, ~origin), "out_status": SINGULAR * origin.astype(np.int64)}
+
+
+def _aim(p: dict[str, int], grows: int, x: Ints, y: Ints, z: Ints, minus: Ints | int = 0) -> tuple[Ints, Ints]:
+    """(x, y), SOLVE_GUARD bits below an LSB, turned onto the x axis in W + 2 micro-rotations: its x, and its angle
+    added to `z` or, where `minus` is -1, subtracted."""
+    half = (p["W"] + 1) // 2
+    mirror = -(x < 0).astype(np.int64)
+    bits = p["A"] + SOLVE_ANGLE_GUARD
+    x, z = x ^ mirror, z + (mirror & 1 << bits - 1)
+    for i in range(p["W"] + 2):
+        sign = -(y < 0).astype(np.int64)
+        low = 0 if i <= half else SOLVE_GUARD + half // 2
+        grown = x + (y >> 2 * i ^ sign) if i <= grows else x
+        y = y + ((x >> low ^ ~sign) << low) << 1
+        x = grown
+        z = z + (angle(i, bits) >> i ^ sign ^ mirror ^ minus)
+    return x, z
+
+
+def _solve(p: dict[str, int], x: Ints, y: Ints, z: Ints | None, elbow: Ints, far: Ints, near: Ints,
+           f: Ints) -> dict[str, Ints]:
+    """The engine of classic_ik2 and (with z) classic_ik3; see rtl/classic/README.md."""
+    width, turn_bits, guard = p["W"], p["A"], SOLVE_GUARD
+    half = (width + 1) // 2
+    grows = (width + 1) // 3 + 1 if z is None else half
+    mean = (width + 2) // 2
+    word = lambda sum_z, low: wrap(sum_z >> low, turn_bits, signed=False)  # noqa: E731
+    axis = (x == 0) & (y == 0)
+    square = x * x + y * y + (0 if z is None else z * z)
+    singular, out = SINGULAR * axis, {}
+    x, y = x << guard, (y << guard) + 1
+    if z is not None:
+        x, yaw = _aim(p, grows, x, y, ints(32 + mean))
+        out["out_j3"] = hold_last(word(yaw, 6), ~axis)
+        y = (z << guard) * (GROWTH >> 28 - width) >> width + 2
+        axis = axis & (z == 0)
+    _, phi = _aim(p, grows, x, y, ints(48 + 2 * mean))
+    a, b = (isqrt(np.maximum(value, 0) << 2 * guard) for value in (far - square, square - near))
+    minus = (elbow != 0).astype(np.int64) - 1
+    _, bend = _aim(p, grows, b, a, ints(mean - 16), minus)
+    _, rest = _aim(p, grows, b, a * f >> width + 2, bend, minus)
+    out["out_j1"] = hold_last(word(phi + rest, 6), ~axis)
+    out["out_j2"] = word(~bend, 5)
+    out["out_status"] = singular | UNREACHABLE * ((square > far) | (square < near))
+    return out
+
+
+def ik2(p: dict[str, int], *, in_x, in_y, in_elbow, cfg_far, cfg_near, cfg_f) -> dict[str, Ints]:
+    """Joints of two links whose tip is (x, y), or the nearest point in reach; at the origin the last j1 stays."""
+    x, y, elbow, far, near, f = np.broadcast_arrays(*map(ints, (in_x, in_y, in_elbow, cfg_far, cfg_near, cfg_f)))
+    return _solve(p, x, y, None, elbow, far, near, f)
+
+
+def ik3(p: dict[str, int], *, in_x, in_y, in_z, in_elbow, cfg_far, cfg_near, cfg_f) -> dict[str, Ints]:
+    """`ik2` in the plane of the arm, (rho, z), rho >= 0, turned by j3; on the axis x = y = 0 the last j3 stays."""
+    x, y, z, elbow, far, near, f = np.broadcast_arrays(
+        *map(ints, (in_x, in_y, in_z, in_elbow, cfg_far, cfg_near, cfg_f)))
+    return _solve(p, x, y, z, elbow, far, near, f)

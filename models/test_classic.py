@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 import pytest
-from quadrance import classic, cordic
-from quadrance.fixed import wrap
+from quadrance import classic, cordic, truth
+from quadrance.fixed import ints, wrap
 from quadrance.test_cordic import angle_bound
 
 P = {"W": 16, "F": 8, "A": 16}
@@ -142,3 +142,101 @@ def test_ik1_undoes_fk1():
         back = classic.ik1(P, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
         off = np.abs((back - words + 32768) % 65536 - 32768)
         assert off.max() <= 1 + 1.2 * 65536 / (2 * math.pi) / length
+
+
+def tip_bound(p: dict[str, int], grows: int, r: np.ndarray, l1: int, l2: int) -> np.ndarray:
+    """Derived distance (LSB) of the answered tip from the target, for targets at distance `r` > 0, reachable or not.
+
+    Every pass: residual angle, constants, early end of the growth, and rounding weighed by 1 / length, as in ik1. A
+    word's own half LSB acts at the tip by the distance (j1) and L2 (j2). phi and the yaw have the length of the target,
+    h has 2 sqrt(L1 L2), d that times r / (L1 + L2); the roots are 1 unit low, which acts as a rounding does.
+    """
+    turn = 2 ** p["A"] / (2 * math.pi)
+    last, half, unit = p["W"] + 1, (p["W"] + 1) // 2, 2.0**-classic.SOLVE_ANGLE_GUARD
+    bits = p["A"] + classic.SOLVE_ANGLE_GUARD
+    angle = sum(abs((cordic.angle(i, bits) >> i) + 0.5 - math.atan(2.0**-i) * turn / unit) for i in range(last + 1))
+    fixed = 2.0**-last + (angle + 1) * unit / turn + sum(8.0**-i for i in range(grows + 1, last + 1))
+    slope = 2.5 * 2.0**-classic.SOLVE_GUARD + 2 * 2.0 ** (half // 2 - half) / 1.6468
+    legs = slope + 2.0**-classic.SOLVE_GUARD
+    at = np.clip(r, abs(l1 - l2), l1 + l2)
+    stretch = (l1 + l2) / (2 * math.sqrt(l1 * l2))
+    words = (0.5 / turn) * (at + l2)
+    return words + fixed * (3 * at + 2 * l2) + slope * at / r + legs * (stretch + (at + 2 * l2) / (l1 + l2) * stretch)
+
+
+ARMS = [(P, 8192, 8192), (P, 10000, 6384), (P, 5000, 11384), (P, 14000, 2384), (P, 400, 500), (P, 20000, 18000),
+        ({"W": 12, "F": 4, "A": 10}, 600, 424), ({"W": 16, "F": 8, "A": 12}, 9000, 7000)]
+
+
+@pytest.mark.parametrize(("p", "l1", "l2"), ARMS)
+def test_ik2_and_ik3(p, l1, l2):
+    """The tip that the answer stands for, in float64: within the law, and 2 LSB for links of 64 units together.
+
+    Targets everywhere in reach, crowded at both circles, and outside and in the hole, where it is the nearest point.
+    """
+    rng = np.random.default_rng(6)
+    count, full = 40_000, 1 << p["W"] - 1
+    near, far = abs(l1 - l2), l1 + l2
+    crowd = (far - near) * 2.0 ** -rng.uniform(0, 14, count)
+    r = np.concatenate([rng.uniform(near, far, count), near + crowd, far - crowd, rng.uniform(far, 2 * far, count // 8),
+                        rng.uniform(near / 4, near, count // 8)])
+    theta, tilt = rng.uniform(0, 2 * math.pi, r.size), rng.uniform(-math.pi / 2, math.pi / 2, r.size)
+    elbow = rng.integers(0, 2, r.size)
+    cfg = {name: classic.config(p, cfg_l1=l1, cfg_l2=l2)[name] for name in ("cfg_far", "cfg_near", "cfg_f")}
+    turn = 2 * math.pi / 2 ** p["A"]
+    for joints, flat in ((2, 1.0), (3, np.cos(tilt))):
+        target = np.stack([r * flat * np.cos(theta), r * flat * np.sin(theta), r * np.sin(tilt)][:joints])
+        target = np.clip(np.rint(target), -full, full - 1).astype(np.int64)
+        target = target[:, (target[0] != 0) | (target[1] != 0)]
+        bend = elbow[:target.shape[1]]
+        solve = classic.ik2 if joints == 2 else classic.ik3
+        out = solve(p, **{f"in_{axis}": word for axis, word in zip("xyz", target)}, in_elbow=bend, **cfg)
+        angles = [out[f"out_j{i + 1}"] * turn for i in range(joints)]
+        tip = np.stack((truth.fk2 if joints == 2 else truth.fk3)(*angles, l1, l2))
+        length = np.linalg.norm(target, axis=0)
+        error = np.linalg.norm(tip - target * (np.clip(length, near, far) / length), axis=0)
+        law = tip_bound(p, (p["W"] + 1) // (3 if joints == 2 else 2) + (joints == 2), length, l1, l2)
+        if joints == 3:  # rho and K z: their rounding, and the yaw's own pass and word
+            law = law + tip_bound(p, (p["W"] + 1) // 2, length, far // 2, far - far // 2) / 2 + 0.5
+        assert np.all(error <= law)
+        if p["A"] == 16 and far <= full // 2 and l1 < 4 * l2:
+            assert error[(length >= near) & (length <= far)].max() <= 2.0
+        assert np.array_equal(out["out_status"] & 1, (length > far) | (length < near))
+        signed = wrap(out["out_j2"], p["A"])
+        plain = (np.abs(signed) > 2) & (np.abs(signed) < (1 << p["A"] - 1) - 2)  # neither straight nor folded
+        assert np.all((signed < 0) == bend, where=plain)
+
+
+def test_ik_at_the_singular_points():
+    """The origin keeps j1, the yaw axis j3; links of no length answer all the same."""
+    names = ("cfg_far", "cfg_near", "cfg_f")
+    cfg = {name: classic.config(P, cfg_l1=8000, cfg_l2=8000)[name] for name in names}
+    out = classic.ik2(P, in_x=[0, 5000, 0], in_y=[0, 5000, 0], in_elbow=0, **cfg)
+    assert out["out_j1"].tolist() == [0, out["out_j1"][1], out["out_j1"][1]]
+    assert out["out_status"].tolist() == [2, 0, 2]
+    out = classic.ik3(P, in_x=[0, 5000, 0, 0], in_y=[0, 0, 0, 0], in_z=[0, 5000, 9000, 0], in_elbow=0, **cfg)
+    assert out["out_status"].tolist() == [2, 0, 2, 2]
+    assert out["out_j3"].tolist() == [0, *out["out_j3"][1:2].repeat(3).tolist()]
+    assert out["out_j1"][3] == out["out_j1"][2] != out["out_j1"][1]
+    for l1, l2 in ((0, 0), (0, 9000), (9000, 0)):
+        cfg = {name: classic.config(P, cfg_l1=l1, cfg_l2=l2)[name] for name in names}
+        x, y = ints([6000, -300, 20000]), ints([1000, -7000, 25000])
+        out = classic.ik2(P, in_x=x, in_y=y, in_elbow=[0, 1, 0], **cfg)
+        tip = np.stack(truth.fk2(*(out[f"out_j{i}"] * 2 * math.pi / 65536 for i in (1, 2)), l1, l2))
+        assert np.allclose(tip, (l1 + l2) * np.stack([x, y]) / np.hypot(x, y), atol=4)
+        assert np.all(out["out_status"] == 1)
+
+
+def test_ik_undoes_fk():
+    """Joints away from straight and folded come back, each elbow by its own."""
+    rng = np.random.default_rng(7)
+    words = classic.config(P, cfg_l1=10000, cfg_l2=6384)
+    j1, j2, j3 = rng.integers(0, 65536, 20_000), rng.integers(3000, 29000, 20_000), rng.integers(0, 65536, 20_000)
+    elbow = rng.integers(0, 2, j1.size)
+    j2 = np.where(elbow, 65536 - j2, j2)
+    tip = classic.fk3(P, in_j1=j1, in_j2=j2, in_j3=j3, **{name: words[name] for name in ("cfg_s1", "cfg_s2")})
+    front = np.cos(j1 * 2 * math.pi / 65536) * 10000 + np.cos((j1 + j2) * 2 * math.pi / 65536) * 6384 > 300
+    back = classic.ik3(P, **{f"in_{axis}": tip[f"out_{axis}"] for axis in "xyz"}, in_elbow=elbow,
+                       **{name: words[name] for name in ("cfg_far", "cfg_near", "cfg_f")})
+    for name, true, most in (("out_j1", j1, 20), ("out_j2", j2, 20), ("out_j3", j3, 60)):
+        assert np.abs(wrap(back[name] - true, 16))[front].max() <= most

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chain of rotations, one engine: L2 exp(j j2), plus L1, times exp(j j1); the real part times exp(j j3). No handshake.
+// Rotations in a chain, one engine: L2 exp(j j2), plus L1, times exp(j j1); its real part times exp(j j3).
 // A rotation is that of cordic_turn_iter: C micro-rotations, T digits. The clocks of a rotation, numbered alike in all:
 //   0: add a start word, z = the angle;  1 .. C: micro-rotation;  C+1 .. C+T: digit;  C+T+1: round (after the last)
 // and between the second and the third, rho = x:

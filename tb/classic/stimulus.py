@@ -37,6 +37,29 @@ def _coordinates(core: Core) -> np.ndarray:
     return np.unique([*small, *(-value for value in small), -half])
 
 
+def _targets(core: Core, cfg: dict[str, int]) -> Vectors:
+    """Every border of the reach from both sides, the axes and the origin between, both elbows."""
+    rng = np.random.default_rng(1)
+    half = 1 << core.params["W"] - 1
+    far, near = cfg["cfg_far"] ** 0.5, cfg["cfg_near"] ** 0.5
+    radius = np.repeat([far, near, (far + near) / 2, rng.uniform(near, far), 2.0, half], 48)
+    radius = np.minimum(radius, half * 1.4) + rng.integers(-2, 3, radius.size)
+    theta = np.pi / 4 * rng.integers(0, 8, radius.size) + rng.random(radius.size) * rng.integers(0, 2, radius.size)
+    tilt = np.pi / 4 * rng.integers(-2, 3, radius.size) * (core.function == "ik3")
+    words = {"in_x": radius * np.cos(tilt) * np.cos(theta), "in_y": radius * np.cos(tilt) * np.sin(theta),
+             "in_z": radius * np.sin(tilt)}
+    vectors = {name: np.clip(np.rint(value), -half, half - 1).astype(np.int64) for name, value in words.items()}
+    edges = _coordinates(core)
+    vectors = {name: np.concatenate([value, rng.choice(edges, 120)]) for name, value in vectors.items()}
+    count = vectors["in_x"].size
+    blank = np.arange(count) % 11 == 3
+    for name in ("in_x", "in_y"):
+        vectors[name][blank] = 0
+    vectors["in_z"][np.arange(count) % 22 == 3] = 0
+    vectors["in_elbow"] = rng.integers(0, 2, count)
+    return {port.name: vectors[port.name] for port in core.inputs}
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
     if core.function == "fk1":
@@ -46,6 +69,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         joints = np.stack(np.meshgrid(_angles(core), _angles(core)), axis=-1).reshape(-1, 2)
         joints = np.column_stack([joints, order.permutation(np.resize(_angles(core), len(joints)))])
         return {port.name: joints[:, i] for i, port in enumerate(core.inputs)}
+    if core.function in ("ik2", "ik3"):
+        return _targets(core, cfg)
     x, y = (grid.ravel() for grid in np.meshgrid(_coordinates(core), _coordinates(core)))
     order = np.random.default_rng(1).permutation(x.size)
     blank = np.arange(x.size) % 17 == 3
