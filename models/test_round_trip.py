@@ -22,7 +22,7 @@ def bounds(core: Core, l1: float, l2: float) -> tuple[float, float]:
     if core.family == "paper":
         s = core.params["S"]
         return forward_bound(s, l1 + l2, n), inverse_bound(s, l1 + l2, l1, l2)
-    return np.sqrt(n) * 1.0, 2.0
+    return np.sqrt(n) * (1.0 if core.family == "rational" else {2: 2.0, 3: 2.8}[n]), 2.0
 
 
 def pairs() -> list[tuple[Core, Core]]:
