@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// The arithmetic of classic_chain_iter, bit for bit, on the parallel CORDIC: a rotation a clock. No handshake.
+// out_x and out_y are sums of the clock itself: at out_lifted y is the height, at out_done both are final.
+// The first rotation runs in the clock of in_start; the five factors stand before the third.
+`default_nettype none
+module classic_chain_comb #(
+    parameter W      = 16,
+    parameter A      = 16,
+    parameter JOINTS = 2
+) (
+    input  wire         clk,
+    input  wire         rst,
+    input  wire         in_start,
+    input  wire [A-1:0] in_j1,
+    input  wire [A-1:0] in_j2,
+    input  wire [A-1:0] in_j3,
+    input  wire [W+4:0] in_s1,
+    input  wire [W+4:0] in_s2,
+    output wire         out_busy,
+    output wire         out_done,
+    output wire         out_lifted,
+    output wire [W+6:0] out_x,
+    output wire [W+6:0] out_y
+);
+    localparam D = W + 7;
+    reg  [1:0]   pass;
+    reg  [A-1:0] j1, j3;
+    reg  [D-1:0] x, y;
+    assign out_busy = pass != 2'd0;
+    assign out_lifted = pass == 2'd1;
+    assign out_done = pass == JOINTS[1:0] - 2'd1;
+    always @(posedge clk) begin
+        pass <= rst || out_done || !(in_start || out_busy) ? 2'd0 : pass + 2'd1;
+        if (in_start) {j1, j3} <= {in_j1, in_j3};
+        {x, y} <= {out_x, out_y};
+    end
+
+    // start of a rotation: the middle of a quadrant from the sum of two, of the tip so far, of +-rho
+    wire         first = pass == 2'd0;
+    wire         yawing = JOINTS == 3 && pass == 2'd2;
+    wire [A-1:0] j = first ? in_j2 : yawing ? j3 : j1;
+    wire [1:0]   quarter2 = in_j1[A-1:A-2] + in_j2[A-1:A-2] + {1'b0, in_j2[A-3]};
+    wire [D-1:0] start = {2'b00, in_s2};
+    wire [D-1:0] yaw_x, yaw_y, turned_x, turned_y;
+    wire [D-1:0] x0 = first ? start ^ {D{quarter2[1] ^ quarter2[0]}} : yawing ? yaw_x : x;
+    wire [D-1:0] y0 = first ? start ^ {D{quarter2[1]}} : yawing ? yaw_y : y;
+    cordic_turn_array #(.W(W), .D(D), .R(8'd0), .CLOCKED(0)) turn (.clk(clk), .in_enable(1'b0), .in_x(x0), .in_y(y0),
+        .in_z({{2{j[A-3] ^ !first}}, j[A-4:0], {(W+3-A){1'b0}}, 2'b10}), .out_x(turned_x), .out_y(turned_y));
+
+    // end of a rotation: plus the first link, or half an LSB and what was rounded down
+    wire [D-1:0] link = {2'b00, in_s1};
+    wire [4:0]   round_x = yawing ? 5'd24 : JOINTS == 3 ? 5'd13 : 5'd29;
+    wire [4:0]   round_y = yawing ? 5'd24 : 5'd29;
+    assign out_x = turned_x + (first ? link ^ {D{in_j1[A-1] ^ in_j1[A-2]}} : {{(D-5){1'b0}}, round_x});
+    assign out_y = turned_y + (first ? link ^ {D{in_j1[A-1]}} : {{(D-5){1'b0}}, round_y});
+
+    generate
+        if (JOINTS == 2) begin : g_plane
+            assign {yaw_x, yaw_y} = {2*D{1'b0}};
+            wire unused = &{1'b0, j3};
+        end else begin : g_yaw
+            wire [D-1:0] half = {x[D-1], x[D-1:1]} ^ {D{j3[A-1]}};
+            wire [D-1:0] opposite = {D{j3[A-2]}};
+            genvar i;
+            for (i = 0; i < 6; i = i + 1) begin : g_factor
+                localparam SHIFT = i == 1 ? 2 : i == 2 ? 5 : i == 3 ? 9 : i == 4 ? 10 : 16;
+                wire signed [D-1:0] fx, fy;
+                if (i == 0) begin : g_first
+                    assign fx = half ^ opposite;
+                    assign fy = half + opposite;
+                end else begin : g_next
+                    wire signed [D-1:0] px = g_factor[i-1].fx, py = g_factor[i-1].fy;
+                    wire signed [D-1:0] tx = py >>> SHIFT, ty = px >>> SHIFT;
+                    assign fx = px + (tx ^ opposite ^ {D{i == 2}});
+                    assign fy = py + (ty ^ opposite ^ {D{i == 2}});
+                end
+            end
+            assign {yaw_x, yaw_y} = {g_factor[5].fx, g_factor[5].fy};
+        end
+    endgenerate
+endmodule
+`default_nettype wire

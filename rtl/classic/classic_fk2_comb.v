@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forward kinematics of two joints by the parallel CORDIC: x = L1 cos j1 + L2 cos(j1 + j2), y with sines.
+// Two rotations: L2 by j2, plus L1, by j1 (classic_chain_comb).
+// Formats: in_j1, in_j2 uA, 2^A to the turn; out_x, out_y s(W-F).F, nearest, saturated;
+//   cfg_s1 = floor(L1 * 0.607252935 * 2^5), cfg_s2 = floor(L2 * 0.521495682 * 2^5), L1, L2 u(W-F).F.
+// Error: at most 2 LSB each up to L1 + L2 = 2^(W-2) (page). Latency and II 2.
+// A rotation a clock on one array. Bit for bit classic_fk2_iter.
+// Status: overflow. Paper: the parallel CORDIC of its tables III and IV. Model: classic.fk2
+`default_nettype none
+module classic_fk2_comb #(
+    parameter W = 16,
+    parameter F = 8,
+    parameter A = 16
+) (
+    input  wire         clk,
+    input  wire         rst,
+    input  wire [W+4:0] cfg_s1,
+    input  wire [W+4:0] cfg_s2,
+    input  wire         in_valid,
+    output wire         in_ready,
+    input  wire [A-1:0] in_j1,
+    input  wire [A-1:0] in_j2,
+    output reg          out_valid,
+    input  wire         out_ready,
+    output reg  [W-1:0] out_x,
+    output reg  [W-1:0] out_y,
+    output wire [3:0]   out_status
+);
+    localparam G = 5;
+    localparam D = W + 2 + G;
+    generate
+        if (W < 8 || W > 16 || F < 0 || F >= W || A < 5 || A > W + 3) begin : g_illegal
+            classic_fk2_comb_needs_W_from_8_to_16_and_F_below_W_and_A_from_5_to_W_plus_3 rule ();
+        end
+    endgenerate
+
+    wire [D-1:0] x, y;
+    wire         busy, done, lifted;
+    wire         unused = &{1'b0, x[G-1:0], y[G-1:0], lifted};
+    classic_chain_comb #(.W(W), .A(A), .JOINTS(2)) chain (.clk(clk), .rst(rst), .in_start(in_valid && in_ready),
+        .in_j1(in_j1), .in_j2(in_j2), .in_j3({A{1'b0}}), .in_s1(cfg_s1), .in_s2(cfg_s2),
+        .out_busy(busy), .out_done(done), .out_lifted(lifted), .out_x(x), .out_y(y));
+
+    assign in_ready = !busy && (!out_valid || out_ready);
+    wire [W-1:0] clamped_x, clamped_y;
+    wire         over_x, over_y;
+    reg          over;
+    round_saturate #(.WI(W + 2), .WO(W), .SHIFT(0)) clamp_x (.in_x(x[D-1:G]), .out_x(clamped_x), .out_overflow(over_x));
+    round_saturate #(.WI(W + 2), .WO(W), .SHIFT(0)) clamp_y (.in_x(y[D-1:G]), .out_x(clamped_y), .out_overflow(over_y));
+    assign out_status = {1'b0, over, 2'b00};
+    always @(posedge clk) begin
+        out_valid <= !rst && (done || (out_valid && !out_ready));
+        if (done) {out_x, out_y, over} <= {clamped_x, clamped_y, over_x || over_y};
+    end
+endmodule
+`default_nettype wire
