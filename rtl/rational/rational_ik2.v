@@ -2,12 +2,12 @@
 // Inverse kinematics of two joints: q = x^2 + y^2, c2 = (q - Q1 - Q2) / 2 L1 L2, k1 = L1 + L2 c2, k2 = +-L2 n2, and
 //   b = k1 x + k2 y, a = k1 y - k2 x: (b, a) / q is the direction of joint 1; spreads are taken from the nearer axis.
 // Formats: in_x, in_y s(W-F).F, out_j1, out_j2 turn-spread u2.S modulo 4, nearest; cfg_*: rational.config.
-// Latency 16, II 16. x' = x << k and so on, k the sign bits that x and y both can spare. Three multipliers:
+// Latency 17, II 17. x' = x << k and so on, k the sign bits that x and y both can spare. Three multipliers:
 // Cycle  quadrances, turn                   joints                       else
 //  1..5  x^2, y^2 (2, 3), x'^2, y'^2 (4, 5) c2 = n * cfg_r (5)           n = (q - cfg_q) >> by cfg_e; read 1/q'
 //  6, 7  1/q' = knot - step d               k1 = L1 + c2 L2; c2^2        out_j2; chord n2 = w * slope; k1' = k1 << k
 //  8, 9                                     L2 w; k2 = L2 w * slope      k2' = k2 << k (10)
-// 11-15  b = .. + .. (11), a = .. - .. (12) u = m / q', u^2 (14, 15)     m, the smaller of b and a (12); out_j1
+// 11-16  b = .. + .. (11), a = .. - .. (12) u = m / q', u^2 (14, 16)     m, the smaller of b and a (12); out_j1
 // Error of the tip <= 0.4 + 6.5 |tip| / 2^16 + 0.52 L2 / 2^15 + dq / |tip| LSB, dq = 264 at L1 = L2 = 2^13; see the page.
 // Status: unreachable (nearest point answered), singular (x = y = 0: out_j1 held). Source: eqs. 18-23. Model: rational.ik2
 `default_nettype none
@@ -41,7 +41,7 @@ module rational_ik2 #(
     endgenerate
 
     // One-hot: step[i] is cycle i + 1
-    reg  [14:0] step;
+    reg  [15:0] step;
     wire        accept = in_valid && in_ready;
     assign      in_ready = step == 0 && (!out_valid || out_ready);
 
@@ -104,12 +104,17 @@ module rational_ik2 #(
     // Right words are aligned so that every product to be used again is cut at the same place
     wire [16:0] slope;
     wire [15:0] l2 = {cfg_l2, {(16-W){1'b0}}};
-    wire [26:0] right = {1'b0, cfg_r} & {27{step[4]}}
-                      | {1'b0, l2, 10'd0} & {27{step[5] || step[7]}}
-                      | {5'd0, slope, 5'd0} & {27{step[8]}}
-                      | {1'b0, reciprocal, 6'd0} & {27{step[13]}}
-                      | {{4{m[22]}}, m} & {27{step[14] && clamped}}
-                      | left & {27{step[6] || (step[14] && !clamped)}};
+    reg  [26:0] right;
+    always @(posedge clk)
+        case ({step[12] || step[14], step[7] || step[4] || step[6] || step[14] && clamped, step[5] || step[7] || step[12]})
+            3'd0: right <= {1'b0, cfg_r};
+            3'd1: right <= left;
+            3'd2: right <= {1'b0, l2, 10'd0};
+            3'd3: right <= {5'd0, slope, 5'd0};
+            3'd4: right <= left;
+            3'd5: right <= {1'b0, reciprocal, 6'd0};
+            default: right <= {{4{m[22]}}, m};
+        endcase
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [35:0] product1 = $signed(k1) * $signed(xs);
     wire signed [35:0] product2 = $signed(left2) * $signed(right2);
@@ -157,7 +162,7 @@ module rational_ik2 #(
 
     assign out_status = {2'd0, zero, clamped};
     always @(posedge clk) begin
-        step  <= {step[13:0], accept};
+        step  <= {step[14:0], accept};
         chord <= chords[next_q[19:11]];
         d     <= next_q[10:0];
         if (accept) begin
@@ -188,7 +193,7 @@ module rational_ik2 #(
         end
         if (step[4])
             clamped <= outside;
-        if (!step[5])
+        if (!step[5] && !step[14])
             case ({step[6] || step[12], step[6] || step[3]})
                 2'd0: left <= product[50:24];
                 2'd1: left <= n;
@@ -218,11 +223,11 @@ module rational_ik2 #(
             a_left <= sum[22];
             long   <= sine;
         end
-        if (step[14] && !zero)
+        if (step[15] && !zero)
             out_j1 <= word;
-        out_valid <= step[14] || (out_valid && !out_ready);
+        out_valid <= step[15] || (out_valid && !out_ready);
         if (rst) begin
-            step      <= 15'd0;
+            step      <= 16'd0;
             out_valid <= 1'b0;
             out_j1    <= {(S+2){1'b0}};
         end
