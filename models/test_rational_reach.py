@@ -50,7 +50,7 @@ def _bound(l1: int, l2: int, rho: np.ndarray, n2: np.ndarray) -> np.ndarray:
     root = l2 * (0.52 / 2**15 + np.minimum(2**-11.5, 2**-24 / answered))
     cut = 2**0.5 * (1 / 32 + 1 / 8) + 1 / 8  # k1, k2, shifted; one's complement
     # b and a to 2^-20 of q' >= 1/4; 1/q': half the sag, its knots and product, the cut of q', all times tan <= 2
-    direction = rho * (2**-17 + 2 * (2**-16 + 1.5 * 2**-17 + 2**-17))
+    direction = _direction_error(rho)
     # radial twice: the direction takes the length of k for that of the tip
     return np.where(folded, 2 * rho + np.sqrt(_gap_error(l1, l2)), 2 * radial) + root + cut + direction
 
@@ -90,6 +90,48 @@ def test_ik2_out_of_reach_answers_the_nearest_point(l1: int, l2: int) -> None:
     reached, nearest = truth.fk2(*theta, l1, l2), np.where(near[far | near], abs(l1 - l2), l1 + l2) / np.maximum(rho, 1)
     error = np.hypot(reached[0] - x * nearest, reached[1] - y * nearest)[keep]
     assert np.max(error / (l1 + l2), initial=0) <= 1.2 / 2**14  # the direction alone
+
+
+def _direction_error(rho: np.ndarray) -> np.ndarray:
+    return rho * (2**-17 + 2 * (2**-16 + 1.5 * 2**-17 + 2**-17))
+
+
+@pytest.mark.parametrize(("l1", "l2"), LINKS)
+def test_ik3_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
+    rng = np.random.default_rng(l1 + 7 * l2)
+    radius, z, elbow = _targets(l1, l2)
+    turn = rng.uniform(-np.pi, np.pi, radius.size)
+    x, y = (np.rint(radius * part).astype(np.int64) for part in (np.cos(turn), np.sin(turn)))
+    rho, length = np.hypot(x, y), np.sqrt(x * x + y * y + z * z)
+    keep = (rho > 0) & (length <= l1 + l2) & (length >= abs(l1 - l2))
+    x, y, z, elbow, rho, length = (word[keep] for word in (x, y, z, elbow, rho, length))
+    out = rational.ik3(P, in_x=x, in_y=y, in_z=z, in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                       **rational.config(P, cfg_l1=l1, cfg_l2=l2))
+    assert not out["out_status"].any()
+    exact = truth.ik3(x, y, z, l1, l2, elbow)
+    tip = truth.fk3(*(_within(out[f"out_j{i}"], theta) for i, theta in enumerate(exact, 1)), l1, l2)
+    error = np.sqrt(sum((a - b) ** 2 for a, b in zip(tip, (x, y, z))))
+    # rho: one unit of its cut, 0.74 of its chord, 0.26 of q3, all after the shift; it turns (rho, z) and stretches it
+    longest = np.max(np.abs([x, y, z]), axis=0)
+    rho_error = 2 * 2.0 ** (np.ceil(np.log2(longest + 1)) - 15)
+    n2 = np.abs(np.sin(exact[1]))
+    assert np.all(error <= _bound(l1, l2, length, n2) + 2 * rho_error + _direction_error(rho))
+    if l1 + l2 <= 16384:
+        away = (length >= 256) & (n2 > 2**-8)
+        assert np.max(error[away], initial=0) <= 1.75
+
+
+def test_ik3_agrees_with_ik2_in_the_plane_and_holds_on_the_axis() -> None:
+    x, y, z = np.array([0, 0, 6000, 0, 0, -6000]), np.array([0, 0, 0, 0, 0, 0]), np.array([0, 5000, 3000, -4000, 0, 1])
+    words = rational.config(P, cfg_l1=8192, cfg_l2=8192)
+    out = rational.ik3(P, in_x=x, in_y=y, in_z=z, in_elbow=0, cfg_l1=8192, cfg_l2=8192, **words)
+    assert out["out_status"].tolist() == [2, 2, 0, 2, 2, 0]
+    assert out["out_j3"].tolist() == [0, 0, 0, 0, 0, 2 << 24]
+    assert out["out_j1"][4] == out["out_j1"][3] and out["out_j1"][0] == 0
+    flat = rational.ik2(P, in_x=np.abs(x), in_y=z, in_elbow=0, cfg_l1=8192, cfg_l2=8192, **words)
+    assert np.array_equal(flat["out_j2"], out["out_j2"])
+    turned = truth.difference(*(truth.spread_word_to_angle(words["out_j1"][1:4], 24) for words in (flat, out)))
+    assert np.max(np.abs(turned)) <= 2**-12
 
 
 def test_ik2_holds_joint_1_at_the_shoulder() -> None:

@@ -8,8 +8,8 @@
 //  6, 7  1/q' = knot - step d               k1 = L1 + c2 L2; c2^2        out_j2; chord n2 = w * slope; k1' = k1 << k
 //  8, 9                                     L2 w; k2 = L2 w * slope      k2' = k2 << k (10)
 // 11-16  b = .. + .. (11), a = .. - .. (12) u = m / q', u^2 (14, 16)     m, the smaller of b and a (12); out_j1
-// Error of the tip <= 0.4 + 6.5 |tip| / 2^16 + 0.52 L2 / 2^15 + dq / |tip| LSB, dq = 264 at L1 = L2 = 2^13; see the page.
-// Status: unreachable (nearest point answered), singular (x = y = 0: out_j1 held). Source: eqs. 18-23. Model: rational.ik2
+// Error of the tip <= 0.4 + 6.5 |tip| / 2^16 + 0.52 L2 / 2^15 + dq / |tip| LSB, dq = 264 at L1 = L2 = 2^13: page.
+// Status: unreachable (nearest point answered), singular (x = y = 0: out_j1 held). Eqs. 18-23. Model: rational.ik2
 `default_nettype none
 module rational_ik2 #(
     parameter W = 16,
@@ -106,7 +106,8 @@ module rational_ik2 #(
     wire [15:0] l2 = {cfg_l2, {(16-W){1'b0}}};
     reg  [26:0] right;
     always @(posedge clk)
-        case ({step[12] || step[14], step[7] || step[4] || step[6] || step[14] && clamped, step[5] || step[7] || step[12]})
+        case ({step[12] || step[14], step[4] || step[6] || step[7] || step[14] && clamped,
+               step[5] || step[7] || step[12]})
             3'd0: right <= {1'b0, cfg_r};
             3'd1: right <= left;
             3'd2: right <= {1'b0, l2, 10'd0};
