@@ -7,7 +7,7 @@ from math import isqrt
 
 import numpy as np
 from quadrance import joint
-from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate
+from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 
 Params = dict[str, int]
 
@@ -130,3 +130,111 @@ def fk2(p: Params, *, in_j1: Ints, in_j2: Ints, cfg_l1: Ints, cfg_l2: Ints) -> d
 def fk3(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints, cfg_l1: Ints, cfg_l2: Ints) -> dict[str, Ints]:
     """`fk2` in the plane of the arm, (rho, z), then ``x = rho c3, y = rho n3``; rho keeps its sign and its fraction."""
     return _coordinates(p, "xyz", _chain(p, (in_j1, in_j2, in_j3), cfg_l1, cfg_l2))
+
+
+# Two and three joints, inverse
+
+
+def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
+    """Words that the inverse cores want besides the lengths, all of lengths aligned to 16 bits.
+
+    `cfg_e` says by how many bits the gap q - Q1 - Q2 is shifted, 7 - 8 e to the right; `cfg_q` is Q1 + Q2 less the
+    half that rounds this shift; `cfg_r` is 2^(44 + 7 - 8 e) / (2 L1 L2 + half), always less: a point in reach,
+    borders included, never seems out of it.
+    """
+    l1, l2 = (length << 16 - p["W"] for length in (cfg_l1, cfg_l2))
+    double = 2 * l1 * l2
+    e = 0 if double >= 1 << 25 else 1 if double >= 1 << 17 else 2 if double >= 1 << 9 else 3
+    half = 64 if e == 0 else 0
+    ratio = ((1 << 51 - 8 * e) - 1) // max(double + half, 1)
+    return {"cfg_q": l1 * l1 + l2 * l2 - half, "cfg_r": min(ratio, (1 << 26) - 1), "cfg_e": e}
+
+
+@cache
+def _fine_knots() -> Ints:
+    """2^18 / q at q = a / 256, lowered by half the sag of the chord to the next; q >= 1/4."""
+    a = [64] * 64 + [*range(64, 1026)]
+    return ints([(((8 * i * i - 1) << 36) // (i * i * (4096 * i + 1)) + 1) >> 1 for i in a])
+
+
+def _about_axis(s: int, axis: Ints, negative: Ints, product: Ints) -> Ints:
+    """Turn-spread word of the axis plus or minus a spread of 40 fraction bits; nearest, ties away from the axis."""
+    spread = ((product & (1 << 41) - 1) >> 39 - s) + 1 >> 1
+    return (axis << s) + np.where(negative, -spread, spread) & (4 << s) - 1
+
+
+def _zeros(*words: Ints) -> Ints:
+    """Sign bits that all of these 16-bit words can spare."""
+    either = np.bitwise_or.reduce([word ^ word >> 63 for word in words])
+    return 15 - np.ceil(np.log2(either + 1)).astype(np.int64)
+
+
+def _reciprocal(qs: Ints) -> Ints:
+    """2^18 / q, q = qs / 2^19 in [1/4, 4), from its chord."""
+    knots, a = _fine_knots(), np.maximum(qs >> 11, 64)
+    return knots[a] - ((knots[a] - knots[a + 1]) * (qs & 0x7FF) >> 11)
+
+
+def _direction(p: Params, b: Ints, a: Ints, qs: Ints, halfway: Ints) -> Ints:
+    """Turn-spread word of the direction (b, a), 1.0 is 2^20: (m / q)^2, m^2 / q where `halfway`; m the smaller one."""
+    long = ((b ^ b >> 63) >> 14 & 0xFF) > (qs >> 14)
+    m = np.where(long, a, b)
+    u = wrap(m * _reciprocal(qs) >> 18, 27)
+    axis = np.where(long, 2 * (b < 0), 1 + 2 * (a < 0))
+    return _about_axis(p["S"], axis, (a < 0) ^ (b < 0) ^ ~long, u * np.where(halfway, m, u))
+
+
+def _elbow(p: Params, x: Ints, y: Ints, k: Ints, qs: Ints, gap: Ints, elbow: Ints, l1: Ints, l2: Ints, cfg_r: Ints,
+           cfg_e: Ints) -> tuple[Ints, Ints, Ints]:
+    """(j1, j2, unreachable) of the target (x, y), already shifted by k."""
+    n = np.where(cfg_e == 0, gap >> 7, gap << np.maximum(8 * cfg_e - 7, 0))
+    far = (n < -(1 << 26)) | (n >= 1 << 26)
+    c2 = np.where(far, 0, n) * cfg_r >> 24
+    clamped = far | (c2 < -(1 << 20)) | (c2 >= 1 << 20)
+    short = gap < 0
+    c2 = np.where(clamped, np.where(short, -1, 1) << 20, c2)
+    square = c2 * c2
+    j2 = _about_axis(p["S"], 1 + 2 * elbow, short == (elbow != 0), square)
+
+    root = joint.spread_chord({"S": 24}, in_s=square >> 16 & 0xFFFFFF, in_not=ints(1))
+    k1 = (l1 << 5) + (c2 * l2 >> 15)
+    k2 = (root["out_w"] * l2 >> 9) * root["out_slope"] >> 20
+    one = np.where(k1 < 0, -1, 1) << 18
+    k1, k2 = (wrap(wrap(word, 22) << k, 22) >> 2 for word in (k1, k2))
+    k1, k2 = np.where(clamped, one, k1), np.where(square >> 40, 0, k2)
+    b = wrap((k1 * x >> 13) + ((k2 ^ -elbow) * y >> 13), 23)
+    a = wrap((k1 * y >> 13) + ((k2 ^ elbow - 1) * x >> 13), 23)
+    return _direction(p, b, a, qs, clamped), j2, clamped
+
+
+def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
+        cfg_e: Ints) -> dict[str, Ints]:
+    """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
+    x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
+        in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
+    x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
+    k, zero, gap = _zeros(x, y), (x == 0) & (y == 0), x * x + y * y - cfg_q
+    x, y = x << k, y << k
+    qs = (x * x >> 11) + (y * y >> 11)
+    j1, j2, clamped = _elbow(p, x, y, k, qs, gap, elbow, l1, l2, cfg_r, cfg_e)
+    return {"out_j1": hold_last(j1, ~zero), "out_j2": j2, "out_status": ints(clamped) + 2 * ints(zero)}
+
+
+def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
+        cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
+    """Yaw of (x, y), then `ik2` on (rho, z), rho = sqrt(x^2 + y^2)."""
+    x, y, z, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
+        in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
+    x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
+    near, k, zero, gap = _zeros(x, y), _zeros(x, y, z), (x == 0) & (y == 0), x * x + y * y + z * z - cfg_q
+    x3, y3 = x << near, y << near
+    qs = (x3 * x3 >> 11) + (y3 * y3 >> 11)
+    j3 = _direction(p, x3 << 5, y3 << 5, qs, ints(1))
+    half = np.where(qs >> 20, 0xFFFFFF, (qs & 0xFFFFF) << 4)
+    root = joint.spread_chord({"S": 24}, in_s=half, in_not=ints(0))
+    rho = ((root["out_w"] << 5) * (1482910 >> near - k) >> 24) * root["out_slope"] >> 20
+    x, y, z = x << k, y << k, z << k
+    qs = (x * x >> 11) + (y * y >> 11) + (z * z >> 11)
+    j1, j2, clamped = _elbow(p, rho, z, k, qs, gap, elbow, l1, l2, cfg_r, cfg_e)
+    return {"out_j1": hold_last(j1, ~zero | (z != 0)), "out_j2": j2, "out_j3": hold_last(j3, ~zero),
+            "out_status": ints(clamped) + 2 * ints(zero)}

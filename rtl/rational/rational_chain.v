@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two or three joints, one after the other, through one decoder and two multipliers: rational_fk2 and _fk3.
+// Two or three joints, one after the other, through one decoder and two multipliers: kernel of rational_fk2 and _fk3.
 //   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: z = y, then y = x n3, x = x c3
 // Formats: c, n odd words of 2^-(U+1) (so that ~word is -word and 1.0 needs no extra bit); A, B s(W+2+G) with F+G
 // fraction bits; every product is cut to F+G fraction bits; outputs to nearest (ties upward), saturated.

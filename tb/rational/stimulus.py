@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from quadrance import rational
 from quadrance.cores import Core
 
 from tb.lib.stimulus import Vectors
@@ -19,6 +20,13 @@ def turn_spreads(s: int) -> np.ndarray:
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Link lengths: longest, none, one LSB, the longest that never saturates, 64 units, and two at random."""
     high, f = (1 << core.params["W"]) - 1, core.params["F"]
+    if core.function in ("ik2", "ik3"):
+        half = min(32 << f, high)
+        lengths = [(high, high), (half, half), (0, 0), (high, 0), (0, high), (1, high), (1, 1), (half, half // 5 * 4),
+                   (half // 5, half), (3 << f, 2 << f), (16, 16), (2, 128), (256, 256), (255, 257), (4096, 4096 & high),
+                   *rng.integers(0, high, (3, 2), endpoint=True).tolist(), *rng.integers(0, half, (3, 2)).tolist()]
+        pairs = [{"cfg_l1": min(l1, high), "cfg_l2": min(l2, high)} for l1, l2 in lengths]
+        return [pair | rational.config(core.params, **pair) for pair in pairs]
     if len(core.cfg) == 2:
         half = min(32 << f, high)
         pairs = [(high, high), (0, 0), (half, half), (high, 1), (1, high), (0, half), (half, 0), (3 << f, 2 << f),
@@ -38,12 +46,41 @@ def points(w: int) -> tuple[np.ndarray, np.ndarray]:
     return x, y
 
 
+def targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
+    """Both borders of reach and their neighbours all round, folded and stretched along every axis, the hole, the base
+    axis and the origin, points far outside, and every extreme word; both elbows. 0 first: held words, 0 after reset.
+    """
+    axes = [port.name for port in core.inputs if port.name != "in_elbow"]
+    high = 1 << core.params["W"] - 1
+    l1, l2 = cfg["cfg_l1"], cfg["cfg_l2"]
+    radius = np.array([abs(l1 - l2), l1 + l2, max(l1, l2), (l1 * l1 + l2 * l2) ** 0.5, abs(l1 - l2) / 2, 3, high * 1.3])
+    turn = np.pi / 4 * rng.integers(0, 8, 512) + rng.choice([0, 1e-4, 0.1], 512) * rng.normal(size=512)
+    turn[::4] = rng.uniform(0, 2 * np.pi, 128)
+    parts = [np.cos(turn), np.sin(turn)]
+    if len(axes) == 3:
+        yaw = np.pi / 4 * rng.integers(0, 8, 512) + (rng.random(512) < 0.5) * rng.normal(size=512)
+        parts = [parts[0] * np.cos(yaw), parts[0] * np.sin(yaw), parts[1]]
+    near = np.tile(radius, 74)[:512]
+    words = [np.rint(near * part).astype(np.int64) for part in parts]
+    words = [word + rng.integers(-1, 2, 512) * (rng.random(512) < 0.5) for word in words]
+    edge = np.array([0, 0, 1, -1, high - 1, -high, 1 - high, l1, -l1, l2, -l2, l1 + l2, -l1 - l2, l1 - l2, 2, -7])
+    words = [np.concatenate([rng.choice(edge, 512), word]) for word in words]
+    order = rng.permutation(1024)
+    words = [np.clip(np.append([0, 0, 0], word[order]), -high, high - 1) for word in words]
+    base = rng.random(1027) < 0.05
+    for word in words[:2]:
+        word[base] = 0
+    return dict(zip(axes, words)) | {"in_elbow": rng.integers(0, 2, 1027)}
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
         words = turn_spreads(core.params["S"])
         return {port.name: rng.permutation(words) for port in core.inputs}
+    if core.function in ("ik2", "ik3"):
+        return targets(core, cfg, rng)
     x, y = points(core.params["W"])
     order = np.append(rng.permutation(np.arange(x.size)), rng.integers(0, x.size, x.size // 8))
     x, y = x[order], y[order]
