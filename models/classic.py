@@ -78,13 +78,11 @@ def _chain(p: dict[str, int], joints: tuple[Ints, ...], s1: Ints, s2: Ints) -> t
     height = saturate(y + plane + half >> CHAIN_GUARD, width)
     if len(joints) == 2:
         return saturate(x + plane + half >> CHAIN_GUARD, width), height
-    sx, sy = _signs(joints[2] >> turn_bits - 2)
-    flip = sx ^ sy
-    y = (x + plane >> 1) ^ sy
-    x, y = y ^ flip, y + flip
+    rho = x + plane >> 1
     for shift, minus in YAW_FACTORS:
-        x, y = x + (y >> shift ^ flip ^ -minus), y + (x >> shift ^ flip ^ -minus)
-    x, y = turn(width, x, y, (wrap(joints[2] + eighth, turn_bits - 2) << up) + 2, yaw + half)
+        rho = rho + (rho >> shift ^ -minus)
+    sx, sy = _signs(joints[2] >> turn_bits - 2)
+    x, y = turn(width, rho ^ sx, rho ^ sy, (wrap(joints[2] + eighth, turn_bits - 2) << up) + 2, yaw + half)
     return saturate(x >> CHAIN_GUARD, width), saturate(y >> CHAIN_GUARD, width), height
 
 
