@@ -49,8 +49,8 @@ module classic_chain_comb #(
 
     // end of a rotation: plus the first link, or half an LSB and what was rounded down
     wire [D-1:0] link = {2'b00, in_s1};
-    wire [4:0]   round_x = yawing ? 5'd24 : JOINTS == 3 ? 5'd13 : 5'd29;
-    wire [4:0]   round_y = yawing ? 5'd24 : 5'd29;
+    wire [4:0]   round_x = yawing ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29;
+    wire [4:0]   round_y = yawing ? 5'd22 : 5'd29;
     assign out_x = turned_x + (first ? link ^ {D{in_j1[A-1] ^ in_j1[A-2]}} : {{(D-5){1'b0}}, round_x});
     assign out_y = turned_y + (first ? link ^ {D{in_j1[A-1]}} : {{(D-5){1'b0}}, round_y});
 

@@ -131,8 +131,8 @@ module classic_chain_iter #(
     // vector; the constant is half an LSB and what the rotations round down: rho has no need of the half
     reg  signed [D-1:0] xf, yf;
     wire        [D-1:0] sum_x, sum_y;
-    wire        [4:0]   round_x = last ? 5'd24 : JOINTS == 3 ? 5'd13 : 5'd29;
-    wire        [4:0]   round_y = last ? 5'd24 : 5'd29;
+    wire        [4:0]   round_x = last ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29;
+    wire        [4:0]   round_y = last ? 5'd22 : 5'd29;
     classic_term #(.D(D)) term_x (.in_v(yf), .in_s1({2'b00, in_s1}), .in_s2({2'b00, in_s2}), .in_round(round_x),
         .in_shift(shift), .in_minus(turning ? !z[Z-1] : minus_x), .in_a(out_x), .out_sum(sum_x));
     classic_term #(.D(D)) term_y (.in_v(xf), .in_s1({2'b00, in_s1}), .in_s2({2'b00, in_s2}), .in_round(round_y),
