@@ -15,7 +15,7 @@ AIM_GUARD = 3
 SOLVE_GUARD = 4  # of two and three joints back
 SOLVE_ANGLE_GUARD = 6
 CHAIN_GUARD = 5  # of two and three rotations
-CHAIN_ROUND = 13, 8  # units that two rotations in the plane round down on the average, and those of the third
+CHAIN_ROUND = 13, 6  # units that two rotations in the plane round down on the average, and those of the third
 GROWTH = 0x69648523  # 1.646760 * 2^30: what the vectoring lengthens rho by, and so z before they meet
 YAW_FACTORS = ((2, 0), (5, 1), (9, 0), (10, 0), (16, 0))  # 1 +- 2^-n, together 1.2145060 = 2 * 0.6072530
 SHRINK = math.prod((1 + 4.0**-i) ** -0.5 for i in range(40))  # 0.607252935: what all micro-rotations lengthen, undone
@@ -78,13 +78,11 @@ def _chain(p: dict[str, int], joints: tuple[Ints, ...], s1: Ints, s2: Ints) -> t
     height = saturate(y + plane + half >> CHAIN_GUARD, width)
     if len(joints) == 2:
         return saturate(x + plane + half >> CHAIN_GUARD, width), height
-    sx, sy = _signs(joints[2] >> turn_bits - 2)
-    flip = sx ^ sy
-    y = (x + plane >> 1) ^ sy
-    x, y = y ^ flip, y + flip
+    rho = x + plane >> 1
     for shift, minus in YAW_FACTORS:
-        x, y = x + (y >> shift ^ flip ^ -minus), y + (x >> shift ^ flip ^ -minus)
-    x, y = turn(width, x, y, (wrap(joints[2] + eighth, turn_bits - 2) << up) + 2, yaw + half)
+        rho = rho + (rho >> shift ^ -minus)
+    sx, sy = _signs(joints[2] >> turn_bits - 2)
+    x, y = turn(width, rho ^ sx, rho ^ sy, (wrap(joints[2] + eighth, turn_bits - 2) << up) + 2, yaw + half)
     return saturate(x >> CHAIN_GUARD, width), saturate(y >> CHAIN_GUARD, width), height
 
 

@@ -35,7 +35,7 @@ module classic_chain_comb #(
         {x, y} <= {out_x, out_y};
     end
 
-    // start of a rotation: the middle of a quadrant from the sum of two, of the tip so far, of +-rho
+    // start of a rotation: the middle of a quadrant from the sum of two, of the tip so far, of rho
     wire         first = pass == 2'd0;
     wire         yawing = JOINTS == 3 && pass == 2'd2;
     wire [A-1:0] j = first ? in_j2 : yawing ? j3 : j1;
@@ -49,8 +49,8 @@ module classic_chain_comb #(
 
     // end of a rotation: plus the first link, or half an LSB and what was rounded down
     wire [D-1:0] link = {2'b00, in_s1};
-    wire [4:0]   round_x = yawing ? 5'd24 : JOINTS == 3 ? 5'd13 : 5'd29;
-    wire [4:0]   round_y = yawing ? 5'd24 : 5'd29;
+    wire [4:0]   round_x = yawing ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29;
+    wire [4:0]   round_y = yawing ? 5'd22 : 5'd29;
     assign out_x = turned_x + (first ? link ^ {D{in_j1[A-1] ^ in_j1[A-2]}} : {{(D-5){1'b0}}, round_x});
     assign out_y = turned_y + (first ? link ^ {D{in_j1[A-1]}} : {{(D-5){1'b0}}, round_y});
 
@@ -59,23 +59,20 @@ module classic_chain_comb #(
             assign {yaw_x, yaw_y} = {2*D{1'b0}};
             wire unused = &{1'b0, j3};
         end else begin : g_yaw
-            wire [D-1:0] half = {x[D-1], x[D-1:1]} ^ {D{j3[A-1]}};
-            wire [D-1:0] opposite = {D{j3[A-2]}};
             genvar i;
             for (i = 0; i < 6; i = i + 1) begin : g_factor
                 localparam SHIFT = i == 1 ? 2 : i == 2 ? 5 : i == 3 ? 9 : i == 4 ? 10 : 16;
-                wire signed [D-1:0] fx, fy;
+                wire signed [D-1:0] rho;
                 if (i == 0) begin : g_first
-                    assign fx = half ^ opposite;
-                    assign fy = half + opposite;
+                    assign rho = {x[D-1], x[D-1:1]};
                 end else begin : g_next
-                    wire signed [D-1:0] px = g_factor[i-1].fx, py = g_factor[i-1].fy;
-                    wire signed [D-1:0] tx = py >>> SHIFT, ty = px >>> SHIFT;
-                    assign fx = px + (tx ^ opposite ^ {D{i == 2}});
-                    assign fy = py + (ty ^ opposite ^ {D{i == 2}});
+                    wire signed [D-1:0] less = g_factor[i-1].rho;
+                    wire signed [D-1:0] part = less >>> SHIFT;
+                    assign rho = less + (part ^ {D{i == 2}});
                 end
             end
-            assign {yaw_x, yaw_y} = {g_factor[5].fx, g_factor[5].fy};
+            assign yaw_x = g_factor[5].rho ^ {D{j3[A-1] ^ j3[A-2]}};
+            assign yaw_y = g_factor[5].rho ^ {D{j3[A-1]}};
         end
     endgenerate
 endmodule

@@ -3,10 +3,11 @@
 // A rotation is that of cordic_turn_iter: C micro-rotations, T digits. The clocks of a rotation, numbered alike in all:
 //   0: add a start word, z = the angle;  1 .. C: micro-rotation;  C+1 .. C+T: digit;  C+T+1: round (after the last)
 // and between the second and the third, rho = x:
-//   16: y = 0 (out_lifted: y is the height);  17: y = +-rho / 2, x = 0;  18: x = +-y;  19 .. 23: both times 1 +- 2^-n
+//   16: y = 0 (out_lifted: y is the height);  17: y = rho / 2, x = 0;  18: x = y;  19 .. 23: both times 1 +- 2^-n;
+//   24: the signs of the quadrant
 // The quarter turns of all joints are the signs of the start words. The gain of the plane is in the start words, that
-// of the third rotation is taken out by the five factors: on a diagonal x is +-y, so the crosswise shifter serves them.
-// Formats: in_s1, in_s2, out_x, out_y with G = 5 guard bits. Done 2(C+T)+3 or 3(C+T)+12 clocks after in_start.
+// of the third rotation is taken out by the five factors: on the diagonal the crosswise shifter serves them.
+// Formats: in_s1, in_s2, out_x, out_y with G = 5 guard bits. Done 2(C+T)+3 or 3(C+T)+13 clocks after in_start.
 `default_nettype none
 module classic_chain_iter #(
     parameter W      = 16,
@@ -62,7 +63,7 @@ module classic_chain_iter #(
     (* fsm_encoding = "none" *) reg [1:0] pass;  // of the clock that next stands for
     (* fsm_encoding = "none" *) reg [5:0] shift;
     (* fsm_encoding = "none" *) reg [3:0] word;  // of the angle ROM: micro-rotation 0 .. C-1, then C + |digit|
-    reg                 first, last, load, turning, tail, move, thaw, blank, minus_x, minus_y;
+    reg                 first, last, load, turning, tail, move, thaw, blank, fresh, minus_x, minus_y;
     reg         [A-1:0] now, then, yaw;
     reg         [Z-1:0] z;
     wire        [Z-1:0] sum_z, next_z;
@@ -73,14 +74,14 @@ module classic_chain_iter #(
     wire                to_tail = at > C && at <= C + T;
     wire                run = !rst && (in_start || (out_busy && !out_done));
     wire        [1:0]   quarter = in_start ? in_j1[A-1:A-2] + in_j2[A-1:A-2] + {1'b0, in_j2[A-3]} : now[A-1:A-2];
-    wire                crosswise = at > YAW + 1;
+    wire                start_word = next == 5'd0 || at == YAW + 8;
     wire                less = at == YAW + 4;
     assign out_done = out_busy && at == C + T + 2;
     always @(posedge clk) begin
         if (!run) {pass, next} <= 7'd0;
         else if (at == C + T && pass == 2'd0) {pass, next} <= {2'd1, 5'd0};
         else if (at == C + T + 1 && pass == 2'd1 && JOINTS == 3) {pass, next} <= {2'd2, YAW[4:0]};
-        else if (at == YAW + 7) next <= 5'd1;
+        else if (at == YAW + 8) next <= 5'd1;
         else next <= next + 5'd1;
         shift <= SHIFTS[6 * {26'd0, to_tail && two, next} +: 6] |
                  {2'd0, {2{next == 5'd0 && pass == 2'd0}}, {2{next == 5'd0}}};
@@ -94,8 +95,9 @@ module classic_chain_iter #(
         thaw  <= at != YAW && at <= C + T + 1 && !to_tail || at > YAW;
         out_lifted <= JOINTS == 3 && out_busy && at == YAW;
         blank <= at == YAW + 1;
-        minus_x <= next == 5'd0 ? quarter[1] ^ quarter[0] : crosswise && (quarter[0] ^ less);
-        minus_y <= next == 5'd0 || at == YAW + 1 ? quarter[1] : crosswise && (quarter[0] ^ less);
+        fresh <= at == YAW + 7;
+        minus_x <= start_word ? quarter[1] ^ quarter[0] : less;
+        minus_y <= start_word ? quarter[1] : less;
         out_busy <= run;
         if (in_start) {now, then, yaw} <= {in_j2, in_j1, in_j3};
         else if (load) {now, then} <= {then, yaw};
@@ -129,16 +131,16 @@ module classic_chain_iter #(
     // vector; the constant is half an LSB and what the rotations round down: rho has no need of the half
     reg  signed [D-1:0] xf, yf;
     wire        [D-1:0] sum_x, sum_y;
-    wire        [4:0]   round_x = last ? 5'd24 : JOINTS == 3 ? 5'd13 : 5'd29;
-    wire        [4:0]   round_y = last ? 5'd24 : 5'd29;
+    wire        [4:0]   round_x = last ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29;
+    wire        [4:0]   round_y = last ? 5'd22 : 5'd29;
     classic_term #(.D(D)) term_x (.in_v(yf), .in_s1({2'b00, in_s1}), .in_s2({2'b00, in_s2}), .in_round(round_x),
         .in_shift(shift), .in_minus(turning ? !z[Z-1] : minus_x), .in_a(out_x), .out_sum(sum_x));
     classic_term #(.D(D)) term_y (.in_v(xf), .in_s1({2'b00, in_s1}), .in_s2({2'b00, in_s2}), .in_round(round_y),
         .in_shift(shift), .in_minus(turning ?  z[Z-1] : minus_y), .in_a(out_y), .out_sum(sum_y));
     always @(posedge clk) begin
-        if (in_start || blank) out_x <= {D{1'b0}};
+        if (in_start || blank || fresh) out_x <= {D{1'b0}};
         else if (out_busy && move) out_x <= sum_x;
-        if (in_start || out_lifted) out_y <= {D{1'b0}};
+        if (in_start || out_lifted || fresh) out_y <= {D{1'b0}};
         else if (out_busy && move) out_y <= sum_y;
         if (blank) xf <= {D{1'b0}};
         else if (thaw) xf <= sum_x;
