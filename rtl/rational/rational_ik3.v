@@ -9,8 +9,7 @@
 // 10..13 x'^2, y'^2, z'^2 (11-13)                u = m / q3 (11), u * m (13)        out_j3; read 1/q'
 // 14..19 1/q' (14)                               c2, k1, c2^2 (16), k2 (17, 18)     out_j2; shifts of k1, k2
 // 20..25 b (20), a (21), with the third          u = m / q' (23), u^2 (25)          out_j1
-// Status: unreachable (nearest point answered), singular (x = y = 0: out_j3 held, z = 0 too: out_j1 held). Error: as
-//   rational_ik2.v, 4 / 2^k LSB for rho, joint 3. Source: paper, eqs. 9 and 18-23 in vector form. Model: rational.ik3
+// Status: unreachable, singular (x = y = 0: out_j3 held, z = 0 too: out_j1). Error: README.md. Model: rational.ik3
 `default_nettype none
 module rational_ik3 #(
     parameter W = 16,

@@ -49,8 +49,8 @@ module rational_roots #(
         end
     endfunction
     localparam [513*K-1:0]   WIDE = knots(9);
-    localparam [5*513*K-1:0] THIN =
-        {RANGES == 5 ? knots(30) : {513*K{1'b0}}, knots(24), knots(19), knots(14), knots(10)};
+    localparam [513*K-1:0]   NONE = 0;
+    localparam [5*513*K-1:0] THIN = {RANGES == 5 ? knots(30) : NONE, knots(24), knots(19), knots(14), knots(10)};
 
     reg [2*U-3:0] thin [0:512*RANGES-1];  // {step, knot}
     reg [2*U-3:0] wide [0:255];
