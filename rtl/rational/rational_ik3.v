@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of three joints: joint 3 is the direction of (x, y), rho its length; rational_ik2 on (rho, z).
-// Formats: in_x, in_y, in_z s(W-F).F, out_j1..3 turn-spread u2.S modulo 4, nearest; cfg_*: rational.config.
-// Latency 26, II 26. x', y', z', k' are shifted by the sign bits that all three coordinates can spare, x3, y3 by those
-// that x and y can; delta is the difference. Multipliers as in rational_ik2.v:
+// Formats: in_x, in_y, in_z s(W-F).F, out_j1..3 turn-spread u2.S modulo 4, nearest; cfg_*: rational.config. Latency 26,
+// II 26. x', y', z', k' are shifted by the sign bits all three can spare, x3, y3 by those x and y can: delta more.
 // Cycle  quadrances, turn                        joints                             else
 //  1.. 6 x^2, y^2, z^2 (2-4), x3^2, y3^2 (5, 6)                                     q, q3; read 1/q3, sqrt(q3 / 2)
 //  7.. 9 1/q3 (7)                                rho' = w * sqrt2 / 2^delta * slope m, the smaller of x3 and y3
