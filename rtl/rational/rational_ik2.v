@@ -126,14 +126,16 @@ module rational_ik2 #(
 
     // n, and c2 = n / 2 L1 L2 to 20 fraction bits; beyond +-1 it is +-1
     wire [33:0] gap = {2'd0, q} - {1'b0, cfg_q};
+    wire        over8 = gap[33:26] != {8{gap[25]}}, over16 = gap[25:18] != {8{gap[17]}},
+                over24 = gap[17:10] != {8{gap[9]}};
+    wire        far = cfg_e != 0 && over8 || cfg_e[1] && (over16 || cfg_e[0] && over24);
     reg  [26:0] n;
-    reg         far;
     always @*
         case (cfg_e)
-            2'd0: {far, n} = {1'b0, gap[33:7]};
-            2'd1: {far, n} = {gap[33:26] != {8{gap[25]}}, gap[25:0], 1'b0};
-            2'd2: {far, n} = {gap[33:18] != {16{gap[17]}}, gap[17:0], 9'd0};
-            default: {far, n} = {gap[33:10] != {24{gap[9]}}, gap[9:0], 17'd0};
+            2'd0: n = gap[33:7];
+            2'd1: n = {gap[25:0], 1'b0};
+            2'd2: n = {gap[17:0], 9'd0};
+            default: n = {gap[9:0], 17'd0};
         endcase
     wire        outside = beyond || product[52:44] != {9{product[53]}};
 

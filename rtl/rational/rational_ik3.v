@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of three joints: joint 3 is the direction of (x, y), rho its length; rational_ik2 on (rho, z).
-// Formats: in_x, in_y, in_z s(W-F).F, out_j1..3 turn-spread u2.S modulo 4, nearest; cfg_*: rational.config.
-// Latency 26, II 26. x', y', z', k' are shifted by the sign bits that all three coordinates can spare, x3, y3 by those
-// that x and y can; delta is the difference. Multipliers as in rational_ik2.v:
+// Formats: in_x, in_y, in_z s(W-F).F, out_j1..3 turn-spread u2.S modulo 4, nearest; cfg_*: rational.config. Latency 26,
+// II 26. x', y', z', k' are shifted by the sign bits all three can spare, x3, y3 by those x and y can: delta more.
 // Cycle  quadrances, turn                        joints                             else
 //  1.. 6 x^2, y^2, z^2 (2-4), x3^2, y3^2 (5, 6)                                     q, q3; read 1/q3, sqrt(q3 / 2)
 //  7.. 9 1/q3 (7)                                rho' = w * sqrt2 / 2^delta * slope m, the smaller of x3 and y3
@@ -133,14 +132,16 @@ module rational_ik3 #(
 
     // n, and c2 = n / 2 L1 L2 to 20 fraction bits; beyond +-1 it is +-1
     wire [33:0] gap = {2'd0, q} - {1'b0, cfg_q};
+    wire        over8 = gap[33:26] != {8{gap[25]}}, over16 = gap[25:18] != {8{gap[17]}},
+                over24 = gap[17:10] != {8{gap[9]}};
+    wire        far = cfg_e != 0 && over8 || cfg_e[1] && (over16 || cfg_e[0] && over24);
     reg  [26:0] n;
-    reg         far;
     always @*
         case (cfg_e)
-            2'd0: {far, n} = {1'b0, gap[33:7]};
-            2'd1: {far, n} = {gap[33:26] != {8{gap[25]}}, gap[25:0], 1'b0};
-            2'd2: {far, n} = {gap[33:18] != {16{gap[17]}}, gap[17:0], 9'd0};
-            default: {far, n} = {gap[33:10] != {24{gap[9]}}, gap[9:0], 17'd0};
+            2'd0: n = gap[33:7];
+            2'd1: n = {gap[25:0], 1'b0};
+            2'd2: n = {gap[17:0], 9'd0};
+            default: n = {gap[9:0], 17'd0};
         endcase
     wire        outside = beyond || product[52:44] != {9{product[53]}};
 
