@@ -180,11 +180,13 @@ def sweep_case(core: Core, arm: Arm, count: int = 4096, seed: int = 1) -> Case |
 
 
 def map_case(core: Core, arm: Arm, side: int) -> tuple[Case, np.ndarray]:
-    """The reachable points of a `side` x `side` grid over the square of the arm's reach, elbow 0, in the core's words.
+    """A point in every cell of a `side` x `side` grid over the square of the arm's reach, elbow 0, in the core's words.
 
-    Two-joint functions only. Returns the case and the (side, side) mask of the points it holds, row 0 lowest.
+    Two-joint functions only. The points are seeded random within their cells: on whole units nothing would be rounded.
+    Returns the case and the (side, side) mask of the cells whose point is in reach, row 0 lowest.
     """
-    x, y = np.meshgrid(*[np.linspace(-1, 1, side) * (sum(arm.links) - 1e-9)] * 2)
+    within = np.random.default_rng(1).random((2, side, side))
+    x, y = sum(arm.links) * ((np.stack(np.meshgrid(np.arange(side), np.arange(side))) + within) * (2 / side) - 1)
     inside = truth.reach(x, y, *arm.links) == 0
     angles = np.stack(truth.ik2(x[inside], y[inside], *arm.links, 0), axis=-1)
     inside[inside] = defined = np.all(np.isfinite(angles), axis=-1)
