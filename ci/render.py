@@ -433,7 +433,7 @@ def plots(report: dict, maps: dict[tuple[str, str], dict[str, list]], folder: Pa
             if (function, family) in maps:
                 shown = numpy.array(maps[function, family][what])
                 axis.imshow(numpy.maximum(shown, 0.01), norm=scale, cmap="viridis", origin="lower",
-                            extent=[-reach, reach] * 2)
+                            interpolation="nearest", extent=[-reach, reach] * 2)
                 axis.set_title(f"{family}_{function}: {what}, max {number(float(numpy.nanmax(shown)))} LSB", fontsize=9)
             else:
                 axis.set_axis_off()
