@@ -29,8 +29,8 @@ lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pa
 test: setup ## every bench in both simulators and every model test
 	@$(PY) -m pytest -q -n $(N) --dist worksteal -m "not slow" --junitxml build/test.xml
 
-smoke: setup ## the first parameter set of every core, Icarus only
-	@$(PY) -m pytest -q -n $(N) -m smoke
+smoke: setup ## the first parameter set of every core: cocotb bench under Icarus, bulk run
+	@$(PY) -m pytest -q -n $(N) --dist worksteal -m smoke
 
 report: setup ## latency, area, clock and accuracy of every core on an arm's trajectory
 	@$(PY) -m ci.report --arm $(ARM)

