@@ -16,31 +16,31 @@ SEGMENTS = 512
 
 
 @cache
-def chord_slopes() -> Ints:
-    """2^25 sqrt(h) / (2 sqrt(t)) of segment a of each range, as spread_chord.v computes it, (4, 512).
+def chord_slopes(bits: int = 17) -> Ints:
+    """2^(bits + 8) sqrt(h) / (2 sqrt(t)) of segment a of each range, as spread_chord.v computes it, (4, 512).
 
     t = a + 1/2, h = 2^(SEGMENT_BITS - 24); the last range holds the exact roots of a h over 2 a instead.
     Segments below the start of their range, which are never read, are filled too.
     """
-    table = np.zeros((4, SEGMENTS), dtype=np.int64)
+    table, extra = np.zeros((4, SEGMENTS), dtype=np.int64), bits - 17
     for row, width in enumerate(SEGMENT_BITS):
-        root = 1 << (14 if row == 3 else 18)
+        root = 1 << (14 if row == 3 else 18) + extra
         for a in range(SEGMENTS):
             if row < 3:
                 b = 2 * a + 1
-                square = (((512 * b + 1) * (8 * b * b - 1) << 20) // b**4) << width - 5
+                square = (((512 * b + 1) * (8 * b * b - 1) << 20) // b**4) << width - 5 + 2 * extra
             else:
-                square = ((16 * a * a - 1) << 22) // a**3 if a else 1 << 28
+                square = ((16 * a * a - 1) << 22 + 2 * extra) // a**3 if a else 1 << 28 + 2 * extra
             for _ in range(4):
                 root = (root + square // root) >> 1
-            table[row, a] = (root + 1) >> 1 & 0x1FFFF
+            table[row, a] = (root + 1) >> 1 & (1 << bits) - 1
     return table
 
 
 def spread_chord(p: Params, *, in_s: Ints, in_not: Ints) -> dict[str, Ints]:
-    """Factors of the square root of a spread (or of its complement): sqrt(v) ~ w * slope / 2^34.
+    """Factors of the square root of a spread (or of its complement): sqrt(v) ~ w * slope / 2^(B + 17).
 
-    |sqrt(v) - w * slope / 2^34| <= 0.52 / 2^15, and 0 at v = 0.
+    At B = 17 (default) |sqrt(v) - w * slope / 2^34| <= 0.52 / 2^15, and 0 at v = 0.
     """
     flip = -ints(in_not)  # every bit
     v = (ints(in_s) << 24 - p["S"] ^ flip) & 0xFFFFFF
@@ -50,7 +50,7 @@ def spread_chord(p: Params, *, in_s: Ints, in_not: Ints) -> dict[str, Ints]:
     offset = (v << 9 | flip & 0x1FF) >> width & 0x1FF  # 9 bits, behind the word come more of its kind
     middle = segment << 10 | (offset & 0x100) << 1 | (~offset & 0x100) | offset & 0xFF
     w = np.where(row == 3, segment << 10 | (flip & 1) << 9, middle)
-    return {"out_w": w, "out_slope": chord_slopes()[row, segment]}
+    return {"out_w": w, "out_slope": chord_slopes(p.get("B", 17))[row, segment]}
 
 
 def spread_to_vector(p: Params, *, in_j: Ints) -> dict[str, Ints]:

@@ -151,10 +151,19 @@ def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
 
 
 @cache
-def _fine_knots() -> Ints:
-    """2^18 / q at q = a / 256, lowered by half the sag of the chord to the next; q >= 1/4."""
-    a = [64] * 64 + [*range(64, 1026)]
-    return ints([(((8 * i * i - 1) << 36) // (i * i * (4096 * i + 1)) + 1) >> 1 for i in a])
+def _slopes() -> Ints:
+    """2^18 / q^2 in the middle of q = a / 512 to (a + 1) / 512, raised as rational_inverse.v says.
+
+    Below 1/4 such that 1 / q stays just below 4.
+    """
+    below = [(1 << 29) // (max(a, 64) + 1) for a in range(128)]
+    return ints(below + [((((2 * b * b + 1) * (1024 * b + 1) << 16) // b**3 << 12) // (b * b) + 1) >> 1
+                         for b in range(257, 4096, 2)])
+
+
+def inverse(qs: Ints) -> Ints:
+    """2^24 / q, q = qs / 2^19 from 1/4 to 4, as a tangent's product; relative error 2^-17 up to 2, 2^-15 at 4."""
+    return (qs ^ 0x3FF) * _slopes()[qs >> 10] >> 13
 
 
 def _about_axis(s: int, axis: Ints, negative: Ints, product: Ints) -> Ints:
@@ -169,24 +178,18 @@ def _zeros(*words: Ints) -> Ints:
     return 15 - np.ceil(np.log2(either + 1)).astype(np.int64)
 
 
-def _reciprocal(qs: Ints) -> Ints:
-    """2^18 / q, q = qs / 2^19 in [1/4, 4), from its chord."""
-    knots, a = _fine_knots(), np.maximum(qs >> 11, 64)
-    return knots[a] - ((knots[a] - knots[a + 1]) * (qs & 0x7FF) >> 11)
-
-
 def _direction(p: Params, b: Ints, a: Ints, qs: Ints, halfway: Ints) -> Ints:
     """Turn-spread word of the direction (b, a), 1.0 is 2^20: (m / q)^2, m^2 / q where `halfway`; m the smaller one."""
-    long = ((b ^ b >> 63) >> 14 & 0xFF) > (qs >> 14)
+    long = ((a ^ a >> 63) >> 14 & 0xFF) <= (qs >> 14 & 0x7F)
     m = np.where(long, a, b)
-    u = wrap(m * _reciprocal(qs) >> 18, 27)
+    u = wrap(m * inverse(qs) >> 24, 27)
     axis = np.where(long, 2 * (b < 0), 1 + 2 * (a < 0))
     return _about_axis(p["S"], axis, (a < 0) ^ (b < 0) ^ ~long, u * np.where(halfway, m, u))
 
 
-def _elbow(p: Params, x: Ints, y: Ints, k: Ints, qs: Ints, gap: Ints, elbow: Ints, l1: Ints, l2: Ints, cfg_r: Ints,
-           cfg_e: Ints) -> tuple[Ints, Ints, Ints]:
-    """(j1, j2, unreachable) of the target (x, y), already shifted by k."""
+def _elbow(p: Params, x: Ints, y: Ints, more: int, k: Ints, qs: Ints, gap: Ints, elbow: Ints, l1: Ints, l2: Ints,
+           cfg_r: Ints, cfg_e: Ints) -> tuple[Ints, Ints, Ints]:
+    """(j1, j2, unreachable) of the target (x, y) with `more` fraction bits, already shifted by k."""
     n = np.where(cfg_e == 0, gap >> 7, gap << np.maximum(8 * cfg_e - 7, 0))
     far = (n < -(1 << 26)) | (n >= 1 << 26)
     c2 = np.where(far, 0, n) * cfg_r >> 24
@@ -196,14 +199,14 @@ def _elbow(p: Params, x: Ints, y: Ints, k: Ints, qs: Ints, gap: Ints, elbow: Int
     square = c2 * c2
     j2 = _about_axis(p["S"], 1 + 2 * elbow, short == (elbow != 0), square)
 
-    root = joint.spread_chord({"S": 24}, in_s=square >> 16 & 0xFFFFFF, in_not=ints(1))
-    k1 = (l1 << 5) + (c2 * l2 >> 15)
-    k2 = (root["out_w"] * l2 >> 9) * root["out_slope"] >> 20
-    one = np.where(k1 < 0, -1, 1) << 18
-    k1, k2 = (wrap(wrap(word, 22) << k, 22) >> 2 for word in (k1, k2))
+    root = joint.spread_chord({"S": 24, "B": 20}, in_s=square >> 16 & 0xFFFFFF, in_not=ints(1))
+    k1 = (l1 << 3) + (c2 * l2 >> 17)
+    k2 = (root["out_w"] * l2 >> 9) * root["out_slope"] >> 25
+    one = np.where(k1 < 0, -1, 1) << 19
+    k1, k2 = (wrap((2 * word + 1) << k, 21) for word in (k1, k2))
     k1, k2 = np.where(clamped, one, k1), np.where(square >> 40, 0, k2)
-    b = wrap((k1 * x >> 13) + ((k2 ^ -elbow) * y >> 13), 23)
-    a = wrap((k1 * y >> 13) + ((k2 ^ elbow - 1) * x >> 13), 23)
+    b = wrap((k1 * x >> 4 + more) + ((k2 ^ -elbow) * y >> 4 + more), 33) >> 10
+    a = wrap((k1 * y >> 4 + more) + ((k2 ^ elbow - 1) * x >> 4 + more), 33) >> 10
     return _direction(p, b, a, qs, clamped), j2, clamped
 
 
@@ -215,8 +218,8 @@ def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_
     x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
     k, zero, gap = _zeros(x, y), (x == 0) & (y == 0), x * x + y * y - cfg_q
     x, y = x << k, y << k
-    qs = (x * x >> 11) + (y * y >> 11)
-    j1, j2, clamped = _elbow(p, x, y, k, qs, gap, elbow, l1, l2, cfg_r, cfg_e)
+    qs = x * x + y * y >> 11
+    j1, j2, clamped = _elbow(p, x, y, 0, k, qs, gap, elbow, l1, l2, cfg_r, cfg_e)
     return {"out_j1": hold_last(j1, ~zero), "out_j2": j2, "out_status": ints(clamped) + 2 * ints(zero)}
 
 
@@ -226,15 +229,16 @@ def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1
     x, y, z, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
         in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
     x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
-    near, k, zero, gap = _zeros(x, y), _zeros(x, y, z), (x == 0) & (y == 0), x * x + y * y + z * z - cfg_q
-    x3, y3 = x << near, y << near
-    qs = (x3 * x3 >> 11) + (y3 * y3 >> 11)
-    j3 = _direction(p, x3 << 5, y3 << 5, qs, ints(1))
-    half = np.where(qs >> 20, 0xFFFFFF, (qs & 0xFFFFF) << 4)
-    root = joint.spread_chord({"S": 24}, in_s=half, in_not=ints(0))
-    rho = ((root["out_w"] << 5) * (1482910 >> near - k) >> 24) * root["out_slope"] >> 20
-    x, y, z = x << k, y << k, z << k
-    qs = (x * x >> 11) + (y * y >> 11) + (z * z >> 11)
-    j1, j2, clamped = _elbow(p, rho, z, k, qs, gap, elbow, l1, l2, cfg_r, cfg_e)
+    square, near, k, zero = x * x + y * y, _zeros(x, y), _zeros(x, y, z), (x == 0) & (y == 0)
+    gap, large = square + z * z - cfg_q, square >= 1 << 24
+    x, y, z = x << near, y << near, z << k
+    qs = x * x + y * y >> 11
+    j3 = _direction(p, x << 5, y << 5, qs, ints(1))
+    root = joint.spread_chord({"S": 24, "B": 20}, in_s=np.where(large, square >> 8, square), in_not=ints(0))
+    rho = (root["out_w"] << np.where(large, 7, 3)) * (root["out_slope"] << 2) >> 27  # 3 fraction bits
+    fine = (2 * rho + 1) << k
+    rho = fine >> 3  # 1 fraction bit
+    qs = (rho * fine >> 5) + z * z >> 11
+    j1, j2, clamped = _elbow(p, rho, z << 1, 1, k, qs, gap, elbow, l1, l2, cfg_r, cfg_e)
     return {"out_j1": hold_last(j1, ~zero | (z != 0)), "out_j2": j2, "out_j3": hold_last(j3, ~zero),
             "out_status": ints(clamped) + 2 * ints(zero)}

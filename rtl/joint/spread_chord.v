@@ -1,64 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
-// Square root of a spread or of its complement as a product, sqrt(v) = out_w * out_slope / 2^34, one clock a root.
+// Square root of a spread or of its complement as a product, sqrt(v) = out_w * out_slope / 2^(B+17), one clock a root.
 //   v = in_not ? 1 - in_s : in_s = (a + d) h, d in [0, 1), t = a + 1/2: the tangent in the middle of segment a,
 //   sqrt(v) = (v/h + t) * sqrt(h) / (2 sqrt(t)), needs no addend, and v/h + t is wiring: {a, d[top], ~d[top], d[rest]}.
-// Formats: in_s u0.S; out_w u19 with in_s; out_slope u17 one clock after in_read, held until the next.
+// Formats: in_s u0.S; out_w u19 with in_s; out_slope uB one clock after in_read, held until the next.
 // Four ranges of v, from 2^-4, 2^-9, 2^-15 and 0, of 512 segments each: w is a 4:1 selection, and the slopes are stored
 // denormalised, so nothing is shifted. 1 - s is ~s followed by ones. The last range has a segment for every word.
-// Error: |sqrt - product| <= 0.52 * 2^-15, 0 is exact; at segment borders it may step back by 0.84 * 2^-15.
+// Error: |sqrt - product| <= 0.52 * 2^-15, B = 20: 0.31 * 2^-15; 0 is exact; it may step back by 0.84 * 2^-15.
 // Model: joint.spread_chord
 `default_nettype none
 module spread_chord #(
-    parameter S = 24
+    parameter S = 24,
+    parameter B = 17
 ) (
     input  wire         clk,
     input  wire         in_read,
     input  wire [S-1:0] in_s,
     input  wire         in_not,
     output reg  [18:0]  out_w,
-    output reg  [16:0]  out_slope
+    output reg  [B-1:0] out_slope
 );
     generate
-        if (S < 1 || S > 24) begin : g_illegal
-            spread_chord_needs_S_from_1_to_24 rule ();
+        if (S < 1 || S > 24 || B < 17 || B > 20) begin : g_illegal
+            spread_chord_needs_S_from_1_to_24_and_B_from_17_to_20 rule ();
         end
     endgenerate
 
     // 2^25 slopes of all segments, root by Newton from the neighbour's. With b = 2 t, factor 1 - 1/(8 b^2) under the
     // root lowers the tangent by half of what it gains towards the ends, 1 + 1/(512 b) centres the cut of d.
-    localparam SEGMENTS = 2048;
-    function [17*SEGMENTS-1:0] slopes(input integer ranges);
+    localparam SEGMENTS = 2048, E = B - 17;
+    function [B*SEGMENTS-1:0] slopes(input integer ranges);
         integer    range, a;
         reg [63:0] b, square, root;
         begin
             slopes = 0;
             for (range = 0; range < ranges; range = range + 1) begin
-                root = range == 3 ? 64'd1 << 14 : 64'd1 << 18;
+                root = range == 3 ? 64'd1 << 14 + E : 64'd1 << 18 + E;
                 for (a = 0; a < 512; a = a + 1) begin
                     if (range < 3) begin
                         b = {31'd0, a, 1'b1};
                         square = (((512 * b + 1) * (8 * b * b - 1) << 20) / (b * b * b * b))
-                            << (range == 0 ? 10 : range == 1 ? 6 : 1);
+                            << (range == 0 ? 10 : range == 1 ? 6 : 1) + 2 * E;
                     end else begin
                         b = {32'd0, a};
-                        square = a == 0 ? 64'd1 << 28 : ((16 * b * b - 1) << 22) / (b * b * b);
+                        square = a == 0 ? 64'd1 << 28 + 2 * E : ((16 * b * b - 1) << 22 + 2 * E) / (b * b * b);
                     end
                     root = (root + square / root) >> 1;
                     root = (root + square / root) >> 1;
                     root = (root + square / root) >> 1;
                     root = (root + square / root) >> 1;
-                    slopes[17 * (512 * range + a) +: 17] = root[17:1] + {16'd0, root[0]};
+                    slopes[B * (512 * range + a) +: B] = root[B:1] + {{(B-1){1'b0}}, root[0]};
                 end
             end
         end
     endfunction
-    localparam [17*SEGMENTS-1:0] SLOPES = slopes(4);
+    localparam [B*SEGMENTS-1:0] SLOPES = slopes(4);
 
-    reg [16:0] slope[0:SEGMENTS-1];
+    reg [B-1:0] slope[0:SEGMENTS-1];
     integer    i;
     initial
         for (i = 0; i < SEGMENTS; i = i + 1)
-            slope[i] = SLOPES[17*i +: 17];
+            slope[i] = SLOPES[B*i +: B];
 
     wire [23:0] v = {in_s, {(24-S){1'b0}}} ^ {24{in_not}};
     wire        high = |v[23:20], middle = |v[19:15], low = |v[14:9];
