@@ -3,13 +3,13 @@
 //   q = x^2 + y^2, c2 = (q - Q1 - Q2) / 2 L1 L2, k1 = L1 + L2 c2, k2 = +-L2 n2; a = k1 y - k2 x, b = k1 x + k2 y;
 //   (b, a) / q is the direction of joint 1. x' = x << k and so on, k the sign bits that x, y (, z) can spare.
 // Latency, II: 16, H = 0; three joints: 26, H = 10. cfg_q, cfg_r, cfg_e: rational.config. Models: rational.ik2, .ik3
-//   Cycle       two multipliers: squares, turns      the third                             else
+//   Cycle       two multipliers: squares, turns      the third                            else
 //   1..3        q = x^2 + y^2 (3)                                                          y, x
 //  (4..9)       q' = x'^2 + y'^2 (6); a, b = y', x'  1/q' = w * slope (8)                  y', x'; m
 //  (10..14)     q = q + z^2 (12)                     u = m/q', u * m (11), rho (12, 13)    out_j3; root of q; z, z'
 //   H+3..H+5    q' = x'^2 + y'^2 (H+5)               c2 = n * cfg_r (H+5)                  y', x'; n = q - cfg_q
-//   H+6..H+10                                        L2 c2, c2^2, L2 w, k2 = L2 w * slope  k1' (H+7), k2' (H+10); out_j2
-//   H+11..H+15  a, b                                 1/q', m/q' (H+13), (m/q')^2           m, the lesser of them; out_j1
+//   H+6..H+10                                        L2 c2, c2^2, L2 w, k2 = L2 w * slope  k1', k2' (H+10); out_j2
+//   H+11..H+15  a, b                                 1/q', m/q' (H+13), (m/q')^2           m, the lesser; out_j1
 `default_nettype none
 module rational_solve #(
     parameter JOINTS = 2,
