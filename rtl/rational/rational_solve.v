@@ -3,7 +3,7 @@
 //   q = x^2 + y^2, c2 = (q - Q1 - Q2) / 2 L1 L2, k1 = L1 + L2 c2, k2 = +-L2 n2; a = k1 y - k2 x, b = k1 x + k2 y;
 //   (b, a) / q is the direction of joint 1. x' = x << k and so on, k the sign bits that x, y (, z) can spare.
 // Latency, II: 16, H = 0; three joints: 26, H = 10. cfg_q, cfg_r, cfg_e: rational.config. Models: rational.ik2, .ik3
-//   Cycle       two multipliers: squares, turns      the third                            else
+//   Cycle       two multipliers: squares, turns      the third                             else
 //   1..3        q = x^2 + y^2 (3)                                                          y, x
 //  (4..9)       q' = x'^2 + y'^2 (6); a, b = y', x'  1/q' = w * slope (8)                  y', x'; m
 //  (10..14)     q = q + z^2 (12)                     u = m/q', u * m (11), rho (12, 13)    out_j3; root of q; z, z'
