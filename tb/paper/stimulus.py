@@ -16,8 +16,9 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     half = 1 << core.params["W"] - 1
     if len(core.cfg) == 2:
         near = int(rng.integers(half // 64, half // 32))  # the paper's range, (L1 + L2)^2 < 128; ours is half a word
+        unit = 1 << core.params["F"]  # quadrances of a few units: their last bits decide quotients
         pairs = [(half // 2 - 1, half // 2), (3 * near, 2 * near), (near, near), (half - 1, half - 1),
-                 (2 * half - 1, near), (near, 0), (0, near)]
+                 (2 * half - 1, near), (near, 0), (0, near), (2 * unit, 3 * unit // 2)]
         return [{"cfg_l1": first, "cfg_l2": second} for first, second in pairs]
     some, long = int(rng.integers(half // 16, half)), int(rng.integers(half, 2 * half))
     return [{"cfg_l1": length} for length in (2 * half - 1, half, half - 1, some, long, 1, 0)]
