@@ -1,8 +1,9 @@
-"""`make lint`: three tools without a warning, and a house in order.
+"""`make lint`: four tools without a warning, and a house in order.
 
-Every core of rtl/cores.toml at every parameter set goes through Verilator -Wall, Icarus -Wall and
-Yosys; its ports are the ones the list declares, in the contract's order; an illegal parameter stops
-all three. Every Verilog file is reached by the list, and every entry has bench, page and report row.
+Every core of rtl/cores.toml at every parameter set goes through Verilator -Wall, Icarus -Wall, slang (strict, as
+vendor tools are: it alone sees a name used before its declaration) and Yosys; its ports are the ones the list
+declares, in the contract's order; an illegal parameter stops all four. Every Verilog file is reached by the list,
+and every entry has bench, page and report row.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from pyslang import TextDiagnosticClient
+from pyslang.driver import Driver
 from quadrance.cores import ROOT, RTL, Core, all_cores
 
 from ci import tools
@@ -41,6 +44,22 @@ def icarus(core: Core, params: dict[str, int]) -> tuple[int, str]:
                  *(f"-P{core.name}.{k}={v}" for k, v in params.items()), *core.sources)
 
 
+def slang(core: Core, params: dict[str, int]) -> tuple[int, str]:
+    """Strict elaboration of one parameter set; a one-bit register may be shifted by one."""
+    driver = Driver()
+    driver.addStandardArgs()
+    words = ["slang", "--std", "1364-2005", "-Wno-shift-count-overflow", "--top", core.name,
+             *(f"-G{k}={v}" for k, v in params.items()), *(f'"{source}"' for source in core.sources)]
+    if not (driver.parseCommandLine(" ".join(words)) and driver.processOptions() and driver.parseAllSources()):
+        return 1, "sources or parameters are not accepted"
+    engine, client = driver.diagEngine, TextDiagnosticClient()
+    engine.clearClients()
+    engine.addClient(client)
+    for found in driver.createCompilation().getAllDiagnostics():
+        engine.issue(found)
+    return engine.numErrors, client.getString().strip()
+
+
 def yosys(core: Core, params: dict[str, int], ports: Path | None = None) -> tuple[int, str]:
     """Yosys' elaboration of one parameter set; writes the ports it sees."""
     sets = "".join(f" -set {k} {v}" for k, v in params.items())
@@ -65,7 +84,7 @@ def contract(core: Core) -> list[tuple[str, str, int]]:
 def check_core(core: Core) -> list[str]:
     """Everything wrong with one core at one parameter set."""
     wrong = []
-    for tool in (verilator, icarus) if available("icarus") else (verilator,):
+    for tool in (verilator, icarus, slang) if available("icarus") else (verilator, slang):
         code, text = tool(core, core.params)
         if code or text:
             wrong.append(f"{core.id}: {tool.__name__}: {text or code}")
@@ -81,7 +100,7 @@ def check_core(core: Core) -> list[str]:
             wrong.append(f"{core.id}: ports {seen} are not the contract's {contract(core)}")
     if core.first_set:
         for params in core.illegal:
-            for tool in (verilator, icarus, yosys) if available("icarus") else (verilator, yosys):
+            for tool in (verilator, icarus, slang, yosys) if available("icarus") else (verilator, slang, yosys):
                 code, text = tool(core, {**core.params, **params})
                 if not code or "_needs_" not in text:
                     wrong.append(f"{core.name}: {tool.__name__} accepts illegal {params} or does not name the rule")

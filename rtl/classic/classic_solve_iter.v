@@ -145,6 +145,8 @@ module classic_solve_iter #(
     reg  [Z-1:0]    z, phi;
     wire [Z-1:0]    joint1 = phi + z;
     wire            unused_fraction = &{1'b0, joint1[5:0]};
+    reg  [Y-1:0]    y;
+    wire            minus = y[Y-1];
     wire [64*Z-1:0] values;  // plus, then minus: the sign is one more input of the ROM's cell
     wire [Z-1:0]    sum_z;
     genvar          g;
@@ -174,10 +176,8 @@ module classic_solve_iter #(
 
     // vector
     reg         [D-1:0] x;
-    reg         [Y-1:0] y;
     reg  signed [Y-1:0] y2;
     reg         [D-1:0] y6;
-    wire                minus = y[Y-1];
     wire        [D-1:0] sum_x = x + (y6 ^ {D{minus}});
     wire        [Y-1:0] sum_y = y + (({2'b00, x} ^ {Y{!minus}}) & {{(Y-B){1'b1}}, {B{!tail}}});
     always @* begin

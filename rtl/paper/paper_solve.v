@@ -60,8 +60,8 @@ module paper_solve #(
     wire accept = in_valid && in_ready;
     wire law = clock[H+M+1], bend = clock[H+M+2], slack = clock[H+M+3], elbow = clock[H+2*M+4];
     wire near = clock[T-2], far = clock[T-1], last = clock[T];
-    wire divide = |clock[H+M:H+1] || |clock[H+2*M+3:H+M+4] || |clock[H+3*M+4:H+2*M+5] || yaw_divide;
     wire yaw, yaw_divide;
+    wire divide = |clock[H+M:H+1] || |clock[H+2*M+3:H+M+4] || |clock[H+3*M+4:H+2*M+5] || yaw_divide;
     generate
         if (YAW != 0) begin : g_yaw
             assign yaw = clock[M+1];

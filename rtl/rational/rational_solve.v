@@ -138,6 +138,7 @@ module rational_solve #(
         endcase
 
     // Right words are aligned so that every product to be used again is cut at the same place, but 1/q'
+    wire        big = q[31:24] != 0;
     wire [19:0] slope;
     reg  [26:0] right;
     wire signed [53:0] product = $signed(left) * $signed(right);
@@ -156,7 +157,6 @@ module rational_solve #(
             endcase
 
     // sqrt(1 - c2^2) = w * slope, and that of q / 2^32, of q / 2^24 where it is not big
-    wire        big = q[31:24] != 0;
     wire [18:0] w;
     spread_chord #(.S(24), .B(20)) chord (
         .clk(clk), .in_read(plane[6] || yaw[10]), .in_not(!yaw[10]),
