@@ -55,14 +55,15 @@ module rational_chain #(
 
     // First multiplier: wide root, A, one product of a turn; second: thin root, B, the other product.
     reg  [N-1:0] a, b;
-    reg  [U:0]   r, q;  // (c, n), then (n, c), then (c, -n), each without its last bit, which is always 1
+    reg  [U:0]   wide, thin;  // the roots with their signs, each without its last bit, which is always 1
+    reg          swap;        // thin goes to the first multiplier: (c, n) of joint 2, (n, c) then (c, -n) of the others
     wire         turn = !decode && !place;
     wire [N-1:0] right1 = {{(N-U-1){1'b0}}, wide_offset, {(U+1-D){1'b0}}} & {N{decode}}
                         | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | a & {N{turn}};
     wire [N-1:0] right2 = {{(N-U-1){1'b0}}, thin_offset, {(U+1-D){1'b0}}} & {N{decode}}
                         | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | b & {N{turn}};
-    wire [U+1:0] left1 = decode ? {7'h7f, wide_step} : {r, 1'b1};
-    wire [U+1:0] left2 = decode ? {7'd0, thin_step} : {q, 1'b1};
+    wire [U+1:0] left1 = decode ? {7'h7f, wide_step} : {swap ? thin : wide, 1'b1};
+    wire [U+1:0] left2 = decode ? {7'd0, thin_step} : {swap ? wide : thin, 1'b1};
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [N+U+1:0] product1 = $signed(left1) * $signed(right1);
     wire signed [N+U+1:0] product2 = $signed(left2) * $signed(right2);
@@ -72,15 +73,10 @@ module rational_chain #(
     wire [N-1:0] first = cut1 + (decode ? {{(N-U-3){1'b0}}, wide_knot} : {2'd0, cfg_l1, {G{1'b0}}});
     wire [N-1:0] sum = cut1 + cut2;
 
-    // Magnitudes without their last bit, which is always 1; joint 2 loads (c, n), the others (n, c)
     /* verilator lint_off UNUSEDSIGNAL */
     wire [U+2:0] second = cut2[U+2:0] + thin_knot;
     /* verilator lint_on UNUSEDSIGNAL */
-    wire [U-1:0] wide = first[U+2:3], thin = second[U+2:3];
-    wire         thin_r = thin_n != step[0];
-    wire [U-1:0] to_r = decode ? (thin_r ? thin : wide) : q[U-1:0];
-    wire [U-1:0] to_q = decode ? (thin_r ? wide : thin) : r[U-1:0];
-    wire         neg_r = step[0] ? neg_c : neg_n, neg_q = step[0] ? neg_n : neg_c;
+    wire         neg_wide = thin_n ? neg_c : neg_n, neg_thin = thin_n ? neg_n : neg_c;
 
     // Rounding and saturation stand behind a register, for the clock's sake: out_y and out_z move on, out_x stays
     reg  [N-1:0] exact;
@@ -93,8 +89,11 @@ module rational_chain #(
     always @(posedge clk) begin
         step   <= {step[LAST-1:0], accept};
         decode <= accept || place || again;
-        r      <= {decode ? neg_r : q[U], to_r ^ {U{decode && neg_r}}};
-        q      <= {decode ? neg_q : !r[U], to_q ^ {U{!decode || neg_q}}};
+        swap   <= decode ? thin_n != step[0] : !swap;
+        if (decode || !swap)  // what the first multiplier took comes back negative to the second
+            wide <= decode ? {neg_wide, first[U+2:3] ^ {U{neg_wide}}} : ~wide;
+        if (decode || swap)
+            thin <= decode ? {neg_thin, second[U+2:3] ^ {U{neg_thin}}} : ~thin;
         if (accept) begin
             j1          <= in_j1;
             j3          <= in_j3;
