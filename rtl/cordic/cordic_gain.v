@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 1 / prod sqrt(1 + 4^-i), i = 1, 2 .. = 0.858785 times a word, as two words to be added, combinational.
-//   v - (v >> 3)  and  -(v >> 6) - (v >> 11) - (v >> 13) + (v >> 16), the first N digits, each shift rounded down
+// 1 / prod sqrt(1 + 4^-i), i = 1, 2 .. = 0.858785 times a word, as three words to be added, combinational.
+//   v - (v >> 3),  -(v >> 6)  and  -(v >> 11) - (v >> 13) + (v >> 16), the first N digits, each shift rounded down
 // and every minus a one's complement. Error of the constant: 9e-6 at N = 6.
 `default_nettype none
 module cordic_gain #(
@@ -9,15 +9,21 @@ module cordic_gain #(
 ) (
     input  wire signed [D-1:0] in_v,
     output wire        [D-1:0] out_coarse,
-    output wire        [D-1:0] out_fine
+    output wire        [D-7:0] out_middle,
+    output wire        [D-7:0] out_fine
 );
     wire signed [D-1:0] v3 = in_v >>> 3;
     wire signed [D-7:0] v6 = in_v[D-1:6];
     wire signed [D-7:0] v11 = v6 >>> 5;
     wire signed [D-7:0] v13 = v6 >>> 7;
     wire signed [D-7:0] v16 = v6 >>> 10;
-    wire        [D-7:0] fine = ~v6 + (~v11 & {(D-6){N > 3}}) + (~v13 & {(D-6){N > 4}}) + (v16 & {(D-6){N > 5}});
+    // each sum is as narrow as its result
+    localparam P13 = D - 12, P11 = D - 10;
+    wire [P13-1:0] two = (v16[P13-1:0] & {P13{N > 5}}) + (~v13[P13-1:0] & {P13{N > 4}});
+    wire [P11-1:0] three = {{2{two[P13-1]}}, two} + (~v11[P11-1:0] & {P11{N > 3}});
+    wire           unused = &{1'b0, v11, v13, v16};
     assign out_coarse = in_v + ~v3;
-    assign out_fine = {{6{fine[D-7]}}, fine};
+    assign out_middle = ~v6;
+    assign out_fine = {{4{three[P11-1]}}, three};
 endmodule
 `default_nettype wire

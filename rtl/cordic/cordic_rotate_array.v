@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Full-circle, gain-compensated rotation, unrolled: what cordic_rotate_comb and cordic_rotate_pipe are made of.
 // Quarter turns by exchange and sign, the gain (0.858785) as digits of the input, then cordic_turn_array.
-// STAGES = 4 + C + T registers where CLOCKED, none otherwise. Ports and arithmetic: cordic_rotate_iter.
+// 4 + C + T + (T+1)/2 registers where CLOCKED, none otherwise. Ports and arithmetic: cordic_rotate_iter.
 `default_nettype none
 module cordic_rotate_array #(
     parameter W       = 16,
@@ -31,15 +31,18 @@ module cordic_rotate_array #(
         .in_d({(odd ? in_y : in_x) ^ {W{half ^ odd}}, (odd ? in_x : in_y) ^ {W{half}}, half ^ odd, half, z0}),
         .out_q({vx, vy, sx, sy, z1}));
 
-    // the digits in two sums, the finest first: that keeps most of the adders narrow
-    wire [D-1:0] ax, ay, bx, by, x, y;
-    wire [D-1:0] ax_d, ay_d, bx_d, by_d;
-    cordic_gain #(.D(D), .N(N)) gain_x (.in_v({vx[W-1], vx, {G{sx}}}), .out_coarse(ax_d), .out_fine(bx_d));
-    cordic_gain #(.D(D), .N(N)) gain_y (.in_v({vy[W-1], vy, {G{sy}}}), .out_coarse(ay_d), .out_fine(by_d));
-    cordic_register #(.WIDTH(4*D+W+4), .CLOCKED(CLOCKED)) digits (.clk(clk), .in_enable(in_enable),
-        .in_d({ax_d, ay_d, bx_d, by_d, z1}), .out_q({ax, ay, bx, by, z2}));
+    // the digits in three words, the finest added first: that keeps most of the adders narrow
+    wire [D-1:0] ax, ay, ax_d, ay_d, x, y;
+    wire [D-7:0] bx, by, cx, cy, bx_d, by_d, cx_d, cy_d;
+    wire [D-7:0] low_x = bx + cx, low_y = by + cy;
+    cordic_gain #(.D(D), .N(N)) gain_x (
+        .in_v({vx[W-1], vx, {G{sx}}}), .out_coarse(ax_d), .out_middle(bx_d), .out_fine(cx_d));
+    cordic_gain #(.D(D), .N(N)) gain_y (
+        .in_v({vy[W-1], vy, {G{sy}}}), .out_coarse(ay_d), .out_middle(by_d), .out_fine(cy_d));
+    cordic_register #(.WIDTH(6*D-24+W+4), .CLOCKED(CLOCKED)) digits (.clk(clk), .in_enable(in_enable),
+        .in_d({ax_d, ay_d, bx_d, by_d, cx_d, cy_d, z1}), .out_q({ax, ay, bx, by, cx, cy, z2}));
     cordic_register #(.WIDTH(2*D+W+4), .CLOCKED(CLOCKED)) gained (.clk(clk), .in_enable(in_enable),
-        .in_d({ax + bx, ay + by, z2}), .out_q({x, y, z3}));
+        .in_d({ax + {{6{low_x[D-7]}}, low_x}, ay + {{6{low_y[D-7]}}, low_y}, z2}), .out_q({x, y, z3}));
 
     wire [D-1:0] rx, ry;
     cordic_turn_array #(.W(W), .D(D), .R(8'd24), .CLOCKED(CLOCKED)) turn (.clk(clk), .in_enable(in_enable),

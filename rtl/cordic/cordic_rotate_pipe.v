@@ -3,7 +3,7 @@
 //   out_x + j out_y = (in_x + j in_y) * exp(2 pi j in_angle / 2^A), rounded to nearest, saturated
 // Formats: in_angle uA, 2^A to the turn; in_x, in_y, out_x, out_y sW, any fraction.
 // Error: at most 1.5 LSB each (derivation on the family's page; 1.1 found over the whole circle at W = 16).
-// Latency 17 at W = 16, II 1; the pipeline moves as a whole.
+// Latency 20 at W = 16, II 1; the pipeline moves as a whole.
 // Status: overflow. Model: cordic.rotate
 `default_nettype none
 module cordic_rotate_pipe #(
@@ -24,7 +24,8 @@ module cordic_rotate_pipe #(
     output wire [3:0]   out_status
 );
     localparam C = (W + 1) / 2;
-    localparam STAGES = 4 + C + (W - C + 1) / 2 + 1;
+    localparam T = (W - C + 1) / 2 + 1;
+    localparam STAGES = 4 + C + T + (T + 1) / 2;
     generate
         if (W < 8 || W > 16 || A < 5 || A > W + 3) begin : g_illegal
             cordic_rotate_pipe_needs_W_from_8_to_16_and_A_from_5_to_W_plus_3 rule ();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rotation unrolled: C micro-rotations, then T digits of the residual angle. What cordic_turn_iter does step by step,
-// bit for bit, in C + T + 1 stages: registers where CLOCKED, none otherwise. The rows of the digits are 2^-C of the
-// vector at most: they are summed by themselves, in narrow adders, the rounding constant R with them.
+// bit for bit, in C + T + (T+1)/2 + 1 stages: registers where CLOCKED, none otherwise. The digits' rows, 2^-C of the
+// vector at most, are summed by themselves, the finest first, so that every adder is as narrow as its sum; R < 32 with
+// the first of them.
 `default_nettype none
 module cordic_turn_array #(
     parameter W       = 16,
@@ -39,29 +40,46 @@ module cordic_turn_array #(
                 .in_d({x1, w1, z1, n1}), .out_q({x, w, z, n}));
         end
         for (i = 0; i < T; i = i + 1) begin : g_digit
-            wire [D-1:0] x0, y0, x, y;
-            wire [P-1:0] px0, py0, px1, py1, px, py;
-            wire [Z-1:0] z0, z1, z;
+            wire [D-1:0]   x0, y0, x, y;
+            wire [Z-1:0]   z0, z1, z;
+            wire [3*T-1:0] d0, d;  // the digits so far, the first in the low bits
+            wire [2:0]     d1;
             if (i == 0) begin : g_first
                 wire unused = g_rotation[C].n;
                 assign {x0, y0, z0} = {g_rotation[C].x, g_rotation[C].w, g_rotation[C].z};
-                assign {px0, py0} = {2{{(P-8){1'b0}}, R}};
+                assign d0 = {3*T{1'b0}};
             end else begin : g_next
-                assign {x0, y0, z0} = {g_digit[i-1].x, g_digit[i-1].y, g_digit[i-1].z};
-                assign {px0, py0} = {g_digit[i-1].px, g_digit[i-1].py};
+                assign {x0, y0, z0, d0} = {g_digit[i-1].x, g_digit[i-1].y, g_digit[i-1].z, g_digit[i-1].d};
             end
-            cordic_digit #(.S(2*i+2), .P(P), .Z(Z), .LOW(C > 2 ? C - 2 : 0)) digit (
-                .in_x(px0), .in_y(py0), .in_xf(x0[D-1 -: P]), .in_yf(y0[D-1 -: P]), .in_z(z0),
-                .out_x(px1), .out_y(py1), .out_z(z1));
-            cordic_register #(.WIDTH(2*D+2*P+Z), .CLOCKED(CLOCKED)) stage (.clk(clk), .in_enable(in_enable),
-                .in_d({x0, y0, px1, py1, z1}), .out_q({x, y, px, py, z}));
+            cordic_digit #(.Z(Z), .LOW(C > 2 ? C - 2 : 0)) digit (.in_z(z0), .out_digit(d1), .out_z(z1));
+            cordic_register #(.WIDTH(2*D+Z+3*T), .CLOCKED(CLOCKED && i < T - 1)) stage (.clk(clk),
+                .in_enable(in_enable), .in_d({x0, y0, z1, d0 | {{(3*T-3){1'b0}}, d1} << 3*i}), .out_q({x, y, z, d}));
+        end
+        for (i = T - 1; i >= 0; i = i - 1) begin : g_row
+            localparam V = P - 2*i > 7 ? P - 2*i : 7;
+            wire [D-1:0]   x0, y0, x, y;
+            wire [3*T-1:0] d0, d;
+            wire [V-1:0]   px0, py0, px1, py1, px, py;
+            if (i == T - 1) begin : g_finest
+                assign {x0, y0, d0} = {g_digit[T-1].x, g_digit[T-1].y, g_digit[T-1].d};
+                assign {px0, py0} = {2{{(V-5){1'b0}}, R[4:0]}};
+            end else begin : g_next
+                localparam B = V - (P - 2*i > 9 ? P - 2*i - 2 : 7);
+                assign {x0, y0, d0} = {g_row[i+1].x, g_row[i+1].y, g_row[i+1].d};
+                assign px0 = {{B{g_row[i+1].px[V-B-1]}}, g_row[i+1].px};
+                assign py0 = {{B{g_row[i+1].py[V-B-1]}}, g_row[i+1].py};
+            end
+            cordic_row #(.S(2*i+2), .P(P), .V(V)) row (.in_digit(d0[3*i +: 3]), .in_x(px0), .in_y(py0),
+                .in_xf(x0[D-1 -: P]), .in_yf(y0[D-1 -: P]), .out_x(px1), .out_y(py1));
+            cordic_register #(.WIDTH(2*D+3*T+2*V), .CLOCKED(CLOCKED && (i < 2 || (T - 1 - i) % 2 == 0))) stage (
+                .clk(clk), .in_enable(in_enable), .in_d({x0, y0, d0, px1, py1}), .out_q({x, y, d, px, py}));
         end
     endgenerate
 
-    wire [D-1:0] px = {{(D-P){g_digit[T-1].px[P-1]}}, g_digit[T-1].px};
-    wire [D-1:0] py = {{(D-P){g_digit[T-1].py[P-1]}}, g_digit[T-1].py};
-    wire         unused = &{1'b0, g_digit[T-1].z};
+    wire [D-1:0] px = {{(D-P){g_row[0].px[P-1]}}, g_row[0].px};
+    wire [D-1:0] py = {{(D-P){g_row[0].py[P-1]}}, g_row[0].py};
+    wire         unused = &{1'b0, R[7:5], g_digit[T-1].z, g_row[0].d};
     cordic_register #(.WIDTH(2*D), .CLOCKED(CLOCKED)) last (.clk(clk), .in_enable(in_enable),
-        .in_d({g_digit[T-1].x + px, g_digit[T-1].y + py}), .out_q({out_x, out_y}));
+        .in_d({g_row[0].x + px, g_row[0].y + py}), .out_q({out_x, out_y}));
 endmodule
 `default_nettype wire
