@@ -19,6 +19,7 @@ module cordic_row #(
     wire         minus = in_digit[2], two = in_digit[1], some = in_digit[0];
     wire [P-1:0] xt = two ? in_xf >>> S - 1 : in_xf >>> S;
     wire [P-1:0] yt = two ? in_yf >>> S - 1 : in_yf >>> S;
+    wire         unused = &{1'b0, xt, yt};
     assign out_x = in_x + ((yt[V-1:0] ^ {V{!minus}}) & {V{some}});
     assign out_y = in_y + ((xt[V-1:0] ^ {V{ minus}}) & {V{some}});
 endmodule
