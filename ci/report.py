@@ -164,7 +164,7 @@ def measure(arm_name: str, listed: tuple[Core, ...]) -> tuple[dict, dict]:
     columns = (TextColumn("measuring"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
                TextColumn("{task.description}"))
     LOG.unlink(missing_ok=True)
-    with ProcessPoolExecutor(min(2, os.cpu_count() or 1), initializer=_quiet) as pool, \
+    with ProcessPoolExecutor(min(8, os.cpu_count() or 1), initializer=_quiet) as pool, \
             Progress(*columns, console=Console(stderr=True)) as progress:
         shown = mapped(listed)
         task = progress.add_task("", total=3 * len(listed) + len(shown))
