@@ -268,10 +268,10 @@ short ABC script, at most 7 % above the default one on the one-joint cores (whic
 way) and **ECP5 LUT** are the same source in two other flows. **MHz** is nextpnr's clock for ECP5-25k, speed grade 6,
 all ports registered: the median of three seeds, or the mean of the first two where these agree within 3 % (that median
 lies between them). **ns** is the latency at that clock (for combinational primitives: one period). **cycles** and
-**II** are measured in simulation of the Verilog. Errors are distances at the tip, one LSB is 2^-F units: **error** is arithmetic alone, against float64
-on the same input words; **words** is what an exact core of the same word lengths would lose by rounding the joints,
-targets and links (for inverse cores also the answered joint words). **sweep** is the greatest error over random and
-border inputs instead of the trajectory."""
+**II** are measured in simulation of the Verilog. Errors are distances at the tip, one LSB is 2^-F units: **error** is
+arithmetic alone, against float64 on the same input words; **words** is what an exact core of the same word lengths
+would lose by rounding the joints, targets and links (for inverse cores also the answered joint words). **sweep** is the
+greatest error over random and border inputs instead of the trajectory."""
 
 
 def trajectory_note(report: dict) -> str:
