@@ -26,8 +26,8 @@ SEEDS = (1, 2, 3)
 AGREE = 0.03  # the median of three lies between the first two: where these differ by less, the third is not placed
 
 # Multipliers in logic take ABC's default scripts minutes. They are mapped by a short one for Cyclone V, and iCE40 by
-# `abc -lut 4`, which leaves out the &fraig that -dress brings. Against the default flows, one-joint cores came 7 % above
-# at most (the smallest primitive 18 %) and within 20 % either way; the same for every core, but not plain synth_ice40.
+# `abc -lut 4`, which leaves out the &fraig that -dress brings; the same for every core. Against the default flows,
+# one-joint cores came 7 % above at most (the smallest primitive 18 %), and within 20 % either way.
 SYNTH = {
     "cyclonev": "synth_intel_alm -family cyclonev -noiopad -noclkbuf -top {top}",
     "cyclonev_nodsp": "scratchpad -set abc9.script +&sweep;&if,{{W}},{{D}},{{R}},-v; "
