@@ -48,7 +48,7 @@ mutants: setup ## break every core in 30 ways; the benches must notice
 	@$(PY) -m ci.mutants
 
 exhaustive: setup ## 10^6 random vectors a core, and every input where it has at most 16 bits
-	@$(PY) -m pytest -q -n $(N) --dist worksteal -m slow
+	@$(PY) -m pytest -q -n $(N) --dist worksteal -m slow --durations 10
 
 clean: ## remove what the tools made; .venv stays
 	rm -rf build
