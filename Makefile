@@ -8,7 +8,7 @@ N      ?= auto
 VENV := .venv
 PY   := $(VENV)/bin/python
 export SEED
-export PYTHONPATH := $(CURDIR)
+export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
 .PHONY: help setup lint test smoke report report-check formal waves mutants exhaustive clean

@@ -21,7 +21,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
-from ci import tools
+from tb.lib import tools
 
 WORK = tools.BUILD / "formal"
 # One bit vector for the state and a fresh solver a query let z3 use its bit-vector engine: 15 times faster here.

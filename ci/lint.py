@@ -19,7 +19,7 @@ from pyslang import TextDiagnosticClient
 from pyslang.driver import Driver
 from quadrance.cores import ROOT, RTL, Core, all_cores
 
-from ci import tools
+from tb.lib import tools
 from tb.lib.simulate import available
 
 WORK = tools.BUILD / "lint"

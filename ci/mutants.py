@@ -27,8 +27,7 @@ from rich.console import Console
 from rich.progress import Progress
 from rich.table import Table
 
-from ci import tools
-from tb.lib import bulk, suite
+from tb.lib import bulk, suite, tools
 from tb.lib.simulate import simulate
 
 MUTANTS = 30

@@ -18,7 +18,8 @@ from pathlib import Path
 from quadrance import arms, cores
 from quadrance.cores import Core
 
-from ci import render, synth, tools
+from ci import render, synth
+from tb.lib import tools
 
 REPORTS = tools.ROOT / "reports"
 README = tools.ROOT / "README.md"
@@ -30,8 +31,9 @@ MAP = 121  # points a side of the map of the workspace
 REFRESH = "run `make report` and commit reports/ and README.md"
 
 # What a figure depends on besides the core's own sources
-CODE = ("models/truth.py", "models/accuracy.py", "models/trajectory.py", "models/fixed.py", "models/cores.py",
-        "models/arms/__init__.py", "ci/report.py", "ci/render.py", "ci/synth.py", "tb/lib/bulk.py", "tb/lib/bulk.cpp")
+CODE = (*(f"models/quadrance/{name}.py" for name in ("truth", "accuracy", "trajectory", "fixed", "cores",
+                                                     "arms/__init__")),
+        "ci/report.py", "ci/render.py", "ci/synth.py", "tb/lib/bulk.py", "tb/lib/bulk.cpp")
 
 
 # Measuring (each of these runs in a worker process)
@@ -208,9 +210,10 @@ def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
         return _digest(texts, core.name, core.family, core.function, core.architecture, core.params, ports,
                        core.latency, core.ii)
 
+    package = tools.ROOT / "models" / "quadrance"
     files = [tools.ROOT / name for name in CODE] + [  # models that derive configuration words from the arm's links
         path for family in sorted({core.family for core in listed if core.cfg})
-        if (path := tools.ROOT / "models" / f"{family}.py").exists() and "\ndef config(" in path.read_text()]
+        if (path := package / f"{family}.py").exists() and "\ndef config(" in path.read_text()]
     return {"cores": {core.id: of(core) for core in listed}, "arm": _digest(arms.path_of(arm_name).read_text()),
             "code": {str(path.relative_to(tools.ROOT)): _digest(path.read_text()) for path in files}}
 
@@ -296,7 +299,7 @@ def show(report: dict) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--arm", default=DEFAULT_ARM, help="name of models/arms or path of a TOML file")
+    parser.add_argument("--arm", default=DEFAULT_ARM, help="name of models/quadrance/arms or path of a TOML file")
     parser.add_argument("--check", action="store_true", help="only check that the committed report is fresh")
     args = parser.parse_args()
     started = time.monotonic()

@@ -19,7 +19,7 @@ from pathlib import Path
 from quadrance import cores
 from quadrance.cores import Core, Port
 
-from ci import tools
+from tb.lib import tools
 
 CACHE = tools.BUILD / "cache"
 SEEDS = (1, 2, 3)

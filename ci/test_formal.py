@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from ci import formal, tools
+from ci import formal
+from tb.lib import tools
 
 FAULTS = [
     ("isqrt_comb-W15F1", "isqrt_digits.v", "~pair[0]} : {rem[D-1:0], pair}", "pair[0]} : {rem[D-1:0], pair}", "FAIL"),

@@ -7,7 +7,8 @@ import shutil
 import pytest
 from quadrance import cores
 
-from ci import render, report, tools
+from ci import render, report
+from tb.lib import tools
 
 AREA = {"lut": 300, "ff": 100, "dsp": 1, "mem": 0}
 README = """# Title

@@ -6,7 +6,7 @@ import sys
 
 from quadrance import cores
 
-from ci import tools
+from tb.lib import tools
 from tb.lib.simulate import available, simulate
 
 

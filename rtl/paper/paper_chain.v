@@ -9,7 +9,7 @@
 //   3 .. M+2      R digits of s' = h / q3 each       -
 //   M+3, M+4      sqrt(s1 (1-g)), sqrt(g (1-s1))     acc = their difference
 //   M+5, M+6      sqrt(q3 s), sqrt(q3 (1-s))         YAW: z, h = qa = q3 - qz; y = sqrt(qa s3); M+7: x
-// Formats, error bound, model: README.md, models/paper.py (chain)
+// Formats, error bound, model: README.md, models/quadrance/paper.py (chain)
 `default_nettype none
 module paper_chain #(
     parameter W   = 16,

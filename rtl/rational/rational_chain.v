@@ -48,7 +48,7 @@ module rational_chain #(
     wire [U-6:0] wide_step, thin_step;
     wire [D-1:0] wide_offset, thin_offset;
     wire         thin_n, neg_c, neg_n;
-    rational_roots #(.S(S), .U(U), .D(D)) roots (
+    spread_chords #(.S(S), .U(U), .D(D)) roots (
         .clk(clk), .in_j(place ? j1 : again ? j3 : in_j2), .out_wide_knot(wide_knot), .out_wide_step(wide_step),
         .out_wide_offset(wide_offset), .out_thin_knot(thin_knot), .out_thin_step(thin_step),
         .out_thin_offset(thin_offset), .out_thin_n(thin_n), .out_neg_c(neg_c), .out_neg_n(neg_n));

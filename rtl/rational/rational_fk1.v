@@ -41,7 +41,7 @@ module rational_fk1 #(
     wire [S+1:0] word = busy ? j1 : in_j1;
     wire [18:0]  w;
     wire [16:0]  slope;
-    spread_chord #(.S(S)) chord (
+    root_product #(.S(S)) chord (
         .clk(clk), .in_read(accept || busy), .in_s(word[S-1:0]), .in_not(busy == word[S]),
         .out_w(w), .out_slope(slope));
 

@@ -120,7 +120,7 @@ module rational_solve #(
     wire [20:0] q_near;
     /* verilator lint_on UNUSEDSIGNAL */
     wire [21+YAW:0] slope_q;
-    rational_inverse #(.TOP(YAW)) inverse (
+    reciprocal_product #(.TOP(YAW)) inverse (
         .clk(clk), .in_read(yaw[5] || plane[4]), .in_q(sum[31:11]), .out_q(q_near), .out_w(w_q), .out_slope(slope_q));
 
     // n, and c2 = n / 2 L1 L2 to 20 fraction bits; beyond +-1 it is +-1
@@ -158,7 +158,7 @@ module rational_solve #(
 
     // sqrt(1 - c2^2) = w * slope, and that of q / 2^32, of q / 2^24 where it is not big
     wire [18:0] w;
-    spread_chord #(.S(24), .B(20)) chord (
+    root_product #(.S(24), .B(20)) chord (
         .clk(clk), .in_read(plane[6] || yaw[10]), .in_not(!yaw[10]),
         .in_s(yaw[10] ? big ? q[31:8] : q[23:0] : product[39:16]), .out_w(w), .out_slope(slope));
 

@@ -14,7 +14,7 @@ import numpy as np
 from quadrance.cores import Core, Port
 from quadrance.fixed import Ints, wrap
 
-from ci import tools
+from tb.lib import tools
 from tb.lib.simulate import build_folder, cxx_flags, runtime, verilate
 from tb.lib.stimulus import Vectors
 

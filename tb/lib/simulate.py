@@ -12,7 +12,7 @@ from pathlib import Path
 from cocotb_test.simulator import run
 from quadrance.cores import Core
 
-from ci import tools
+from tb.lib import tools
 
 SIMULATORS = ("icarus", "verilator")
 OPTIMISE = "-O1"  # the build costs more than the runs it speeds up

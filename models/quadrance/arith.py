@@ -7,6 +7,7 @@ Verilog parameters and the input words by port name and returns every output wor
 from __future__ import annotations
 
 import numpy as np
+
 from quadrance import fixed
 from quadrance.fixed import Ints, ints
 

@@ -20,6 +20,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+
 from quadrance import truth
 from quadrance.arms import Arm
 from quadrance.cores import Core, Port

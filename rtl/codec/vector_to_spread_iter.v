@@ -6,7 +6,7 @@
 // Latency and II: 1 + ceil((S+1) / R). Clock 1: squares and their sum; then R quotient bits a clock.
 // Status: singular (c = n = 0 has no direction: the last word is held)
 // Source: paper eq. 3 and eq. 9; the quadrant by signs, which the paper does not recover
-// Model: joint.vector_to_spread
+// Model: codecs.vector_to_spread
 `default_nettype none
 module vector_to_spread_iter #(
     parameter W = 18,

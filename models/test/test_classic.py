@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from quadrance import classic, cordic, truth
 from quadrance.fixed import ints, wrap
-from quadrance.test_cordic import angle_bound
+
+from models.test.test_cordic import angle_bound
 
 P = {"W": 16, "F": 8, "A": 16}
 

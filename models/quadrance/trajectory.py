@@ -6,6 +6,7 @@ Deterministic, within the joint limits, on one side of the elbow; what the repor
 from __future__ import annotations
 
 import numpy as np
+
 from quadrance import truth
 from quadrance.arms import Arm, ArmError
 from quadrance.truth import Floats

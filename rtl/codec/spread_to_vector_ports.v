@@ -4,7 +4,7 @@
 //   after: round, put the roots on c and n by quadrant, give them their signs
 // Formats: in_f u0.S, in_j_then u2.S; radicands u0.(2U+2); roots u0.(U+1); out_c out_n s2.U.
 // g = 1 (f = 0) does not fit its radicand: its root, with those that round to 1 as well, is replaced by 1 after.
-// Model: joint.spread_to_vector
+// Model: codecs.spread_to_vector
 `default_nettype none
 module spread_to_vector_ports #(
     parameter S = 24,

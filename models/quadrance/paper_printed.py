@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
+
 from quadrance import truth
 from quadrance.truth import Floats, floats
 

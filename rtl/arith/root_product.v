@@ -6,9 +6,9 @@
 // Four ranges of v, from 2^-4, 2^-9, 2^-15 and 0, of 512 segments each: w is a 4:1 selection, and the slopes are stored
 // denormalised, so nothing is shifted. 1 - s is ~s followed by ones. The last range has a segment for every word.
 // Error: |sqrt - product| <= 0.52 * 2^-15, B = 20: 0.31 * 2^-15; 0 is exact; it may step back by 0.84 * 2^-15.
-// Model: joint.spread_chord
+// Model: codecs.root_product
 `default_nettype none
-module spread_chord #(
+module root_product #(
     parameter S = 24,
     parameter B = 17
 ) (

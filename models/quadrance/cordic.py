@@ -6,6 +6,7 @@ import math
 from functools import cache
 
 import numpy as np
+
 from quadrance.fixed import Ints, ints, saturate, wrap
 
 SINGULAR, OVERFLOW = 2, 4

@@ -7,7 +7,7 @@
 // at 2 and 2^-15 at 4; and what the cut of q itself is worth.
 // Model: rational.inverse
 `default_nettype none
-module rational_inverse #(
+module reciprocal_product #(
     parameter TOP = 0
 ) (
     input  wire        clk,

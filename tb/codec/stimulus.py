@@ -1,4 +1,4 @@
-"""Corners of rtl/joint: every quadrant border with its neighbours, the diagonals, the axes, no direction."""
+"""Corners of rtl/codec: every quadrant border with its neighbours, the diagonals, the axes, no direction."""
 
 from __future__ import annotations
 

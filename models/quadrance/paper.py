@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from quadrance import joint
+
+from quadrance import codecs
 from quadrance.cores import STATUS_BITS
 from quadrance.fixed import Ints, hold_last, ints, isqrt, round_shift
 
@@ -81,7 +82,7 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
 
     Ties go up in the even quadrants and down in the odd ones, where 1 - s1 is the fraction.
     """
-    answer = joint.vector_to_spread(p, in_c=in_x, in_n=in_y)
+    answer = codecs.vector_to_spread(p, in_c=in_x, in_n=in_y)
     return {"out_j1": answer["out_j"], "out_status": answer["out_status"]}
 
 

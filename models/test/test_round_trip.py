@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from quadrance import accuracy, truth
 from quadrance.cores import Core, all_cores
-from quadrance.test_paper import forward_bound, inverse_bound
+
+from models.test.test_paper import forward_bound, inverse_bound
 
 UNREACHABLE, SINGULAR = 1, 2
 ARMS = [(32.5, 27.5), (20.0, 20.0), (15.0, 30.0)]  # units: L1 > L2, L1 = L2, L1 < L2

@@ -4,7 +4,7 @@
 // Formats: in_j u2.S; out_c out_n s2.U (1.0 is 2^U), rounded to nearest, ties outward.
 // Error: <= 1/2 LSB; bit-identical to spread_to_vector_comb.
 // Latency and II: ceil((U+1) / R).
-// Source: paper eqs. 3 and 5-6 with Table I in the continuous reading. Model: joint.spread_to_vector
+// Source: paper eqs. 3 and 5-6 with Table I in the continuous reading. Model: codecs.spread_to_vector
 `default_nettype none
 module spread_to_vector_iter #(
     parameter S = 24,

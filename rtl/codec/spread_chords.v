@@ -9,7 +9,7 @@
 // out_thin_n: the sine is `thin`; out_neg_c, out_neg_n: signs of cosine and sine.
 // Model: rational.roots
 `default_nettype none
-module rational_roots #(
+module spread_chords #(
     parameter S = 24,
     parameter U = 16,
     parameter D = 12

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
 from quadrance.fixed import Ints, ints
 
 Floats = NDArray[np.float64]

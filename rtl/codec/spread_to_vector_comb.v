@@ -5,7 +5,7 @@
 // Error: <= 1/2 LSB. Roots truncated below their rounding bit round alike, so bits of f past 2U+2 change nothing.
 // Monotone in each quadrant and continuous over its borders: f = 0 gives exactly 0 and 1.
 // Latency 0. Source: paper eqs. 3 and 5-6 with Table I in the continuous reading.
-// Model: joint.spread_to_vector
+// Model: codecs.spread_to_vector
 `default_nettype none
 module spread_to_vector_comb #(
     parameter S = 24,

@@ -1,23 +1,24 @@
-"""Bit-true models of rtl/joint: codecs between turn-spread words and unit vectors (cos, sin)."""
+"""Bit-true models of rtl/codec: codecs between turn-spread words and unit vectors (cos, sin)."""
 
 from __future__ import annotations
 
 from functools import cache
 
 import numpy as np
+
 from quadrance import fixed
 from quadrance.fixed import Ints, ints
 
 Params = dict[str, int]
 
-# spread_chord: ranges of the radicand v (24 bits): width of a segment in bits, and the segments of each
+# root_product: ranges of the radicand v (24 bits): width of a segment in bits, and the segments of each
 SEGMENT_BITS = (15, 11, 6, 0)
 SEGMENTS = 512
 
 
 @cache
 def chord_slopes(bits: int = 17) -> Ints:
-    """2^(bits + 8) sqrt(h) / (2 sqrt(t)) of segment a of each range, as spread_chord.v computes it, (4, 512).
+    """2^(bits + 8) sqrt(h) / (2 sqrt(t)) of segment a of each range, as root_product.v computes it, (4, 512).
 
     t = a + 1/2, h = 2^(SEGMENT_BITS - 24); the last range holds the exact roots of a h over 2 a instead.
     Segments below the start of their range, which are never read, are filled too.
@@ -37,7 +38,7 @@ def chord_slopes(bits: int = 17) -> Ints:
     return table
 
 
-def spread_chord(p: Params, *, in_s: Ints, in_not: Ints) -> dict[str, Ints]:
+def root_product(p: Params, *, in_s: Ints, in_not: Ints) -> dict[str, Ints]:
     """Factors of the square root of a spread (or of its complement): sqrt(v) ~ w * slope / 2^(B + 17).
 
     At B = 17 (default) |sqrt(v) - w * slope / 2^34| <= 0.52 / 2^15, and 0 at v = 0.

@@ -12,7 +12,6 @@ family = "rational"
 function = "fk1"
 architecture = "table"
 model = "fixed.isqrt"
-sources = ["rational/x.v", "joint/y.v"]
 cfg = { l1 = "uW" }
 in = { j1 = "u2+S" }
 out = { x = "sW", y = "smax(W, S)" }
@@ -23,13 +22,13 @@ sets = [ { id = "S24", params = { W = 16, S = 24 }, latency = 3, ii = 1 },
 
 
 def test_expansion_of_one_entry():
-    first, second = cores._expand("x", ENTRY)
-    assert (first.id, second.id) == ("x-S24", "x-S8")
+    first, second = cores._expand("isqrt_iter", ENTRY)
+    assert (first.id, second.id) == ("isqrt_iter-S24", "isqrt_iter-S8")
     assert first.inputs == (Port("in_j1", 26, False),) and second.inputs[0].width == 10
     assert first.cfg == (Port("cfg_l1", 16, False),)
     assert first.outputs == (Port("out_x", 16, True), Port("out_y", 24, True), Port("out_status", 4, False))
     assert second.outputs[1].width == 16
-    assert [path.name for path in first.sources] == ["x.v", "y.v"] and first.sources[0].parent.parent == cores.RTL
+    assert [path.name for path in first.sources] == ["isqrt_iter.v", "isqrt_comb.v", "isqrt_digits.v"]
     assert first.first_set and not second.first_set
     assert first.clocked and not second.clocked
     assert first.model([9])[0] == 3
@@ -38,7 +37,7 @@ def test_expansion_of_one_entry():
 
 def test_an_entry_without_status_has_no_status_port():
     entry = {key: value for key, value in ENTRY.items() if key not in ("status", "cfg")}
-    core = cores._expand("x", entry)[0]
+    core = cores._expand("isqrt_iter", entry)[0]
     assert core.status is None and core.cfg == () and core.outputs[-1].name == "out_y"
 
 
@@ -49,7 +48,7 @@ def test_range_of_a_port(port, low, high):
 
 
 @pytest.mark.parametrize("change, message", [
-    ({"familly": "x"}, "cores.toml: x: unknown key familly"),
+    ({"familly": "x"}, "cores.toml: isqrt_iter: unknown key familly"),
     ({"model": None}, "missing key model"),
     ({"family": "vector"}, "family 'vector' is not one of arith"),
     ({"status": ["late"]}, "status: unknown bit late"),
@@ -63,8 +62,8 @@ def test_a_wrong_entry_is_refused_with_its_name(change, message):
     entry.update(change)
     entry = {key: value for key, value in entry.items() if value is not None}
     with pytest.raises(ValueError) as error:
-        cores._expand("x", entry)
-    assert message in str(error.value) and "cores.toml: x" in str(error.value)
+        cores._expand("isqrt_iter", entry)
+    assert message in str(error.value) and "cores.toml: isqrt_iter" in str(error.value)
 
 
 def test_the_list_itself():
@@ -78,3 +77,9 @@ def test_the_list_itself():
     assert cores.find(listed[0].name) is listed[0]
     with pytest.raises(KeyError, match="no core 'nothing'"):
         cores.find("nothing")
+
+
+def test_sources_follow_the_instances():
+    assert cores.sources_of("isqrt_comb") == tuple(cores.RTL / f"arith/isqrt_{part}.v" for part in ("comb", "digits"))
+    with pytest.raises(ValueError, match="cores.toml: nothing: there is no nothing.v"):
+        cores.sources_of("nothing")

@@ -6,7 +6,8 @@ from functools import cache
 from math import isqrt
 
 import numpy as np
-from quadrance import joint
+
+from quadrance import codecs
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 
 Params = dict[str, int]
@@ -24,7 +25,7 @@ def fk1(p: Params, *, in_j1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
     odd, lower = ints(in_j1) >> s & 1, ints(in_j1) >> s + 1 & 1
 
     def coordinate(complement: Ints, negative: Ints) -> tuple[Ints, Ints]:
-        root = joint.spread_chord(p, in_s=spread, in_not=complement)
+        root = codecs.root_product(p, in_s=spread, in_not=complement)
         n = (ints(cfg_l1) * root["out_w"] >> 14) * 2 + 1
         value, over = saturate(round_shift(np.where(negative, -n, n) * root["out_slope"], 21), p["W"])
         return value, over
@@ -76,7 +77,7 @@ def _knots(u: int, h: int) -> Ints:
 
 
 def roots(p: Params, word: Ints) -> tuple[Ints, Ints]:
-    """(cos, sin) of a turn-spread word as odd integers of 2^-(U+1), each within 0.83 / 2^U at U = 16: rational_roots.v.
+    """(cos, sin) of a turn-spread word as odd integers of 2^-(U+1), each within 0.83 / 2^U at U = 16: spread_chords.v.
 
     With f the fraction and v = min(f, 1 - f) the roots are those of v and 1 - v, on chords of 512 segments a
     range and of 256; 1 - f is the one's complement followed by ones.
@@ -152,7 +153,7 @@ def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
 
 @cache
 def _slopes() -> Ints:
-    """2^18 / q^2 in the middle of q = a / 512 to (a + 1) / 512, raised as rational_inverse.v says.
+    """2^18 / q^2 in the middle of q = a / 512 to (a + 1) / 512, raised as reciprocal_product.v says.
 
     Below 1/4 such that 1 / q stays just below 4.
     """
@@ -199,7 +200,7 @@ def _elbow(p: Params, x: Ints, y: Ints, more: int, k: Ints, qs: Ints, gap: Ints,
     square = c2 * c2
     j2 = _about_axis(p["S"], 1 + 2 * elbow, short == (elbow != 0), square)
 
-    root = joint.spread_chord({"S": 24, "B": 20}, in_s=square >> 16 & 0xFFFFFF, in_not=ints(1))
+    root = codecs.root_product({"S": 24, "B": 20}, in_s=square >> 16 & 0xFFFFFF, in_not=ints(1))
     k1 = (l1 << 3) + (c2 * l2 >> 17)
     k2 = (root["out_w"] * l2 >> 9) * root["out_slope"] >> 25
     one = np.where(k1 < 0, -1, 1) << 19
@@ -234,7 +235,7 @@ def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1
     x, y, z = x << near, y << near, z << k
     qs = x * x + y * y >> 11
     j3 = _direction(p, x << 5, y << 5, qs, ints(1))
-    root = joint.spread_chord({"S": 24, "B": 20}, in_s=np.where(large, square >> 8, square), in_not=ints(0))
+    root = codecs.root_product({"S": 24, "B": 20}, in_s=np.where(large, square >> 8, square), in_not=ints(0))
     rho = (root["out_w"] << np.where(large, 7, 3)) * (root["out_slope"] << 2) >> 27  # 3 fraction bits
     fine = (2 * rho + 1) << k
     rho = fine >> 3  # 1 fraction bit

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from quadrance import joint, truth
+from quadrance import codecs, truth
 
 
 def _sweep(s: int, count: int = 20000) -> np.ndarray:
@@ -17,7 +17,7 @@ def _sweep(s: int, count: int = 20000) -> np.ndarray:
 
 
 def _vector(word: np.ndarray, s: int, u: int) -> tuple[np.ndarray, np.ndarray]:
-    answer = joint.spread_to_vector({"S": s, "U": u}, in_j=word)
+    answer = codecs.spread_to_vector({"S": s, "U": u}, in_j=word)
     return answer["out_c"], answer["out_n"]
 
 
@@ -58,7 +58,7 @@ def test_vector_to_spread_is_the_nearest_word(c, n):
     if c == 0 and n == 0:
         return
     s = 24
-    word = int(joint.vector_to_spread({"W": 18, "S": s}, in_c=np.array([c]), in_n=np.array([n]))["out_j"][0])
+    word = int(codecs.vector_to_spread({"W": 18, "S": s}, in_c=np.array([c]), in_n=np.array([n]))["out_j"][0])
     k = (2 if c < 0 else 3) if n < 0 else (1 if c < 0 else 0)
     part = n * n if k % 2 == 0 else c * c
     # |word - exact| <= 1/2 in exact integers, modulo the full circle
@@ -75,7 +75,7 @@ def test_vector_to_spread_never_falls_with_the_angle():
     keep = (c != 0) | (n != 0)
     c, n = c[keep], n[keep]
     order = np.argsort(np.arctan2(n, c) % (2 * np.pi), kind="stable")
-    word = joint.vector_to_spread({"W": 12, "S": 24}, in_c=c[order], in_n=n[order])["out_j"]
+    word = codecs.vector_to_spread({"W": 12, "S": 24}, in_c=c[order], in_n=n[order])["out_j"]
     wrapped = word[(word > 0) | (np.arange(word.size) < word.size // 2)]  # the last half LSB rounds to a full turn, 0
     assert (np.diff(wrapped) >= 0).all()
 
@@ -85,7 +85,7 @@ def test_there_and_back(s, u):
     """Half an LSB on both coordinates turns the vector by d <= sqrt(1/2) 2^-u: ds <= |sin 2 theta| d + d^2, and 1/2."""
     word = _sweep(s)
     c, n = _vector(word, s, u)
-    back = joint.vector_to_spread({"W": u + 2, "S": s}, in_c=c, in_n=n)["out_j"]
+    back = codecs.vector_to_spread({"W": u + 2, "S": s}, in_c=c, in_n=n)["out_j"]
     size = 4 << s
     away = np.abs((back - word + size // 2) % size - size // 2)
     turn = np.sqrt(0.5) * 2.0**-u / (1 - 2.0**-u)
@@ -94,7 +94,7 @@ def test_there_and_back(s, u):
 
 
 def test_no_direction_holds_the_last_word():
-    answer = joint.vector_to_spread({"W": 8, "S": 13}, in_c=np.array([0, 5, 0, -5]), in_n=np.array([0, 5, 0, 0]))
+    answer = codecs.vector_to_spread({"W": 8, "S": 13}, in_c=np.array([0, 5, 0, -5]), in_n=np.array([0, 5, 0, 0]))
     assert answer["out_j"].tolist() == [0, 1 << 12, 1 << 12, 2 << 13]
     assert answer["out_status"].tolist() == [2, 0, 2, 0]
 
@@ -104,7 +104,7 @@ def test_chord_slopes_cover_every_read(bits, bound):
     """|sqrt(v) - w slope / 2^(B + 17)| <= bound / 2^15 over both readings of a 16-bit spread, and 0 at 0."""
     v = np.arange(1 << 16)
     for flip in (0, 1):
-        parts = joint.spread_chord({"S": 16, "B": bits}, in_s=v, in_not=np.full(v.shape, flip))
+        parts = codecs.root_product({"S": 16, "B": bits}, in_s=v, in_not=np.full(v.shape, flip))
         root = parts["out_w"] * parts["out_slope"] / 2.0 ** (bits + 17)
         exact = np.sqrt((65536 - v) / 65536 if flip else v / 65536)
         assert np.abs(root - exact).max() <= bound / 2**15 + 2.0**-24

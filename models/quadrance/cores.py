@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 RTL = ROOT / "rtl"
 STATUS_BITS = {"unreachable": 0, "singular": 1, "overflow": 2, "not_converged": 3}
-FAMILIES = ("arith", "cordic", "joint", "paper", "rational", "classic", "engine")
+FAMILIES = ("arith", "cordic", "codec", "paper", "rational", "classic", "engine")
 
 
 @dataclass(frozen=True)
@@ -88,10 +88,10 @@ def _port(prefix: str, name: str, spec: str, params: dict[str, int], where: str)
 
 def _expand(name: str, entry: dict) -> list[Core]:
     where = f"cores.toml: {name}"
-    known = {"family", "function", "architecture", "sources", "cfg", "in", "out", "status", "model", "sets", "illegal"}
+    known = {"family", "function", "architecture", "cfg", "in", "out", "status", "model", "sets", "illegal"}
     if extra := set(entry) - known:
         raise ValueError(f"{where}: unknown key {sorted(extra)[0]}")
-    if missing := {"family", "function", "architecture", "sources", "in", "out", "model", "sets"} - set(entry):
+    if missing := {"family", "function", "architecture", "in", "out", "model", "sets"} - set(entry):
         raise ValueError(f"{where}: missing key {sorted(missing)[0]}")
     if entry["family"] not in FAMILIES:
         raise ValueError(f"{where}: family '{entry['family']}' is not one of {', '.join(FAMILIES)}")
@@ -110,13 +110,38 @@ def _expand(name: str, entry: dict) -> list[Core]:
             name=name, family=entry["family"], function=entry["function"],
             architecture=entry["architecture"], set_id=one["id"], params=params,
             latency=one["latency"], ii=one["ii"],
-            sources=tuple(RTL / source for source in entry["sources"]),
+            sources=sources_of(name),
             cfg=tuple(_port("cfg", key, spec, params, where) for key, spec in entry.get("cfg", {}).items()),
             inputs=tuple(_port("in", key, spec, params, where) for key, spec in entry["in"].items()),
             outputs=tuple(outputs), status=None if status is None else tuple(status),
             model_name=entry["model"], first_set=index == 0,
             illegal=tuple(entry.get("illegal", ()))))
     return cores
+
+
+@cache
+def _modules() -> dict[str, Path]:
+    """Every Verilog file of the house by the name of its module."""
+    return {path.stem: path for path in sorted(RTL.rglob("*.v"))}
+
+
+@cache
+def _instances(name: str) -> tuple[str, ...]:
+    """Modules of the house that module `name` instantiates, in the order of the text."""
+    text = re.sub(r"//[^\n]*|/\*.*?\*/", "", _modules()[name].read_text(), flags=re.S)
+    found = re.findall(r"^\s*(\w+)\s+(?:#\s*\(|\w+\s*\()", text, re.M)
+    return tuple(dict.fromkeys(module for module in found if module in _modules() and module != name))
+
+
+@cache
+def sources_of(top: str) -> tuple[Path, ...]:
+    """The Verilog files of core `top`: its own first, then those of all instances below it."""
+    if top not in _modules():
+        raise ValueError(f"cores.toml: {top}: there is no {top}.v below rtl/")
+    names = [top]
+    for name in names:
+        names += [module for module in _instances(name) if module not in names]
+    return tuple(_modules()[name] for name in names)
 
 
 @cache

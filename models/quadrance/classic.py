@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+
 from quadrance.cordic import OVERFLOW, SINGULAR, aim, angle, turn
 from quadrance.fixed import Ints, hold_last, ints, isqrt, saturate, wrap
 
