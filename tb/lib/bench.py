@@ -42,7 +42,7 @@ def _chance(probability: float):
 
 
 async def _fresh(dut) -> Bench:
-    Clock(dut.clk, 10, unit="ns").start()
+    Clock(dut.clk, 10, unit="ns", impl="gpi").start(start_high=False)  # after the first values are written
     bench = Bench(dut, CORE)
     bench.configure(stimulus.configs(CORE, _rng())[0])
     bench.start()

@@ -11,9 +11,11 @@ from dataclasses import dataclass, field
 import cocotb
 import numpy as np
 from cocotb.triggers import RisingEdge
+from cocotb.types import Logic
 from quadrance.cores import Core, Port
 
 Sample = tuple[int, ...]
+LOW, HIGH = Logic("0"), Logic("1")  # cocotb keeps one object a value
 
 
 def to_word(port: Port, value: int) -> int:
@@ -31,9 +33,9 @@ def read(handle, port: Port) -> int:
 
 def bit(handle) -> bool:
     """A control bit; an X there is an error."""
-    text = str(handle.value)
-    assert text in "01", f"{handle._name} is {text}"
-    return text == "1"
+    value = handle.value
+    assert value is LOW or value is HIGH, f"{handle._name} is {value}"
+    return value is HIGH
 
 
 @dataclass
@@ -82,6 +84,9 @@ class Bench:
         self.cfg: dict[str, int] = {}
         self.cycle = 0
         self.pressure: Iterable[bool] = iter(lambda: False, None)
+        self.edge = RisingEdge(dut.clk)
+        self.inputs = [(getattr(dut, port.name), port) for port in core.inputs]
+        self.outputs = [(getattr(dut, port.name), port) for port in core.outputs]
         dut.in_valid.value = 0
         dut.out_ready.value = 0
         for port in (*core.cfg, *core.inputs):
@@ -106,69 +111,73 @@ class Bench:
 
     def start(self) -> None:
         """Let sink and monitors run until the test ends."""
-        cocotb.start_soon(self._sink())
-        cocotb.start_soon(self._monitor())
+        cocotb.start_soon(self._watch())
 
-    async def _sink(self) -> None:
-        while True:
-            self.dut.out_ready.value = int(not next(self.pressure))
-            await RisingEdge(self.dut.clk)
-
-    async def _monitor(self) -> None:
-        dut, core = self.dut, self.core
-        handles = [(getattr(dut, port.name), port) for port in core.outputs]
-        inputs = [(getattr(dut, port.name), port) for port in core.inputs]
+    async def _watch(self) -> None:
+        """Sink and both monitors, a pass a clock: what every edge saw, then out_ready for the next one."""
+        dut = self.dut
+        rst, in_valid, in_ready = dut.rst, dut.in_valid, dut.in_ready
+        out_valid, out_ready = dut.out_valid, dut.out_ready
         held: Sample | None = None
         shown = False
+        ready = False
         while True:
-            await RisingEdge(dut.clk)
+            wanted = not next(self.pressure)
+            if wanted != ready:
+                out_ready.value = int(wanted)
+                ready = wanted
+            await self.edge
             self.cycle += 1
-            if bit(dut.rst):
+            if bit(rst):
                 held, shown = None, False
                 continue
-            valid, ready = bit(dut.out_valid), bit(dut.out_ready)
+            valid = bit(out_valid)
             assert valid or held is None, "out_valid fell before out_ready took the result"
             if valid:
-                sample = tuple(read(handle, port) for handle, port in handles)
+                sample = tuple(read(handle, port) for handle, port in self.outputs)
                 assert held in (None, sample), f"result changed while it waited: {held} to {sample}"
                 if not shown:
                     self.board.valid_cycle.append(self.cycle)
                 held, shown = (None, False) if ready else (sample, True)
                 if ready:
                     self.board.results.append(sample)
-            if bit(dut.in_valid) & bit(dut.in_ready):
-                self.board.accepted.append((*(self.cfg[port.name] for port in core.cfg),
-                                            *(read(handle, port) for handle, port in inputs)))
+            if bit(in_ready) and bit(in_valid):
+                self.board.accepted.append((*(self.cfg[port.name] for port in self.core.cfg),
+                                            *(read(handle, port) for handle, port in self.inputs)))
                 self.board.accept_cycle.append(self.cycle)
 
     async def send(self, vectors: dict[str, np.ndarray], idle: Callable[[], int] = lambda: 0,
                    patience: int = 4000) -> None:
         """Drive every sample; `idle()` cycles without valid before each."""
-        dut = self.dut
-        handles = [(getattr(dut, port.name), port) for port in self.core.inputs]
+        in_valid, in_ready = self.dut.in_valid, self.dut.in_ready
+        offered = False
         columns = [np.asarray(vectors[port.name]).tolist() for port in self.core.inputs]
         for row in zip(*columns):
             for _ in range(idle()):
-                dut.in_valid.value = 0
-                await RisingEdge(dut.clk)
-            dut.in_valid.value = 1
-            for (handle, port), value in zip(handles, row):
+                if offered:
+                    in_valid.value = 0
+                    offered = False
+                await self.edge
+            if not offered:
+                in_valid.value = 1
+                offered = True
+            for (handle, port), value in zip(self.inputs, row):
                 handle.value = to_word(port, value)
             for _ in range(patience):
-                await RisingEdge(dut.clk)
-                if bit(dut.in_ready):
+                await self.edge
+                if bit(in_ready):
                     break
             else:
                 raise AssertionError(f"no in_ready for {patience} cycles")
-        dut.in_valid.value = 0
+        in_valid.value = 0
 
     async def drain(self, patience: int = 4000) -> None:
         """Wait until every accepted sample has its result, then a little for one too many."""
-        await RisingEdge(self.dut.clk)
+        await self.edge
         for _ in range(patience):
-            await RisingEdge(self.dut.clk)
+            await self.edge
             if len(self.board.results) == len(self.board.accepted):
                 break
         for _ in range(4 + (self.core.latency or 0)):
-            await RisingEdge(self.dut.clk)
+            await self.edge
         self.board.check()
