@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
     uint64_t cycle = 0;
     std::vector<uint64_t> accepted(count);
     bool offered = false;
+    unsigned stall = 0;  // clocks left of a long stall
     top.rst = 1; top.in_valid = 0; top.out_ready = 0;
     for (int i = 0; i < 4; ++i) { top.clk = 0; top.eval(); top.clk = 1; top.eval(); }
     top.rst = 0;
@@ -59,7 +60,9 @@ int main(int argc, char** argv) {
             offered = true;
         }
         top.in_valid = offered;
-        top.out_ready = !(dice & 2);
+        if (stall) --stall;
+        else if (gaps && !(dice & 0xff8)) stall = 65 + (dice >> 12 & 127);
+        top.out_ready = !stall && !(dice & 2);
         top.eval();
         const bool push = offered && top.in_ready;
         if (top.out_valid && shown == taken) {

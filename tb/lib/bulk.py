@@ -110,3 +110,16 @@ def compare(core: Core, inputs: Vectors, cfg: dict[str, int], result: Result) ->
             want = int(np.broadcast_to(answer[port.name], result.latency.shape)[i])
             raise AssertionError(f"{core.id} {cfg} {sample}: {port.name} = {int(result.outputs[port.name][i])}, model "
                                  f"{want} ({wrong.size} of {result.latency.size} samples differ)")
+
+
+def timing(core: Core, result: Result, stalled: bool = False) -> None:
+    """Assert that latency, and interval at the full rate, are those of cores.toml on every sample."""
+    late = np.flatnonzero(result.latency != core.latency)
+    assert not late.size, f"{core.id}: latency {result.latency[late[0]]} of sample {late[0]}, " \
+                          f"cores.toml says {core.latency} ({late.size} samples differ)"
+    if stalled:
+        return
+    steps = np.diff(result.accepted)
+    odd = np.flatnonzero(steps != core.ii)
+    assert not odd.size, f"{core.id}: sample {odd[0] + 1} accepted {steps[odd[0]]} clocks after the one before it, " \
+                         f"cores.toml says {core.ii} ({odd.size} samples differ)"

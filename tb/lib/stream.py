@@ -5,6 +5,7 @@ All of them sample just after the rising edge, where a signal still has the valu
 
 from __future__ import annotations
 
+import random
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
@@ -92,13 +93,19 @@ class Bench:
         for port in (*core.cfg, *core.inputs):
             getattr(dut, port.name).value = 0
 
-    async def reset(self, cycles: int = 2) -> None:
-        """Drop what is in flight; the results so far must still be a prefix of the right ones."""
+    async def reset(self, cycles: int = 2, offer: Callable[[], bool] = lambda: False) -> None:
+        """Drop what is in flight; the results so far must still be a prefix of the right ones.
+
+        `offer()` says clock by clock whether a random word stands at the input meanwhile: it must not be taken.
+        """
         self.dut.rst.value = 1
-        self.dut.in_valid.value = 0
         for _ in range(cycles):
-            await RisingEdge(self.dut.clk)
+            self.dut.in_valid.value = int(offer())
+            for handle, port in self.inputs:
+                handle.value = to_word(port, random.randint(port.low, port.high))
+            await self.edge
         self.dut.rst.value = 0
+        self.dut.in_valid.value = 0
         self.board.check(complete=False)
         self.board = Scoreboard(self.core)
 
