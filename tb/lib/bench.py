@@ -160,7 +160,7 @@ async def latency_and_interval(dut):
     """Latency and initiation interval are the ones of cores.toml, on every sample, undefined ones included."""
     bench = await _fresh(dut)
     rng = _rng()
-    samples = stimulus.uniform(CORE, rng, 20)
+    samples = stimulus.uniform(CORE, rng, 40)
     mixed = {name: np.concatenate([words, samples[name]]) for name, words in _undefined_first(bench.cfg, 20).items()}
     await bench.send(mixed, lambda: 2 * CORE.latency + 2)
     await bench.drain()

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
-import hashlib
-import shutil
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,7 +12,7 @@ from quadrance.cores import Core, Port
 from quadrance.fixed import Ints, wrap
 
 from tb.lib import tools
-from tb.lib.simulate import build_folder, cxx_flags, runtime, verilate
+from tb.lib.simulate import build_folder, cxx_flags, locked, runtime, verilate
 from tb.lib.stimulus import Vectors
 
 SOURCE = Path(__file__).with_name("bulk.cpp")
@@ -57,20 +54,14 @@ def build(core: Core, label: str = "") -> Path:
     if wide:
         raise ValueError(f"{core.id}: bulk runs carry words of at most 64 bits, {wide[0]} is wider")
     accessors = _accessors(core)
-    texts = "".join(source.read_text() for source in (*core.sources, SOURCE))
-    digest = hashlib.sha256(f"{texts}{accessors}{core.params}{tools.versions()}".encode()).hexdigest()[:16]
-    program = tools.BUILD / "bulk" / f"{core.id}{label}-{digest}"
-    program.parent.mkdir(parents=True, exist_ok=True)
-    with open(program.with_suffix(".lock"), "w") as lock:  # two tests of one core build it once
-        fcntl.flock(lock, fcntl.LOCK_EX)
+    with locked(build_folder(core, "bulk", label, SOURCE.read_text(), accessors)) as folder:
+        program = folder / "bulk"
         if not program.exists():
-            _compile(core, label, accessors, program)
+            _compile(core, folder, accessors, program)
     return program
 
 
-def _compile(core: Core, label: str, accessors: str, program: Path) -> None:
-    folder = build_folder(core, "bulk", label)
-    shutil.rmtree(folder, ignore_errors=True)
+def _compile(core: Core, folder: Path, accessors: str, program: Path) -> None:
     parts = [*verilate(core, folder), SOURCE]  # one compilation: most of it is the headers they share
     (folder / "ports.inc").write_text(accessors)
     (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts))

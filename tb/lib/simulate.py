@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import fcntl
+import hashlib
 import logging
 import os
 import pickle
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 from cocotb_test.simulator import run
@@ -23,9 +26,24 @@ def available(simulator: str) -> bool:
     return simulator != "icarus" or shutil.which("iverilog", path=tools.environment()["PATH"]) is not None
 
 
-def build_folder(core: Core, simulator: str, label: str = "") -> Path:
-    """A folder no other core, parameter set or simulator uses."""
-    return tools.BUILD / "sim" / simulator / (core.id + label)
+def digest(*parts: object) -> str:
+    """Name of a build by all that it depends on."""
+    return hashlib.sha256(repr((tools.versions(), *parts)).encode()).hexdigest()[:16]
+
+
+def build_folder(core: Core, simulator: str, label: str = "", *parts: object) -> Path:
+    """A folder that no other sources, parameters, tools or `parts` share: nothing in it can be stale."""
+    texts = [source.read_text() for source in core.sources]
+    return tools.BUILD / "sim" / simulator / f"{core.id}{label}-{digest(texts, core.params, core.name, *parts)}"
+
+
+@contextlib.contextmanager
+def locked(folder: Path) -> Iterator[Path]:
+    """`folder`, made if need be, for this process alone: a second run in the same checkout waits."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield folder
 
 
 def cxx_flags() -> list[str]:
@@ -45,16 +63,16 @@ def verilate(core: Core, folder: Path) -> list[Path]:
 
 def runtime() -> list[Path]:
     """Verilator's own run-time, compiled once and linked into every core: it is most of a build."""
-    folder = tools.BUILD / "verilator-runtime"
-    folder.mkdir(parents=True, exist_ok=True)
     include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
     flags = cxx_flags()
-    objects = [folder / f"{name}.o" for name in ("verilated", "verilated_dpi", "verilated_vpi", "verilated_threads")]
-    with open(folder / "lock", "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        for target in objects:
+    objects = []
+    with locked(tools.BUILD / "verilator-runtime" / digest(flags)) as folder:
+        for name in ("verilated", "verilated_dpi", "verilated_vpi", "verilated_threads"):
+            objects.append(target := folder / f"{name}.o")
             if not target.exists():
-                tools.run("g++", *flags, "-c", "-o", target, include / f"{target.stem}.cpp")
+                partial = target.with_suffix(".partial")
+                tools.run("g++", *flags, "-c", "-o", partial, include / f"{name}.cpp")
+                partial.rename(target)  # an interrupted compilation leaves nothing that could be linked
     return objects
 
 
@@ -77,8 +95,13 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
     """
     if not available(simulator):
         tools.require("iverilog")
-    folder = build_folder(core, simulator, label)
-    folder.mkdir(parents=True, exist_ok=True)
+    with locked(build_folder(core, simulator, label, waves, parameters)) as folder:
+        _run(core, simulator, folder, module, tests, seed, waves, compile_only, parameters)
+    return folder
+
+
+def _run(core: Core, simulator: str, folder: Path, module: str, tests: str | None, seed: int | None, waves: bool,
+         compile_only: bool, parameters: bool) -> None:
     (folder / "core.pickle").write_bytes(pickle.dumps(core))
     previous = dict(os.environ)
     os.environ.update(tools.environment())
@@ -101,4 +124,3 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
         os.environ.update(previous)
     for stale in folder.glob("*_results.xml"):
         stale.unlink()
-    return folder

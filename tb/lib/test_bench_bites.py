@@ -1,5 +1,6 @@
 """The bench on cores broken on purpose: a check that never failed is not yet a check."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,11 +9,12 @@ from quadrance.cores import Core, Port
 
 from tb.lib import bulk
 from tb.lib.simulate import simulate
-from tb.lib.suite import SEED, simulators
+from tb.lib.suite import SEED, bulk_run, simulators
 
 FAULTS = {1: "out_valid_stuck_at_0", 2: "drops_a_sample_under_back_pressure", 3: "one_lsb_off_on_some_words",
           4: "result_changes_while_it_waits", 5: "late_after_some_words", 6: "survives_a_reset", 7: "sends_twice",
-          8: "valid_waits_for_ready"}
+          8: "valid_waits_for_ready", 9: "takes_a_word_in_a_reset", 10: "needs_two_clocks_of_reset",
+          11: "not_ready_after_some_words", 12: "drops_what_waits_for_more_than_64_clocks"}
 
 
 class Specimen(Core):
@@ -50,11 +52,10 @@ def test_broken_core_fails(fault):
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("fault", (2, 3), ids=FAULTS.get)
+@pytest.mark.parametrize("fault", (2, 3, 11, 12), ids=FAULTS.get)
 def test_broken_core_fails_in_bulk(fault):
-    core, words = specimen(fault), {"in_data": np.arange(256)}
     with pytest.raises((AssertionError, RuntimeError)):
-        bulk.compare(core, words, {}, bulk.stream(core, words, seed=SEED))
+        bulk_run(specimen(fault), 100_000, SEED)
 
 
 @pytest.mark.full
@@ -62,3 +63,28 @@ def test_bulk_reports_latency_and_interval():
     result = bulk.stream(specimen(0), {"in_data": np.arange(256)})
     assert set(result.latency) == {1} and result.ii == 1
     assert np.array_equal(result.outputs["out_data"], np.arange(256))
+
+
+@pytest.mark.full
+def test_builds_of_other_sources_do_not_meet(tmp_path):
+    """Two cores of one name: the sound one first, then a broken one, then the sound one again."""
+    sound = specimen(0)
+    text = sound.sources[0].read_text()
+    words = {"in_data": np.arange(256)}
+    assert "in_data" in text
+    broken = tmp_path / "specimen.v"
+    broken.write_text(text.replace("<= in_data", "<= ~in_data"))
+    assert broken.read_text() != text
+    bulk.compare(sound, words, {}, bulk.stream(sound, words))
+    with pytest.raises(AssertionError, match="out_data"):
+        bulk.compare(sound, words, {}, bulk.stream(replace(sound, sources=(broken,)), words))
+    bulk.compare(sound, words, {}, bulk.stream(sound, words))
+
+
+@pytest.mark.full
+def test_a_truncated_build_is_made_again():
+    core, words = specimen(0), {"in_data": np.arange(16)}
+    program = bulk.build(core, "-torn")
+    program.unlink()
+    (program.parent / "bulk.partial").write_bytes(b"half")
+    bulk.compare(core, words, {}, bulk.stream(core, words, label="-torn"))
