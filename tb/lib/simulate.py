@@ -11,6 +11,7 @@ import pickle
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from xml.etree import ElementTree
 
 from cocotb_test.simulator import run
 from quadrance.cores import Core
@@ -79,7 +80,9 @@ def runtime() -> list[Path]:
 def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests: str | None = None,
              seed: int | None = None, waves: bool = False, label: str = "", compile_only: bool = False,
              parameters: bool = True) -> Path:
-    """Build `core` and run the cocotb tests of `module` on it; raises SystemExit when one fails.
+    """Build `core` and run the cocotb tests of `module` on it.
+
+    Raises SystemExit when a test fails, RuntimeError when the core cannot be built or the simulator ends early.
 
     Parameters
     ----------
@@ -119,6 +122,10 @@ def _run(core: Core, simulator: str, folder: Path, module: str, tests: str | Non
             testcase=tests, seed=seed, waves=waves, compile_only=compile_only,
             extra_env={"QUADRANCE_CORE": str(folder / "core.pickle")},
             compile_args=[] if simulator == "icarus" else ["-Wno-fatal", "-Wno-lint", "-Wno-style"], **extra)
+    except (SystemExit, ElementTree.ParseError) as error:  # cocotb-test exits for every reason, and says which
+        if str(error).startswith("FAILED"):
+            raise
+        raise RuntimeError(f"{core.id} in {simulator}: {error}") from None
     finally:
         os.environ.clear()
         os.environ.update(previous)

@@ -30,10 +30,10 @@ def simulators() -> list[str]:
     return usable
 
 
-def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None) -> int:
+def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, label: str = "") -> int:
     """Corners and random words (all words of a narrow input) at every configuration; how many were compared.
 
-    `built` is what is compiled in place of `core`: the same ports from other sources.
+    `built` is what is compiled in place of `core`, in folders that bear `label`: the same ports from other sources.
     """
     rng = np.random.default_rng(seed)
     configs = stimulus.configs(core, rng)
@@ -44,7 +44,7 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None) 
         corners = stimulus.corners(core, cfg)
         inputs = {name: np.concatenate([corners[name], words]) for name, words in inputs.items()}
         # every configuration at the full rate, and a part of it with idle cycles and stalls
-        result = bulk.stream(built or core, inputs, cfg)
+        result = bulk.stream(built or core, inputs, cfg, label=label)
         bulk.compare(core, inputs, cfg, result)
         total += result.latency.size
         if not core.clocked:
@@ -54,7 +54,7 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None) 
         size = result.latency.size
         pick = np.sort(rng.integers(0, size, max(size // STALLED, FEW)))
         few = {name: words[pick] for name, words in inputs.items()}
-        result = bulk.stream(built or core, few, cfg, seed=seed + index + 1)
+        result = bulk.stream(built or core, few, cfg, seed=seed + index + 1, label=label)
         bulk.compare(core, few, cfg, result)
         if core.ii == core.latency > 1:  # one sample at a time: a stall delays the next one, never the one inside
             bulk.timing(core, result, stalled=True)

@@ -27,6 +27,15 @@ def environment() -> dict[str, str]:
     return env
 
 
+class ToolError(RuntimeError):
+    """A tool that ended with an error: its name, exit code and last lines."""
+
+    def __init__(self, tool: str, code: int, output: str) -> None:
+        tail = "\n".join(output.splitlines()[-25:])
+        super().__init__(f"{tool} failed ({code}):\n{tail}")
+        self.code = code
+
+
 HINTS = {
     "iverilog": "install Icarus Verilog 11 or newer from the system's packages (Debian: apt-get install iverilog)",
     "vvp": "install Icarus Verilog 11 or newer from the system's packages (Debian: apt-get install iverilog)",
@@ -51,7 +60,7 @@ def require(tool: str) -> str:
 
 def run(tool: str, *args: str | Path, cwd: Path = ROOT, log: Path | None = None,
         timeout: float | None = None) -> str:
-    """Run `tool`, return its output; on failure, or after `timeout` seconds, raise RuntimeError."""
+    """Run `tool`, return its output; on failure raise ToolError, after `timeout` seconds RuntimeError."""
     try:
         done = subprocess.run([require(tool), *map(str, args)], cwd=cwd, env=environment(), timeout=timeout,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -61,8 +70,7 @@ def run(tool: str, *args: str | Path, cwd: Path = ROOT, log: Path | None = None,
         log.parent.mkdir(parents=True, exist_ok=True)
         log.write_text(done.stdout)
     if done.returncode:
-        tail = "\n".join(done.stdout.splitlines()[-25:])
-        raise RuntimeError(f"{tool} failed ({done.returncode}):\n{tail}")
+        raise ToolError(tool, done.returncode, done.stdout)
     return done.stdout
 
 
