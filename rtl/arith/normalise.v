@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Normalisation of several 16-bit words by the redundant sign bits that all of them have: their count, and the shifter.
+//   out_k = number of bits below the sign bit that repeat it in every word; out_x = in_x << in_k
+// Formats: in_used = OR over the words w of w[14:0] ^ w[15:1]; out_k u4.0, 15 where every word is 0 or -1.
+// in_x has B bits and any fraction; a word that was counted does not lose its sign. Combinational, error 0.
+// The two halves are independent: a user registers the count, or shifts several words by it, one after the other.
+// Model: rational._zeros
+`default_nettype none
+module normalise #(
+    parameter B = 16  // bits of the shifted word, 16 or more: 16, the words that are counted
+) (
+    input  wire [14:0]  in_used,
+    output reg  [3:0]   out_k,
+    input  wire [3:0]   in_k,
+    input  wire [B-1:0] in_x,
+    output wire [B-1:0] out_x
+);
+    integer i;
+    always @* begin
+        out_k = 4'd15;
+        for (i = 0; i < 15; i = i + 1)
+            if (in_used[i])
+                out_k = 4'd14 - i[3:0];
+    end
+
+    // Coarse steps first: the low bits of a count are the last to be known
+    assign out_x = (((in_x << {in_k[3], 3'd0}) << {in_k[2], 2'd0}) << {in_k[1], 1'd0}) << in_k[0];
+endmodule
+`default_nettype wire

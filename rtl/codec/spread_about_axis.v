@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turn-spread words of one to three joints, each from a direction that is given about its nearer axis.
+//   word = axis + spread or axis - spread, modulo 4; the spread is the square of the sine between direction and axis
+// Formats: in_axis u2.0, quarter turns; in_square u1.40; out_j turn-spread u2.S, joint 1 in the low S + 2 bits.
+// Rounding: nearest, ties away from the axis, so that both sides of an axis meet in the same word; error 1/2 LSB.
+// Timing: bit i of in_take writes the word of joint i + 1 at the end of the clock; a word is held until the next.
+// Reset: every word is 0, so that a joint that never had a direction reads 0.
+// Model: rational._about_axis
+`default_nettype none
+module spread_about_axis #(
+    parameter JOINTS = 1,  // joints, 1 or more: 1, the core of one joint
+    parameter S = 24       // fraction bits of a spread, 2 to 24: 24, all that the kernels' squares are good for
+) (
+    input  wire                      clk,
+    input  wire                      rst,
+    input  wire [JOINTS-1:0]         in_take,
+    input  wire [1:0]                in_axis,
+    input  wire                      in_below,  // the direction lies clockwise of the axis: subtract
+    input  wire [40:0]               in_square,
+    output reg  [JOINTS*(S+2)-1:0]   out_j
+);
+    // Nearest and sign share one increment, for with guard bit g: -(s + g) = ~s + ~g. As gates, not as a carry chain:
+    // the carry is rare and cheaper so.
+    wire [1:0]   quarter = in_axis + {in_below, in_below ^ in_square[40]};
+    wire [S+1:0] floor = {quarter, in_square[39 -: S] ^ {S{in_below}}};
+    reg  [S+1:0] word;
+    reg          carry;
+    integer      i;
+    always @* begin
+        carry = in_square[39-S] ^ in_below;
+        for (i = 0; i < S + 2; i = i + 1) begin
+            word[i] = floor[i] ^ carry;
+            carry = floor[i] & carry;
+        end
+    end
+    wire unused = &{1'b0, in_square[38-S:0]};  // below the guard bit
+
+    integer joint;
+    always @(posedge clk) begin
+        for (joint = 0; joint < JOINTS; joint = joint + 1)
+            if (in_take[joint])
+                out_j[joint*(S+2) +: S+2] <= word;
+        if (rst)
+            out_j <= {JOINTS*(S+2){1'b0}};
+    end
+endmodule
+`default_nettype wire
