@@ -31,8 +31,9 @@ MAP = 121  # points a side of the map of the workspace
 REFRESH = "run `make report` and commit reports/ and README.md"
 
 # What a figure depends on besides the core's own sources
-CODE = (*(f"models/quadrance/{name}.py" for name in ("truth", "accuracy", "trajectory", "fixed", "cores",
-                                                     "arms/__init__")),
+CODE = (*(f"models/quadrance/{name}.py" for name in (
+            "truth", "codecs", "accuracy/__init__", "accuracy/arm", "accuracy/cases", "accuracy/tip",
+            "accuracy/primitives", "trajectory", "fixed", "cores", "arms/__init__")),
         "ci/report.py", "ci/render.py", "ci/synth.py", "tb/lib/bulk.py", "tb/lib/bulk.cpp")
 
 

@@ -57,11 +57,11 @@ def listed(tmp_path, monkeypatch):
     """Two cores of a list of their own, with sources that a test may change."""
     monkeypatch.setattr(cores, "RTL", tmp_path / "rtl")
     (tmp_path / "rtl").mkdir()
-    entry = {"family": "rational", "function": "fk1", "architecture": "table", "model": "rational.fk1",
-             "sources": ["a.v"], "in": {"j1": "u2+S"}, "out": {"x": "s16"},
-             "sets": [{"id": f"S{s}", "params": {"S": s}, "latency": 2, "ii": 2} for s in (8, 24)]}
-    (tmp_path / "rtl" / "a.v").write_text("module a; endmodule\n")
-    return tuple(cores._expand("a", entry))
+    source = tmp_path / "rtl" / "a.v"
+    source.write_text("module a; endmodule\n")
+    shared = {"model": "rational.fk1", "in": {"j1": "spread S"}, "out": {"x": "s16"}}
+    own = {"architecture": "table", "latency": 2, "sets": {f"S{s}": {"S": s} for s in (8, 24)}}
+    return cores.expand("rational", "fk1", shared, "a", own, (source,))
 
 
 @pytest.fixture
@@ -237,9 +237,8 @@ def test_numbers(value, text):
 
 
 def test_rows_are_complete_and_rounded():
-    core = cores._expand("a", {"family": "arith", "function": "isqrt", "architecture": "comb", "model": "x.y",
-                               "sources": [], "in": {"d": "u4"}, "out": {"q": "u2"},
-                               "sets": [{"id": "t", "params": {}, "latency": 0, "ii": 0}]})[0]
+    core = cores.expand("arith", "isqrt", {"model": "x.y", "in": {"d": "u4"}, "out": {"q": "u2"}}, "a",
+                        {"architecture": "comb", "latency": 0, "sets": {"t": {}}})[0]
     simulated = {"latency_cycles": 0, "ii": 0, "error_lsb": {"max": 0.123456789, "rms": 0.1}, "error_mm": None,
                  "input_error_lsb": None, "sweep_error_lsb": None}
     made = report.row_of(core, {"ecp5": AREA}, 80.0, simulated)
