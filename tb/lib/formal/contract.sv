@@ -1,0 +1,40 @@
+// The contract of every core that holds one sample at a time (II = latency), or moves all its samples together (II = 1):
+//   in_ready, out_valid exactly LATENCY clocks after the accepting one, results that wait unchanged, nothing lost,
+//   doubled or made up. Reset and in_valid are free at all times but the first clock, and so is all data.
+// `age[i]` is 1 when a sample was accepted i + 1 clocks ago (counting the clocks in which it moved).
+// ci/formal.py writes a module `top` that instantiates a core and this, with the core's own state beside `age`.
+module contract #(parameter LATENCY = 1, PIPE = 0, WO = 1, WC = 1) (
+    input clk, rst, in_valid, in_ready, out_valid, out_ready, input [WC-1:0] cfg, input [WO-1:0] out_data,
+    output reg [LATENCY-1:0] age, output reg live
+);
+    initial live = 0;
+    always @(posedge clk) live <= 1;
+    always @* if (!live) assume (rst);  // one clock of reset, from any state
+
+    wire last = age[LATENCY-1];
+    wire move = !last || out_ready;
+    always @(posedge clk)
+        if (rst) age <= 0;
+        else if (PIPE ? move : !(last && !out_ready)) age <= {age, in_valid && in_ready};
+
+    always @* if (live) begin
+        assert (in_ready == (PIPE ? move : ~|age[LATENCY-1:0] || last && out_ready));
+        assert (out_valid == last);
+        if (!PIPE) assert ((age & (age - 1)) == 0);
+    end
+
+    // configuration may change while nothing is inside
+    reg [WC-1:0] cfg_before;
+    reg [WO-1:0] data_before;
+    reg waits;
+    initial waits = 0;
+    always @(posedge clk) begin
+        cfg_before <= cfg;
+        data_before <= out_data;
+        waits <= live && !rst && out_valid && !out_ready;
+    end
+    always @* if (live) begin
+        if (|age) assume (cfg == cfg_before);
+        if (waits) assert (out_valid && out_data == data_before);
+    end
+endmodule
