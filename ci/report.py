@@ -18,7 +18,7 @@ from pathlib import Path
 from quadrance import arms, cores
 from quadrance.cores import Core
 
-from ci import render, synth
+from ci import cache, render, synth
 from tb.lib import tools
 
 REPORTS = tools.ROOT / "reports"
@@ -33,7 +33,8 @@ REFRESH = "run `make report` and commit reports/ and README.md"
 # What a figure depends on besides the core's own sources
 CODE = (*(f"models/quadrance/{name}.py" for name in ("truth", "accuracy", "trajectory", "fixed", "cores",
                                                      "arms/__init__")),
-        "ci/report.py", "ci/render.py", "ci/synth.py", "tb/lib/bulk.py", "tb/lib/bulk.cpp")
+        "ci/report.py", "ci/render.py", "ci/synth/__init__.py", "ci/synth/flows.py", "tb/lib/bulk.py",
+        "tb/lib/bulk.cpp")
 
 
 # Measuring (each of these runs in a worker process)
@@ -46,12 +47,12 @@ def _simulate(core: Core, inputs: dict, cfg: dict[str, int]) -> dict:
     lists = {port: [int(word) for word in words] for port, words in inputs.items()}
     texts = [path.read_text() for path in (*core.sources, bulk.SOURCE)]
 
-    def compute(_: Path) -> dict:
+    def compute() -> dict:
         result = bulk.stream(core, inputs, cfg)
         return {"outputs": {port: [int(word) for word in words] for port, words in result.outputs.items()},
                 "latency": sorted({int(cycles) for cycles in result.latency}), "ii": result.ii}
 
-    return synth.cached(["stream", core.name, core.params, texts, tools.versions()["verilator"], lists, cfg], compute)
+    return cache.cached(["stream", core.name, core.params, texts, tools.versions()["verilator"], lists, cfg], compute)
 
 
 def simulate(core: Core, arm_name: str) -> dict:
