@@ -37,7 +37,7 @@ def nap(folder, number):
 
 @pytest.fixture
 def log(tmp_path, monkeypatch):
-    monkeypatch.setattr(pool, "LOG", tools.BUILD / "test-pool.log")
+    monkeypatch.setattr(pool, "LOG", tmp_path / "log")
 
 
 def test_every_job_is_answered(log):
@@ -55,7 +55,7 @@ def test_every_failure_is_named_and_the_others_are_done(log):
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 def test_workers_and_their_tools_die_with_the_parent(how, tmp_path):
     program = (f"import signal, sys\nfrom ci import test_pool\nfrom ci.report import pool\n"
-               f"from tb.lib import tools\npool.LOG = tools.BUILD / 'test-pool-{how}.log'\n"
+               f"from pathlib import Path\npool.LOG = Path({str(tmp_path / 'log')!r})\n"
                f"signal.signal(signal.SIGINT, signal.default_int_handler)\n"
                f"signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))\n"
                f"pool.run(test_pool.nap, [({str(tmp_path)!r}, i) for i in range(9)])\n")

@@ -11,7 +11,7 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable, Hashable
 from concurrent.futures import ProcessPoolExecutor, as_completed
 
 from rich.console import Console
@@ -41,13 +41,13 @@ def _worker(since: float) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the terminal's Ctrl-C is for the parent, which ends the workers
     threading.Thread(target=_watch, args=(os.getppid(),), daemon=True).start()
     LOG.parent.mkdir(parents=True, exist_ok=True)
-    log = os.open(LOG, os.O_WRONLY | os.O_CREAT | os.O_APPEND)
+    log = os.open(LOG, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
     os.dup2(log, 1)
     os.dup2(log, 2)
     cache.SINCE = since
 
 
-def run(work: Callable, jobs: Iterable[tuple[Hashable, ...]], since: float = 0.0) -> dict[tuple, object]:
+def run(work: Callable, jobs: list[tuple[Hashable, ...]], since: float = 0.0) -> dict[tuple, object]:
     """The answers of ``work(*job)`` by job, the first jobs first.
 
     Parameters
@@ -59,6 +59,8 @@ def run(work: Callable, jobs: Iterable[tuple[Hashable, ...]], since: float = 0.0
     RuntimeError
         Names every job that failed. The others are done all the same: they are in the cache next time.
     """
+    if not jobs:
+        return {}
     columns = (TextColumn("measuring"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
                TextColumn("{task.description}"))
     LOG.unlink(missing_ok=True)
@@ -71,8 +73,7 @@ def run(work: Callable, jobs: Iterable[tuple[Hashable, ...]], since: float = 0.0
                 for done in as_completed(running):
                     job = running[done]
                     if error := done.exception():
-                        where = LOG.relative_to(tools.ROOT)
-                        failures.append(f"{' '.join(map(str, job))}: {error} (log: {where})")
+                        failures.append(f"{' '.join(map(str, job))}: {error} (log: {tools.local(LOG)})")
                     else:
                         answers[job] = done.result()
                     progress.update(task, advance=1, description=" ".join(map(str, job)))
