@@ -62,8 +62,7 @@ def simulate(core: Core, arm_name: str) -> dict:
     row: dict = dict.fromkeys(FIGURES)
     timed = None
     cases = {"trajectory": accuracy.trajectory_case(core, arm, SAMPLES), "sweep": accuracy.sweep_case(core, arm, SWEEP),
-             "workspace": accuracy.workspace_case(core, arm, WORKSPACE, np.random.default_rng(1))
-             if hasattr(accuracy, "workspace_case") else None}
+             "workspace": accuracy.workspace_case(core, arm, WORKSPACE, np.random.default_rng(1))}
     for what, case in cases.items():
         if case is None:
             continue

@@ -1,15 +1,96 @@
-"""Bit-true models of rtl/codec: codecs between turn-spread words and unit vectors (cos, sin)."""
+"""Joint words: what a word of each port type means, and the bit-true models of rtl/codec.
+
+A joint port has a type (`rtl/cores.toml`). Encoding, decoding and the error of rounding to a word follow the type, here
+and nowhere else: a new type is one more pair of functions in `CODINGS`.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from quadrance import fixed
+from quadrance import fixed, truth
+from quadrance.cores import Port
 from quadrance.fixed import Ints, ints
+from quadrance.truth import Floats, floats
 
 Params = dict[str, int]
+
+# Joint words by port type: what a word stands for, in float64
+
+Coding = tuple[Callable[[Floats, int], Floats], Callable[[Floats, int], Floats]]
+# type: (word of an angle as a real number of LSB, angle of such a number); both take the width of the port
+CODINGS: dict[str, Coding] = {
+    "spread": (lambda theta, width: truth.angle_to_spread(theta, width - 2),
+               lambda word, width: truth.spread_word_to_angle(word, width - 2)),
+    "angle": (lambda theta, width: theta * (2.0**width / truth.TURN), truth.binary_word_to_angle),
+}
+
+
+def _coding(port: Port) -> Coding:
+    if port.type not in CODINGS:
+        raise ValueError(f"{port.name}: a port of type {port.type} is no joint word; types are {', '.join(CODINGS)}")
+    return CODINGS[port.type]
+
+
+def exact(port: Port, theta: ArrayLike) -> Floats:
+    """Joint words of angles (radians) before rounding: real numbers of LSB, modulo a full turn."""
+    word, _ = _coding(port)
+    return word(floats(theta), port.width)
+
+
+def encode(port: Port, theta: ArrayLike) -> Ints:
+    """Joint words nearest to angles.
+
+    Parameters
+    ----------
+    port : Port
+        Of a joint type; a full turn is 2^width words in every type, a quadrant border every 2^(width - 2).
+    theta : float array
+        Radians, any turn.
+
+    Returns
+    -------
+    int64 array of that shape
+        Words of the port, signed where it is; error at most `half_step` radians.
+    """
+    return fixed.wrap(np.floor(exact(port, theta) + 0.5), port.width, port.signed)
+
+
+def decode(port: Port, word: ArrayLike) -> Floats:
+    """Angles (radians, in [0, 2 pi)) of joint words, or of real numbers of their LSB; the shape is kept."""
+    _, angle = _coding(port)
+    return angle(floats(word), port.width)
+
+
+def within_cell(port: Port, word: ArrayLike, theta: ArrayLike) -> Floats:
+    """The angle nearest to `theta` (in words) among those that round to `word`: what of an answer is not rounding."""
+    turn = 2.0**port.width
+    off = np.mod(exact(port, theta) - word + turn / 2, turn) - turn / 2
+    return decode(port, word + np.clip(off, -0.5, 0.5))
+
+
+def half_step(port: Port) -> float:
+    """The most that rounding to a word of this port turns a joint, in radians.
+
+    Half an LSB beside a quadrant border, where each type is as coarse as it gets: asin 2^(-(S + 1) / 2) of a
+    turn-spread, whose sin^2 is flat there (0.0099 degrees at S = 24), pi / 2^A of a binary angle, everywhere.
+    """
+    return float(decode(port, 0.5))
+
+
+def border_words(port: Port) -> Ints:
+    """Words at every quadrant border, every power of two before and behind it, and two neighbours either way."""
+    steps = np.array([0, *(1 << i for i in range(port.width - 1))])
+    near = np.concatenate([steps, -steps])[:, None] + np.arange(-2, 3)
+    words = (np.arange(4)[:, None] << port.width - 2) + near.ravel()
+    return np.unique(fixed.wrap(words, port.width, port.signed))
+
+
+# Bit-true models of rtl/codec
 
 # root_product: ranges of the radicand v (24 bits): width of a segment in bits, and the segments of each
 SEGMENT_BITS = (15, 11, 6, 0)
@@ -52,25 +133,6 @@ def root_product(p: Params, *, in_s: Ints, in_not: Ints) -> dict[str, Ints]:
     middle = segment << 10 | (offset & 0x100) << 1 | (~offset & 0x100) | offset & 0xFF
     w = np.where(row == 3, segment << 10 | (flip & 1) << 9, middle)
     return {"out_w": w, "out_slope": chord_slopes(p.get("B", 17))[row, segment]}
-
-
-def spread_to_vector(p: Params, *, in_j: Ints) -> dict[str, Ints]:
-    """Unit vector of a turn-spread word, each coordinate to nearest (ties outward): error <= 1/2 LSB of 2^-U.
-
-    c = +-sqrt(1 - s), n = +-sqrt(s), signs by quadrant (paper Table I in the continuous reading).
-    """
-    s, u = p["S"], p["U"]
-    j = ints(in_j)
-    k, f = j >> s, j & (1 << s) - 1
-
-    def root(spread: Ints) -> Ints:
-        cut = spread << 2 * u + 2 - s if 2 * u + 2 >= s else spread >> s - 2 * u - 2
-        return fixed.isqrt(cut) + 1 >> 1
-
-    one = 1 << u
-    near_f, near_g = root(f), np.where(f == 0, one, root((1 << s) - f))
-    c, n = np.where(k & 1, near_f, near_g), np.where(k & 1, near_g, near_f)
-    return {"out_c": np.where((k == 1) | (k == 2), -c, c), "out_n": np.where(k >= 2, -n, n)}
 
 
 def vector_to_spread(p: Params, *, in_c: Ints, in_n: Ints) -> dict[str, Ints]:

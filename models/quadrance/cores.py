@@ -1,8 +1,10 @@
-"""Reader of ``rtl/cores.toml``, the one list of cores, ports, parameter sets and latencies."""
+"""Reader of ``rtl/cores.toml``, the one list of functions, their cores, ports, parameter sets and latencies."""
 
 from __future__ import annotations
 
+import ast
 import importlib
+import operator
 import re
 import tomllib
 from collections.abc import Callable
@@ -13,16 +15,24 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 RTL = ROOT / "rtl"
 STATUS_BITS = {"unreachable": 0, "singular": 1, "overflow": 2, "not_converged": 3}
-FAMILIES = ("arith", "cordic", "codec", "paper", "rational", "classic", "engine")
+FAMILIES = ("arith", "codec", "cordic", "rational", "classic", "paper", "engine")
+TYPES = {"spread": 2, "angle": 0}  # of joint words: bits that a word has beside those of its parameter
+PORTS = ("cfg", "in", "out")
+FUNCTION_KEYS = {"model", *PORTS, "status"}
+CORE_KEYS = {"architecture", "latency", "ii", "illegal", "sets"}
 
 
 @dataclass(frozen=True)
 class Port:
-    """One data port: its Verilog name, width in bits and whether it is two's complement."""
+    """One data port: its Verilog name, width in bits, whether it is two's complement, and the type of a joint word.
+
+    type : "spread" (turn-spread), "angle" (binary angle), or None for a plain word; `quadrance.codecs` reads them.
+    """
 
     name: str
     width: int
     signed: bool
+    type: str | None = None
 
     @property
     def low(self) -> int:
@@ -45,8 +55,8 @@ class Core:
     architecture: str
     set_id: str
     params: dict[str, int]
-    latency: int | None
-    ii: int | None
+    latency: int
+    ii: int
     sources: tuple[Path, ...]
     cfg: tuple[Port, ...]
     inputs: tuple[Port, ...]
@@ -76,47 +86,145 @@ class Core:
         return hash(self.id)
 
 
-def _port(prefix: str, name: str, spec: str, params: dict[str, int], where: str) -> Port:
-    match = re.fullmatch(r"([us])(\S.*)", spec)
-    if not match or re.search(r"[^\w\s+\-*/(),]", match[2]):
-        raise ValueError(f"{where}: port {name}: '{spec}' is not u or s and a width in the parameters")
-    width = int(eval(match[2], {"__builtins__": {}, "max": max, "min": min}, dict(params)))
+# Formulas
+
+_BINARY = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.FloorDiv: operator.floordiv}
+_COMPARE = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge, ast.Eq: operator.eq,
+            ast.NotEq: operator.ne}
+_CALLS = {"max": max, "min": min}
+
+
+def formula(text: str | int, params: dict[str, int], where: str) -> int:
+    """Value of an integer formula in the parameters.
+
+    Parameters
+    ----------
+    text : str or int
+        ``+ - * //``, one comparison (0 or 1), ``max()``, ``min()``, parentheses, integers and names of `params`.
+    params : dict
+        Values of the names.
+    where : str
+        What an error names: the file, the core and the key.
+
+    Raises
+    ------
+    ValueError
+        Naming `where`, the formula and what is wrong with it.
+    """
+    def fail(reason: str):
+        raise ValueError(f"{where}: '{text}' {reason}")
+
+    def value(node: ast.expr) -> int:
+        match node:
+            case ast.Constant(value=int(number)) if not isinstance(number, bool):
+                return number
+            case ast.Name(id=name):
+                return params[name] if name in params else fail(f"names {name}; parameters are {', '.join(params)}")
+            case ast.UnaryOp(op=ast.USub(), operand=one):
+                return -value(one)
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in _BINARY:
+                left, right = value(left), value(right)
+                if isinstance(op, ast.FloorDiv) and right == 0:
+                    fail(f"divides by 0 at {params}")
+                return _BINARY[type(op)](left, right)
+            case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in _COMPARE:
+                return int(_COMPARE[type(op)](value(left), value(right)))
+            case ast.Call(func=ast.Name(id=name), args=[_, *_] as args, keywords=[]) if name in _CALLS:
+                return _CALLS[name]([value(one) for one in args])
+        return fail("is not a formula of + - * // < <= > >= == != max min in the parameters")
+
+    if isinstance(text, bool) or not isinstance(text, int | str):
+        fail("is neither an integer nor a formula")
+    try:
+        return value(ast.parse(str(text).strip(), mode="eval").body)
+    except SyntaxError:
+        return fail("is not a formula of + - * // < <= > >= == != max min in the parameters")
+
+
+# Entries
+
+
+def _port(kind: str, name: str, spec: str, params: dict[str, int], where: str) -> Port:
+    """The port that `spec` describes: ``sW`` or ``u2*W+2`` (plain), ``spread S`` or ``angle A`` (joint words)."""
+    where = f"{where}: {kind}.{name}"
+    plain, joint = re.fullmatch(r"([us])(\S.*)", spec), re.fullmatch(r"(\w+) +(\S.*)", spec)
+    if joint and joint[1] in TYPES:
+        width, signed, of = formula(joint[2], params, where) + TYPES[joint[1]], False, joint[1]
+    elif plain:
+        width, signed, of = formula(plain[2], params, where), plain[1] == "s", None
+    else:
+        raise ValueError(f"{where}: '{spec}' is neither u or s and a width nor one of {', '.join(TYPES)} and its bits")
     if width < 1:
-        raise ValueError(f"{where}: port {name}: width '{spec}' is {width} at {params}")
-    return Port(f"{prefix}_{name}", width, match[1] == "s")
+        raise ValueError(f"{where}: the width of '{spec}' is {width} at {params}")
+    return Port(f"{kind}_{name}", width, signed, of)
 
 
-def _expand(name: str, entry: dict) -> list[Core]:
-    where = f"cores.toml: {name}"
-    known = {"family", "function", "architecture", "cfg", "in", "out", "status", "model", "sets", "illegal"}
+def _check_keys(where: str, entry: dict, known: set[str], wanted: set[str]) -> None:
     if extra := set(entry) - known:
         raise ValueError(f"{where}: unknown key {sorted(extra)[0]}")
-    if missing := {"family", "function", "architecture", "in", "out", "model", "sets"} - set(entry):
+    if missing := wanted - set(entry):
         raise ValueError(f"{where}: missing key {sorted(missing)[0]}")
-    if entry["family"] not in FAMILIES:
-        raise ValueError(f"{where}: family '{entry['family']}' is not one of {', '.join(FAMILIES)}")
-    if unknown := set(entry.get("status", ())) - set(STATUS_BITS):
+
+
+def expand(family: str, function: str, shared: dict, name: str, own: dict,
+           sources: tuple[Path, ...] = ()) -> tuple[Core, ...]:
+    """One core at each of its parameter sets.
+
+    Parameters
+    ----------
+    family, function : str
+        The tables the core stands under.
+    shared : dict
+        What all cores of the function share: keys `FUNCTION_KEYS`.
+    name : str
+        Of the core's top module.
+    own : dict
+        The core's own table: keys `CORE_KEYS`.
+    sources : tuple of Path
+        Its Verilog files; none for a core that needs none (in tests).
+
+    Raises
+    ------
+    ValueError
+        Naming cores.toml, the core and the key.
+    """
+    where = f"cores.toml: {name}"
+    _check_keys(where, shared, FUNCTION_KEYS, {"model", "in", "out"})
+    _check_keys(where, own, CORE_KEYS, {"architecture", "latency", "sets"})
+    if family not in FAMILIES:
+        raise ValueError(f"{where}: family '{family}' is not one of {', '.join(FAMILIES)}")
+    status = shared.get("status")
+    if unknown := set(status or ()) - set(STATUS_BITS):
         raise ValueError(f"{where}: status: unknown bit {sorted(unknown)[0]}")
     cores = []
-    for index, one in enumerate(entry["sets"]):
-        if extra := set(one) - {"id", "params", "latency", "ii"}:
-            raise ValueError(f"{where}: sets: unknown key {sorted(extra)[0]}")
-        params = one["params"]
-        status = entry.get("status")
-        outputs = [_port("out", key, spec, params, where) for key, spec in entry["out"].items()]
+    for set_id, params in own["sets"].items():
+        ports = {kind: tuple(_port(kind, key, spec, params, where) for key, spec in shared.get(kind, {}).items())
+                 for kind in PORTS}
         if status is not None:
-            outputs.append(Port("out_status", 4, False))
+            ports["out"] += (Port("out_status", 4, False),)
+        latency = formula(own["latency"], params, f"{where}: latency")
         cores.append(Core(
-            name=name, family=entry["family"], function=entry["function"],
-            architecture=entry["architecture"], set_id=one["id"], params=params,
-            latency=one["latency"], ii=one["ii"],
-            sources=sources_of(name),
-            cfg=tuple(_port("cfg", key, spec, params, where) for key, spec in entry.get("cfg", {}).items()),
-            inputs=tuple(_port("in", key, spec, params, where) for key, spec in entry["in"].items()),
-            outputs=tuple(outputs), status=None if status is None else tuple(status),
-            model_name=entry["model"], first_set=index == 0,
-            illegal=tuple(entry.get("illegal", ()))))
-    return cores
+            name=name, family=family, function=function, architecture=own["architecture"], set_id=set_id, params=params,
+            latency=latency, ii=formula(own["ii"], params, f"{where}: ii") if "ii" in own else latency,
+            sources=sources, cfg=ports["cfg"], inputs=ports["in"], outputs=ports["out"],
+            status=None if status is None else tuple(status), model_name=shared["model"], first_set=not cores,
+            illegal=tuple(own.get("illegal", ()))))
+    return tuple(cores)
+
+
+def listed(text: str) -> list[tuple[str, str, dict, str, dict]]:
+    """(family, function, shared, name, own) of every core in the text of a list, as `expand` takes them."""
+    found = []
+    for family, functions in tomllib.loads(text).items():
+        for function, entry in functions.items():
+            if not isinstance(entry, dict):
+                raise ValueError(f"cores.toml: {family}.{function} is not a table of a function")
+            cores = {key: value for key, value in entry.items() if key not in FUNCTION_KEYS and isinstance(value, dict)}
+            shared = {key: value for key, value in entry.items() if key not in cores}
+            if not cores:
+                raise ValueError(f"cores.toml: {family}.{function} has no core")
+            found += [(family, function, shared, name, own) for name, own in cores.items()]
+    return found
 
 
 @cache
@@ -147,9 +255,8 @@ def sources_of(top: str) -> tuple[Path, ...]:
 @cache
 def all_cores() -> tuple[Core, ...]:
     """Every core at every parameter set, in the order of `rtl/cores.toml`."""
-    with open(RTL / "cores.toml", "rb") as file:
-        entries = tomllib.load(file)
-    return tuple(core for name, entry in entries.items() for core in _expand(name, entry))
+    return tuple(core for *entry, name, own in listed((RTL / "cores.toml").read_text())
+                 for core in expand(*entry, name, own, sources_of(name)))
 
 
 def find(name: str) -> Core:

@@ -54,22 +54,12 @@ def _inverse(arm: Arm, joints: int, tip: Floats, elbow: int, low: Floats, high: 
 
 def _path(arm: Arm, joints: int, shape, elbow: int, low: Floats, high: Floats) -> Floats:
     """Joint angles along ``centre + size * shape``, at the largest size that fits limits and reach."""
-    centre = _tip(arm, joints, (low + high) / 2)
+    centre = truth.tip(((low + high) / 2)[:joints], *arm.links)
     for size in sum(arm.links) * 0.9 ** np.arange(60):
         angles = _inverse(arm, joints, centre + size * shape, elbow, low, high)
         if angles is not None:
             return angles
     raise ArmError(f"{arm.id}: limits: no room for a path around the middle of the joint ranges")
-
-
-def _tip(arm: Arm, joints: int, angles: Floats) -> Floats:
-    """Tip (..., 3) in units of the first link, the two links in the plane, or all three joints."""
-    l1, l2 = arm.links
-    theta1, theta2, theta3 = np.moveaxis(angles, -1, 0)
-    if joints == 3:
-        return np.stack(truth.fk3(theta1, theta2, theta3, l1, l2), axis=-1)
-    plane = truth.fk1(theta1, l1) if joints == 1 else truth.fk2(theta1, theta2, l1, l2)
-    return np.stack([*plane, np.zeros_like(theta1)], axis=-1)
 
 
 def trajectory(arm: Arm, joints: int = 3, samples: int = 1000) -> tuple[Floats, Floats]:
@@ -106,4 +96,5 @@ def trajectory(arm: Arm, joints: int = 3, samples: int = 1000) -> tuple[Floats, 
     carry = pick + np.outer(first, over - pick) + np.outer(second, place - over)
     angles = np.concatenate([_path(arm, paths, circle, elbow, low, high),
                              _path(arm, paths, line, elbow, low, high), carry])
-    return angles[:, :joints], _tip(arm, joints, angles)
+    angles = angles[:, :joints]
+    return angles, truth.tip(angles, *arm.links)

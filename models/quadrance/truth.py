@@ -52,6 +52,16 @@ def fk3(theta1: ArrayLike, theta2: ArrayLike, theta3: ArrayLike, l1: ArrayLike,
     return rho * c3, rho * n3, z
 
 
+def tip(angles: ArrayLike, l1: ArrayLike, l2: ArrayLike) -> Floats:
+    """Tip (..., 3) of one, two or three joints (..., joints), by `fk1`, `fk2`, `fk3`; one joint moves the first link.
+
+    z = 0 with one and two joints, whose plane is (x, y).
+    """
+    theta = np.moveaxis(floats(angles), -1, 0)
+    axes = fk1(*theta, l1) if len(theta) == 1 else (fk2 if len(theta) == 2 else fk3)(*theta, l1, l2)
+    return np.stack([*axes, *[np.zeros_like(axes[0])] * (3 - len(axes))], axis=-1)
+
+
 def mff(s_theta: ArrayLike, s_phi: ArrayLike, octant: ArrayLike, quadrance: ArrayLike) -> Floats:
     """Joint positions of a chain of links given in the fixed frame (Section IV-D, method MFF).
 
@@ -136,6 +146,14 @@ def reach(x: ArrayLike, y: ArrayLike, l1: ArrayLike, l2: ArrayLike) -> Floats:
     """Distance from (x, y) to the annulus that two links reach: 0 inside, positive too far, negative too near."""
     radius, far, near = np.hypot(x, y), floats(l1) + l2, np.abs(floats(l1) - l2)
     return np.where(radius > far, radius - far, np.minimum(radius - near, 0.0))
+
+
+def nearest(target: ArrayLike, l1: ArrayLike, l2: ArrayLike) -> Floats:
+    """The point of the reachable annulus (or shell) nearest to each target (..., 3); the base has none, and stays."""
+    target = floats(target)
+    radius = np.linalg.norm(target, axis=-1, keepdims=True)
+    reachable = np.clip(radius, np.abs(floats(l1) - l2), floats(l1) + l2)
+    return target * np.where(radius > 0, reachable / np.where(radius > 0, radius, 1), 1)
 
 
 # Directions and their codings

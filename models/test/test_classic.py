@@ -6,10 +6,8 @@ import math
 
 import numpy as np
 import pytest
-from quadrance import classic, cordic, truth
+from quadrance import bounds, classic, cordic, truth
 from quadrance.fixed import ints, wrap
-
-from models.test.test_cordic import angle_bound
 
 P = {"W": 16, "F": 8, "A": 16}
 
@@ -23,10 +21,10 @@ def test_fk1_at_every_angle(length):
     x, y = length * np.cos(theta), length * np.sin(theta)
     clip = lambda v: np.clip(v, -32768, 32767)  # noqa: E731
     error = np.maximum(np.abs(out["out_x"] - clip(x)), np.abs(out["out_y"] - clip(y)))
-    assert error.max() <= (1.0 if length <= 16384 else 1.6)
+    assert error.max() <= bounds.classic_fk1(P, length)
     assert (length == 0) or error.max() > 0.5
     inside = (np.abs(x) < 32767) & (np.abs(y) < 32767)
-    assert np.hypot(out["out_x"] - x, out["out_y"] - y)[inside].max(initial=0) <= (1.0 if length <= 16384 else 1.6)
+    assert np.hypot(out["out_x"] - x, out["out_y"] - y)[inside].max(initial=0) <= bounds.classic_fk1(P, length)
     beyond = (np.abs(x) > 32769) | (np.abs(y) > 32769)
     assert np.all(out["out_status"][beyond] == cordic.OVERFLOW)
     assert not out["out_status"][inside & (np.abs(x) < 32766) & (np.abs(y) < 32766)].any()
@@ -35,56 +33,6 @@ def test_fk1_at_every_angle(length):
 def test_fk1_start_vector_stays_in_its_word():
     assert classic.config(P, cfg_l1=65535)["cfg_c1"] < 1 << 20
     assert classic.config(P, cfg_l1=0)["cfg_c1"] == 0
-
-
-def _rotation(p: dict[str, int], factors: int = 0) -> tuple[np.ndarray, np.ndarray, float]:
-    """Of `cordic.turn` from a start word, over every residual angle: relative error, mean and spread of the rounding.
-
-    A start word, `factors` shifts of it, every micro-rotation and every digit leave x and y 0 to 1 unit low, times what
-    still follows: the mean of that (complex, in units) and the most it may be off its mean in any direction.
-    """
-    rotations, digits = cordic.sizes(p["W"])
-    bits, low = p["W"] + 4, max(rotations - 2, 0)
-    words = np.arange(-1 << p["A"] - 3, 1 << p["A"] - 3)
-    z = (words << p["W"] + 5 - p["A"]) + 2
-    steps = []
-    for i in range(1, rotations + 1):
-        d, cut = np.where(z >= 0, 1, -1), max(i - 3, 0)
-        steps.append(1 + 1j * d * 2.0**-i)
-        z = wrap(z + ((cordic.angle(i, bits) >> cut ^ -(d > 0).astype(np.int64)) << cut) << 1, bits)
-    tangent, rows = np.zeros(words.shape), np.zeros(words.shape)
-    for k in range(digits):
-        d = np.where(z >= 0, 1, -1)
-        size = np.digitize((z ^ -(d < 0).astype(np.int64)) >> bits - 4, [1, 4])
-        tangent, rows = tangent + d * size * 2.0 ** -(rotations + 1 + 2 * k), rows + (size > 0)
-        term = cordic.angle(9, bits) << (size == 2) >> low ^ -(d > 0).astype(np.int64)
-        z = wrap(z + np.where(size > 0, term << low, 0) << 2, bits)
-    rest = np.stack([*np.cumprod(steps[::-1], axis=0)[::-1], np.ones(words.shape)]) * (1 + 1j * tangent)
-    sources = rest[[0] * (1 + factors) + list(range(1, rotations + 1))]
-    mean = -0.5 * (1 + 1j) * (sources.sum(axis=0) + rows)
-    spread = math.sqrt(0.5) * float(np.max(np.abs(sources).sum(axis=0) + rows))
-    true = np.exp(2j * math.pi * words / 2 ** p["A"]) / (math.sqrt(2) * classic.SHRINK)
-    return np.abs(rest[0] / true - 1).max(), mean, spread
-
-
-def chain_bound(p: dict[str, int], joints: int, l1: int, l2: int) -> float:
-    """Derived error of a coordinate of classic.fk2 or fk3 in LSB.
-
-    A half for rounding; the relative errors of the rotations a link goes through; the roundings of all of them, those
-    of the first turned by the second, off the mean that the constants take out; a unit for each start word.
-    """
-    unit, gain = 2.0**-classic.CHAIN_GUARD, 1.1645
-    off, mean, spread = _rotation(p)
-    centre = mean.mean()
-    turned = centre * gain * np.exp(2j * math.pi * np.linspace(-1, 1, mean.size) / 8) + mean
-    drift = np.abs(turned + classic.CHAIN_ROUND[0] * (1 + 1j))
-    drift = max(np.abs(drift.real).max(), np.abs(drift.imag).max()) + gain * np.abs(mean - centre).max()
-    plane = off * (l1 + 2 * l2) + unit * (gain * spread + spread + drift + 4)
-    if joints == 2:
-        return plane + 0.5
-    off, mean, spread = _rotation(p, len(classic.YAW_FACTORS) + 1)
-    flat = np.abs(mean + classic.CHAIN_ROUND[1] * (1 + 1j))
-    return plane + off * (l1 + l2) + unit * (spread + flat.max()) + 0.5
 
 
 CHAINS = [(P, 8192, 8192), (P, 16384, 0), (P, 0, 16384), (P, 10000, 6384), (P, 65535, 65535), (P, 300, 100),
@@ -106,7 +54,7 @@ def test_fk2_and_fk3(p, l1, l2):
     two = classic.fk2(p, in_j1=words[0], in_j2=words[1], **cfg)
     three = classic.fk3(p, in_j1=words[0], in_j2=words[1], in_j3=words[2], **cfg)
     for joints, out, tip in ((2, two, (rho, z)), (3, three, (rho * np.cos(t3), rho * np.sin(t3), z))):
-        bound = chain_bound(p, joints, l1, l2)
+        bound = bounds.classic_chain(p, joints, l1, l2)
         answer = np.stack([out[f"out_{axis}"] for axis in "xyz"[:joints]])
         error = np.abs(answer - np.clip(tip, -full, full - 1))
         assert 0.5 < error.max() <= bound
@@ -124,7 +72,7 @@ def test_ik1():
     x, y = x[(x != 0) | (y != 0)], y[(x != 0) | (y != 0)]
     off = classic.ik1(P, in_x=x, in_y=y)["out_j1"] - np.arctan2(y, x) * 65536 / (2 * math.pi)
     off = np.abs((off + 32768) % 65536 - 32768)
-    fixed, slope = angle_bound(P, classic.AIM_GUARD, False)
+    fixed, slope = bounds.cordic_angle(P, classic.AIM_GUARD, False)
     assert fixed < 1.0
     assert np.all(off <= fixed + slope / np.hypot(x, y))
 
@@ -143,26 +91,6 @@ def test_ik1_undoes_fk1():
         back = classic.ik1(P, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
         off = np.abs((back - words + 32768) % 65536 - 32768)
         assert off.max() <= 1 + 1.2 * 65536 / (2 * math.pi) / length
-
-
-def tip_bound(p: dict[str, int], grows: int, r: np.ndarray, l1: int, l2: int) -> np.ndarray:
-    """Derived distance (LSB) of the answered tip from the target, for targets at distance `r` > 0, reachable or not.
-
-    Every pass: residual angle, constants, early end of the growth, and rounding weighed by 1 / length, as in ik1. A
-    word's own half LSB acts at the tip by the distance (j1) and L2 (j2). phi and the yaw have the length of the target,
-    h has 2 sqrt(L1 L2), d that times r / (L1 + L2); the roots are 1 unit low, which acts as a rounding does.
-    """
-    turn = 2 ** p["A"] / (2 * math.pi)
-    last, half, unit = p["W"] + 1, (p["W"] + 1) // 2, 2.0**-classic.SOLVE_ANGLE_GUARD
-    bits = p["A"] + classic.SOLVE_ANGLE_GUARD
-    angle = sum(abs((cordic.angle(i, bits) >> i) + 0.5 - math.atan(2.0**-i) * turn / unit) for i in range(last + 1))
-    fixed = 2.0**-last + (angle + 1) * unit / turn + sum(8.0**-i for i in range(grows + 1, last + 1))
-    slope = 2.5 * 2.0**-classic.SOLVE_GUARD + 2 * 2.0 ** (half // 2 - half) / 1.6468
-    legs = slope + 2.0**-classic.SOLVE_GUARD
-    at = np.clip(r, abs(l1 - l2), l1 + l2)
-    stretch = (l1 + l2) / (2 * math.sqrt(l1 * l2))
-    words = (0.5 / turn) * (at + l2)
-    return words + fixed * (3 * at + 2 * l2) + slope * at / r + legs * (stretch + (at + 2 * l2) / (l1 + l2) * stretch)
 
 
 ARMS = [(P, 8192, 8192), (P, 10000, 6384), (P, 5000, 11384), (P, 14000, 2384), (P, 400, 500), (P, 20000, 18000),
@@ -196,9 +124,7 @@ def test_ik2_and_ik3(p, l1, l2):
         tip = np.stack((truth.fk2 if joints == 2 else truth.fk3)(*angles, l1, l2))
         length = np.linalg.norm(target, axis=0)
         error = np.linalg.norm(tip - target * (np.clip(length, near, far) / length), axis=0)
-        law = tip_bound(p, (p["W"] + 1) // (3 if joints == 2 else 2) + (joints == 2), length, l1, l2)
-        if joints == 3:  # rho and K z: their rounding, and the yaw's own pass and word
-            law = law + tip_bound(p, (p["W"] + 1) // 2, length, far // 2, far - far // 2) / 2 + 0.5
+        law = bounds.classic_ik(p, joints, l1, l2, length)
         assert np.all(error <= law)
         if p["A"] == 16 and far <= full // 2 and l1 < 4 * l2:
             assert error[(length >= near) & (length <= far)].max() <= 2.0

@@ -1,10 +1,11 @@
-"""Joint codecs against float64: error bounds, monotone and continuous over every quadrant border."""
+"""Joint words by type, and the codecs against float64: error bounds, monotone over every quadrant border."""
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from quadrance import codecs, truth
+from quadrance import bounds, codecs, truth
+from quadrance.cores import Port
 
 
 def _sweep(s: int, count: int = 20000) -> np.ndarray:
@@ -16,41 +17,81 @@ def _sweep(s: int, count: int = 20000) -> np.ndarray:
     return np.unique(np.concatenate([near, rest]) % (4 << s))
 
 
-def _vector(word: np.ndarray, s: int, u: int) -> tuple[np.ndarray, np.ndarray]:
-    answer = codecs.spread_to_vector({"S": s, "U": u}, in_j=word)
-    return answer["out_c"], answer["out_n"]
+PORTS = [Port("in_j1", width, signed, of) for of, width, signed in (
+    ("spread", 26, False), ("spread", 10, False), ("spread", 32, False), ("angle", 16, False), ("angle", 10, False),
+    ("angle", 16, True))]
+ANY_PORT = pytest.mark.parametrize("port", PORTS, ids=lambda port: f"{port.type}{port.width}{'s' * port.signed}")
 
 
-@pytest.mark.parametrize(("s", "u"), [(24, 16), (14, 5), (8, 14), (16, 8), (30, 20), (1, 1)])
-def test_spread_to_vector_within_half_an_lsb(s, u):
-    word = _sweep(s)
-    angle = truth.spread_word_to_angle(word, s)
-    c, n = _vector(word, s, u)
-    slack = 2.0**u * 1e-9  # sin and cos of an angle near a border keep 9 digits of a root
-    assert np.abs(c - np.cos(angle) * 2**u).max() <= 0.5 + slack
-    assert np.abs(n - np.sin(angle) * 2**u).max() <= 0.5 + slack
+@ANY_PORT
+def test_a_word_means_the_angle_it_was_made_of(port):
+    theta = np.append(np.random.default_rng(6).uniform(-10, 10, 5000), np.arange(-8, 9) * np.pi / 4)
+    word = codecs.encode(port, theta)
+    assert word.min() >= port.low and word.max() <= port.high
+    assert np.abs(truth.difference(codecs.decode(port, word), theta)).max() <= codecs.half_step(port) + 1e-9
+    every = np.random.default_rng(7).integers(port.low, port.high, 5000, endpoint=True)
+    if port.width < 30:  # a float64 angle beside a border is not fine enough for every word of more
+        assert np.array_equal(codecs.encode(port, codecs.decode(port, every)), every)
 
 
-@pytest.mark.parametrize(("s", "u"), [(24, 16), (14, 5), (8, 14), (16, 8)])
-def test_spread_to_vector_monotone_and_continuous(s, u):
-    word = _sweep(s)
-    c, n = _vector(word, s, u)
-    quadrant = word >> s
-    for k, (dc, dn) in enumerate([(-1, 1), (-1, -1), (1, -1), (1, 1)]):
-        here = quadrant == k
-        # over the border too: the first word of the next quadrant belongs to the run
-        first = (k + 1) % 4 << s
-        c_run = np.append(c[here], c[word == first])
-        n_run = np.append(n[here], n[word == first])
-        assert (np.diff(c_run) * dc >= 0).all()
-        assert (np.diff(n_run) * dn >= 0).all()
-        # the last word and the border are one spread LSB apart: 2^-S in the square, so 2^(-S/2) in the root, rounded
-        step = np.sqrt(2.0**-s) * 2**u + 1
-        assert abs(int(c_run[-1]) - int(c_run[-2])) <= step
-        assert abs(int(n_run[-1]) - int(n_run[-2])) <= step
-    one = 1 << u
-    assert [(int(c[word == k << s][0]), int(n[word == k << s][0])) for k in range(4)] \
-        == [(one, 0), (0, one), (-one, 0), (0, -one)]
+@ANY_PORT
+def test_words_rise_with_the_angle_and_meet_the_axes(port):
+    angle = codecs.decode(port, np.arange(1 << min(port.width, 16)) * 2.0 ** (port.width - min(port.width, 16)))
+    assert angle[0] == 0 and np.all(np.diff(angle) > 0) and angle[-1] < truth.TURN
+    quadrant = 1 << port.width - 2
+    assert codecs.encode(port, np.arange(4) * np.pi / 2).tolist() \
+        == [k * quadrant if not port.signed or k < 2 else (k - 4) * quadrant for k in range(4)]
+
+
+@ANY_PORT
+def test_a_cell_ends_half_an_lsb_from_its_word(port):
+    word = np.array([(1 << port.width) // 8])
+    theta = codecs.decode(port, word)
+    for off in (-3, 2):
+        border = codecs.decode(port, word + off - 0.5 * np.sign(off))
+        assert codecs.within_cell(port, word + off, theta) == pytest.approx(border, abs=1e-12)
+
+
+@ANY_PORT
+def test_a_tie_is_no_error(port):
+    """The word before the true one, at a direction just past their common border: nearly no error."""
+    turn = 1 << port.width
+    theta = codecs.decode(port, np.array([turn // 8 + 0.5 + 1e-4]))
+    before, after = (codecs.within_cell(port, np.array([turn // 8 + i]), theta) for i in (0, 1))
+    assert abs(before - theta) < 1e-4 * truth.TURN / turn * 8 and after == pytest.approx(theta, abs=1e-12)
+
+
+@ANY_PORT
+def test_cells_wrap_round_the_full_turn(port):
+    for theta in (1e-5, -1e-5):
+        at = codecs.within_cell(port, np.array([0]), np.array([theta]))
+        assert abs(truth.difference(at, theta)) <= max(1e-5 - codecs.half_step(port), 0) + 1e-9
+    last = codecs.within_cell(port, np.array([-1 if port.signed else (1 << port.width) - 1]), np.array([0.0]))
+    assert abs(truth.difference(last, 0)) <= codecs.half_step(port) * (1 + 1e-9)
+
+
+def test_half_a_step_is_what_the_pages_say():
+    assert np.degrees(codecs.half_step(PORTS[0])) == pytest.approx(0.0099, abs=5e-5)
+    assert codecs.half_step(PORTS[3]) == pytest.approx(np.pi / 65536)
+
+
+def test_signed_angles_are_words_of_their_port():
+    port = Port("in_j1", 16, True, "angle")
+    assert codecs.encode(port, np.array([-np.pi / 2, 3 * np.pi / 2])).tolist() == [-16384, -16384]
+    assert codecs.decode(port, np.array([-16384])) == pytest.approx(3 * np.pi / 2)
+
+
+def test_a_plain_word_is_no_joint():
+    with pytest.raises(ValueError, match="in_x: a port of type None is no joint word; types are spread, angle"):
+        codecs.encode(Port("in_x", 16, True), 0.0)
+
+
+@ANY_PORT
+def test_border_words_are_about_every_border(port):
+    words = set(codecs.border_words(port).tolist())
+    for k in range(4):
+        for step in (0, 1, -1, 2, -2, 1 << port.width - 4, -(1 << port.width - 4), 1 << port.width - 3):
+            assert int(codecs.fixed.wrap((k << port.width - 2) + step, port.width, port.signed)) in words
 
 
 @given(st.integers(-131072, 131071), st.integers(-131072, 131071))
@@ -80,17 +121,16 @@ def test_vector_to_spread_never_falls_with_the_angle():
     assert (np.diff(wrapped) >= 0).all()
 
 
-@pytest.mark.parametrize(("s", "u"), [(24, 16), (8, 14)])
+@pytest.mark.parametrize(("s", "u"), [(24, 16), (8, 14), (14, 5), (16, 8), (30, 20)])
 def test_there_and_back(s, u):
-    """Half an LSB on both coordinates turns the vector by d <= sqrt(1/2) 2^-u: ds <= |sin 2 theta| d + d^2, and 1/2."""
+    """The word of a direction, as a unit vector of u fraction bits, comes back within half an LSB of both."""
     word = _sweep(s)
-    c, n = _vector(word, s, u)
+    theta = codecs.decode(Port("j", 2 + s, False, "spread"), word)
+    c, n = (np.floor(part * 2**u + 0.5).astype(np.int64) for part in truth.unit(theta))
     back = codecs.vector_to_spread({"W": u + 2, "S": s}, in_c=c, in_n=n)["out_j"]
     size = 4 << s
     away = np.abs((back - word + size // 2) % size - size // 2)
-    turn = np.sqrt(0.5) * 2.0**-u / (1 - 2.0**-u)
-    twice = np.abs(np.sin(2 * truth.spread_word_to_angle(word, s)))
-    assert (away <= (twice * turn + turn**2) * 2.0**s + 0.5 + 1e-6).all()
+    assert (away <= bounds.vector_to_spread(s, u, theta) + 1e-6).all()
 
 
 def test_no_direction_holds_the_last_word():
@@ -103,8 +143,9 @@ def test_no_direction_holds_the_last_word():
 def test_chord_slopes_cover_every_read(bits, bound):
     """|sqrt(v) - w slope / 2^(B + 17)| <= bound / 2^15 over both readings of a 16-bit spread, and 0 at 0."""
     v = np.arange(1 << 16)
+    assert bounds.root_product(bits) == bound / 2**15
     for flip in (0, 1):
         parts = codecs.root_product({"S": 16, "B": bits}, in_s=v, in_not=np.full(v.shape, flip))
         root = parts["out_w"] * parts["out_slope"] / 2.0 ** (bits + 17)
         exact = np.sqrt((65536 - v) / 65536 if flip else v / 65536)
-        assert np.abs(root - exact).max() <= bound / 2**15 + 2.0**-24
+        assert np.abs(root - exact).max() <= bounds.root_product(bits) + 2.0**-24

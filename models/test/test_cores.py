@@ -1,43 +1,63 @@
-"""The reader of rtl/cores.toml: what it expands, and how it refuses a wrong entry."""
+"""The reader of rtl/cores.toml: what it expands, how it reads formulas, and how it refuses a wrong entry."""
 
 import copy
-import tomllib
 
 import pytest
 from quadrance import cores
 from quadrance.cores import Port
 
-ENTRY = tomllib.loads("""
-family = "rational"
-function = "fk1"
-architecture = "table"
+TEXT = """
+[rational.fk1]
 model = "fixed.isqrt"
 cfg = { l1 = "uW" }
-in = { j1 = "u2+S" }
+in = { j1 = "spread S", j2 = "angle S+1" }
 out = { x = "sW", y = "smax(W, S)" }
 status = ["overflow"]
-sets = [ { id = "S24", params = { W = 16, S = 24 }, latency = 3, ii = 1 },
-         { id = "S8", params = { W = 16, S = 8 }, latency = 0, ii = 0 } ]
-""")
+
+[rational.fk1.isqrt_iter]
+architecture = "table"
+latency = "(S - 8) // 5"
+ii = 1
+illegal = [{ S = 25 }]
+sets.S24 = { W = 16, S = 24 }
+sets.S8 = { W = 16, S = 8 }
+"""
+
+
+def expand(text=TEXT, **changes):
+    """The first core of a list, keys of the core (``own_x``) and of its function changed; None takes one out."""
+    family, function, shared, name, own = cores.listed(text)[0]
+    shared, own = copy.deepcopy(shared), copy.deepcopy(own)
+    for key, value in changes.items():
+        table, key = (own, key[4:]) if key.startswith("own_") else (shared, key.rstrip("_"))
+        table.pop(key, None)
+        if value is not None:
+            table[key] = value
+    return cores.expand(family, function, shared, name, own)
 
 
 def test_expansion_of_one_entry():
-    first, second = cores._expand("isqrt_iter", ENTRY)
+    first, second = expand()
     assert (first.id, second.id) == ("isqrt_iter-S24", "isqrt_iter-S8")
-    assert first.inputs == (Port("in_j1", 26, False),) and second.inputs[0].width == 10
+    assert first.inputs == (Port("in_j1", 26, False, "spread"), Port("in_j2", 25, False, "angle"))
+    assert [port.width for port in second.inputs] == [10, 9]
     assert first.cfg == (Port("cfg_l1", 16, False),)
     assert first.outputs == (Port("out_x", 16, True), Port("out_y", 24, True), Port("out_status", 4, False))
     assert second.outputs[1].width == 16
-    assert [path.name for path in first.sources] == ["isqrt_iter.v", "isqrt_comb.v", "isqrt_digits.v"]
     assert first.first_set and not second.first_set
+    assert (first.latency, first.ii, second.latency, second.ii) == (3, 1, 0, 1)
     assert first.clocked and not second.clocked
+    assert first.illegal == ({"S": 25},) and first.sources == ()
     assert first.model([9])[0] == 3
     assert len({first, second, first}) == 2
 
 
+def test_the_interval_is_the_latency_where_nothing_else_is_said():
+    assert [core.ii for core in expand(own_ii=None)] == [3, 0]
+
+
 def test_an_entry_without_status_has_no_status_port():
-    entry = {key: value for key, value in ENTRY.items() if key not in ("status", "cfg")}
-    core = cores._expand("isqrt_iter", entry)[0]
+    core = expand(status=None, cfg=None)[0]
     assert core.status is None and core.cfg == () and core.outputs[-1].name == "out_y"
 
 
@@ -47,23 +67,53 @@ def test_range_of_a_port(port, low, high):
     assert (port.low, port.high) == (low, high)
 
 
+@pytest.mark.parametrize("text, value", [
+    (7, 7), ("7", 7), (" W ", 16), ("W // 2 * 3 - 1", 23), ("-(W - 20)", 4), ("max(W, S, 30) + min(W, S)", 46),
+    ("3 + (W > 10) + (W > 16) + (W >= 16) + (W == 16) + (W != S) + (W <= 1) + (W < 17)", 8)])
+def test_a_formula(text, value):
+    assert cores.formula(text, {"W": 16, "S": 24}, "here") == value
+
+
+@pytest.mark.parametrize("text, reason", [
+    ("W +", "is not a formula of"), ("W * 1.5", "is not a formula of"), ("W / 2", "is not a formula of"),
+    ("W ** W ** W", "is not a formula of"), ("__import__('os')", "is not a formula of"), ("abs(W)", "is not a formula"),
+    ("max()", "is not a formula of"), ("W.real", "is not a formula of"), ("1 < W < 3", "is not a formula of"),
+    ("[W][0]", "is not a formula of"), ("True", "is not a formula of"), ("", "is not a formula of"),
+    ("Q + 1", "names Q; parameters are W, S"), ("W // (S - 24)", "divides by 0 at {'W': 16, 'S': 24}"),
+    (True, "is neither an integer nor a formula"), (2.0, "is neither an integer nor a formula")])
+def test_what_is_not_a_formula_is_refused(text, reason):
+    with pytest.raises(ValueError) as error:
+        cores.formula(text, {"W": 16, "S": 24}, "cores.toml: a_core: latency")
+    assert f"cores.toml: a_core: latency: '{text}' {reason}" in str(error.value)
+
+
 @pytest.mark.parametrize("change, message", [
-    ({"familly": "x"}, "cores.toml: isqrt_iter: unknown key familly"),
+    ({"modell": "x"}, "unknown key modell"),
     ({"model": None}, "missing key model"),
-    ({"family": "vector"}, "family 'vector' is not one of arith"),
+    ({"own_latency": None}, "missing key latency"),
+    ({"own_sources": ["a.v"]}, "unknown key sources"),
     ({"status": ["late"]}, "status: unknown bit late"),
-    ({"in": {"j1": "W"}}, "port j1: 'W' is not u or s and a width"),
-    ({"in": {"j1": "u__import__('os')"}}, "port j1: 'u__import__"),
-    ({"in": {"j1": "uW-16"}}, "port j1: width 'uW-16' is 0"),
-    ({"sets": [{"id": "a", "params": {"W": 4, "S": 4}, "latency": 1, "ii": 1, "fast": 1}]}, "sets: unknown key fast"),
+    ({"in_": {"j1": "W"}}, "in.j1: 'W' is neither u or s and a width nor one of spread, angle"),
+    ({"in_": {"j1": "tangent S"}}, "in.j1: 'tangent S' is neither u or s and a width nor one of spread, angle"),
+    ({"in_": {"j1": "u__import__('os')"}}, "in.j1: '__import__('os')' is not a formula"),
+    ({"in_": {"j1": "angle W + Z"}}, "in.j1: 'W + Z' names Z; parameters are W, S"),
+    ({"in_": {"j1": "uW-16"}}, "in.j1: the width of 'uW-16' is 0"),
+    ({"own_latency": "W //"}, "latency: 'W //' is not a formula"),
+    ({"own_ii": "Q"}, "ii: 'Q' names Q; parameters are W, S"),
 ])
 def test_a_wrong_entry_is_refused_with_its_name(change, message):
-    entry = copy.deepcopy(ENTRY)
-    entry.update(change)
-    entry = {key: value for key, value in entry.items() if value is not None}
     with pytest.raises(ValueError) as error:
-        cores._expand("isqrt_iter", entry)
-    assert message in str(error.value) and "cores.toml: isqrt_iter" in str(error.value)
+        expand(**change)
+    assert f"cores.toml: isqrt_iter: {message}" in str(error.value)
+
+
+@pytest.mark.parametrize("text, message", [
+    (TEXT.replace("rational", "matrix"), "cores.toml: isqrt_iter: family 'matrix' is not one of arith"),
+    (TEXT.split("[rational.fk1.isqrt")[0], "cores.toml: rational.fk1 has no core"),
+    ("[rational]\nmodel = 'x.y'", "cores.toml: rational.model is not a table of a function")])
+def test_a_list_out_of_shape_is_refused(text, message):
+    with pytest.raises(ValueError, match=message.replace(".", r"\.")):
+        expand(text)
 
 
 def test_the_list_itself():
@@ -77,6 +127,36 @@ def test_the_list_itself():
     assert cores.find(listed[0].name) is listed[0]
     with pytest.raises(KeyError, match="no core 'nothing'"):
         cores.find("nothing")
+
+
+def test_the_list_is_in_order():
+    """By family, then function; a joint port says its type."""
+    listed = cores.all_cores()
+    families = list(dict.fromkeys(core.family for core in listed))
+    assert families == sorted(families, key=cores.FAMILIES.index)
+    groups = [(core.family, core.function) for core in listed]
+    assert len(set(groups)) == sum(one != other for one, other in zip(groups, [None, *groups]))
+    for core in listed:
+        for port in (*core.inputs, *core.outputs):
+            joint = port.name.split("_")[1] in ("j", "j1", "j2", "j3", "angle")
+            assert (port.type is not None) == joint, core.id
+
+
+def test_latencies_follow_the_parameters():
+    """What the formulas give where they are not plain numbers, as the benches measure it."""
+    found = {core.id: (core.latency, core.ii) for core in cores.all_cores()}
+    assert {name: cycles for name, cycles in found.items() if name in MEASURED} == MEASURED
+
+
+MEASURED = {
+    "isqrt_iter-W16R4": (2, 2), "isqrt_iter-W15F1R2": (5, 5), "isqrt_pipe-W16": (8, 1), "divide_iter-6by10F3R2": (5, 5),
+    "divide_pipe-8by8R3": (3, 1), "vector_to_spread_iter-W18S24": (10, 10), "vector_to_spread_iter-W8S13": (15, 15),
+    "cordic_rotate_iter-W16": (21, 21), "cordic_rotate_iter-W11A9": (16, 16), "cordic_rotate_pipe-W16": (20, 1),
+    "cordic_rotate_pipe-W11A9": (16, 1), "cordic_vector_iter-W11A9": (16, 16), "cordic_vector_pipe-W16": (17, 1),
+    "classic_fk1_iter-A16": (15, 15), "classic_fk2_iter-W12A10": (24, 24), "classic_fk3_iter-A16": (53, 53),
+    "classic_ik1_iter-W12A10": (14, 14), "classic_ik2_iter-A16": (61, 61), "classic_ik3_iter-W12A10": (58, 58),
+    "paper_ik1-S24": (10, 10), "paper_fk2-S8": (10, 10), "paper_fk3-S24": (17, 17), "paper_ik2-S8": (17, 17),
+    "paper_ik3-S24": (45, 45)}
 
 
 def test_sources_follow_the_instances():

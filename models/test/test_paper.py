@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import paper, paper_printed, truth
+from quadrance import bounds, codecs, paper, paper_printed, truth
+from quadrance.cores import Port
 
 SETS = [{"W": 16, "F": 8, "S": s} for s in (8, 24)]
 OVERFLOW, SINGULAR = 4, 2
@@ -80,7 +81,6 @@ def test_what_eight_fraction_bits_cost():
 
 # Two and three joints
 
-FORWARD = {8: (9, 15, 8, 22), 24: (27, 25, 13, 27)}  # S: digits of s', digits of the root, quadrance fraction and width
 LINKS = [(3.0, 2.0), (2.0, 3.0), (2.5, 2.5), (32.5, 27.5), (20.0, 30.0), (63.9, 63.9), (0.0, 5.0), (5.0, 0.0)]
 
 
@@ -106,13 +106,6 @@ def test_the_paper_s_worked_example():
     assert np.allclose([x, y, z], [1.9430075965662645, 1.2719970553055894, 0.13144803754939447], atol=1e-12)
 
 
-def forward_bound(s: int, reach: float, joints: int) -> float:
-    """README's bound of the tip distance in LSB of 2^-8."""
-    d, n, g, q = FORWARD[s]
-    share = 2.0 ** (-d / 2) + np.sqrt(3 * 2.0**-n) + 2.0 ** (-q / 2)
-    return 256 * (reach * share + (joints + 1) * 2.0 ** (-g / 2) + 2.0 ** (7 - n)) + np.sqrt(joints)
-
-
 @pytest.mark.parametrize("l1, l2", LINKS)
 @pytest.mark.parametrize("p", SETS, ids=lambda p: f"S{p['S']}")
 def test_forward_within_the_bound_in_every_cell(p, l1, l2):
@@ -126,7 +119,7 @@ def test_forward_within_the_bound_in_every_cell(p, l1, l2):
                           (paper.fk3(p, in_j1=joints[0], in_j2=joints[1], in_j3=joints[2], **cfg),
                            truth.fk3(*angles, *links))):
         error = np.sqrt(sum((answer[f"out_{axis}"] - tip) ** 2 for axis, tip in zip("xyz", exact)))
-        assert np.max(error) <= forward_bound(p["S"], l1 + l2, len(exact))
+        assert np.max(error) <= bounds.paper_forward(p, len(exact), *links)
         assert not np.any(answer["out_status"])
 
 
@@ -145,15 +138,7 @@ def test_forward_flags_a_tip_out_of_range(p):
 # Inverse
 
 INVERSE = [{"W": 16, "F": 8, "S": 8, "R": 4}, {"W": 16, "F": 8, "S": 24, "R": 3}]
-SHARES = {8: (12, 12, 2.0**-8, 2.0**-8), 24: (27, 26, 0.0, 2.0**-13)}  # S: digits of share, root; LSB of q's, of Q2 s2
 ARMS = LINKS[:6]
-
-
-def inverse_bound(s: int, reach: float, l1: float, l2: float) -> float:
-    """README's bound of the tip distance in LSB of 2^-8, beyond the half LSB of the joint words."""
-    d, n, u, v = SHARES[s]
-    spreads = (2 * reach + 2 * np.sqrt(2) * l2) * 2.0 ** (-d / 2) + np.sqrt(3) * reach * 2.0 ** (-n / 2)
-    return 256 * (spreads + (2 + 4 * np.sqrt(l2 / l1)) * np.sqrt(u) + np.sqrt(v))
 
 
 def targets(rng: np.random.Generator, l1: float, l2: float, count: int = 20_000) -> tuple[np.ndarray, ...]:
@@ -169,8 +154,7 @@ def targets(rng: np.random.Generator, l1: float, l2: float, count: int = 20_000)
 
 def in_cell(word: np.ndarray, theta: np.ndarray, s: int) -> np.ndarray:
     """The direction nearest to `theta` among those that round to `word`."""
-    off = np.mod(truth.angle_to_spread(theta, s) - word + (2 << s), 4 << s) - (2 << s)
-    return truth.spread_word_to_angle(word + np.clip(off, -0.5, 0.5), s)
+    return codecs.within_cell(Port("j", 2 + s, False, "spread"), word, theta)
 
 
 @pytest.mark.parametrize("l1, l2", ARMS)
@@ -186,7 +170,7 @@ def test_inverse_within_the_bound_both_elbows(p, l1, l2):
         defined = (answer["out_status"] & SINGULAR == 0) & np.all(np.isfinite(exact), axis=0)
         near = [in_cell(answer[f"out_j{i + 1}"], theta, p["S"]) for i, theta in enumerate(exact)]
         error = np.sqrt(sum((a - b) ** 2 for a, b in zip(forward(*near, *links), forward(*exact, *links))))
-        assert np.max(error[defined]) <= inverse_bound(p["S"], l1 + l2, l1, l2) and np.mean(defined) > 0.7
+        assert np.max(error[defined]) <= bounds.paper_inverse(p, *links) and np.mean(defined) > 0.7
 
 
 @pytest.mark.parametrize("p", INVERSE, ids=lambda p: f"S{p['S']}")
@@ -208,7 +192,7 @@ def test_unreachable_is_the_nearest_point(p):
         assert np.all(answer["out_status"] == 1) and np.all(answer["out_j2"] == stretched << p["S"])
         exact = truth.ik2(x, y, l1, l2)[0]
         off = truth.difference(in_cell(answer["out_j1"], exact, p["S"]), exact)
-        assert np.max(np.abs(off)) <= 4 * 2.0 ** (-SHARES[p["S"]][0] / 2)
+        assert np.max(np.abs(off)) <= bounds.paper_nearest(p)
     inside = paper.ik2(p, in_x=np.rint(256 * 4.9 * np.cos(turn)).astype(np.int64),
                        in_y=np.rint(256 * 4.9 * np.sin(turn)).astype(np.int64), in_elbow=0, cfg_l1=768, cfg_l2=512)
     assert not np.any(inside["out_status"])

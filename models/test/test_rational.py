@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from quadrance import codecs, rational, truth
+from quadrance import bounds, codecs, rational, truth
+from quadrance.cores import Port
 
 ONE = {"W": 16, "F": 8, "S": 24}
 LENGTHS = (1, 100, 4095, 8320, 11111, 16383, 16384)  # LSB; 16384 is 64 units of Q7.8
@@ -25,11 +26,6 @@ def _words(s: int) -> np.ndarray:
     return np.unique(np.arange(4)[:, None] * (1 << s) + spread)
 
 
-def _coordinate_bound(length: int) -> float:
-    """1/2 rounding, 1/16 cut of L1 w (2^-5 LSB times a slope of at most 2), 0.52 / 2^15 of the table; LSB."""
-    return 0.5 + 1 / 16 + 0.52 * length / 2**15
-
-
 @pytest.mark.parametrize("s", [8, 16, 24])
 @pytest.mark.parametrize("length", LENGTHS)
 def test_fk1_error(s, length):
@@ -37,7 +33,7 @@ def test_fk1_error(s, length):
     answer = rational.fk1(ONE | {"S": s}, in_j1=word, cfg_l1=length)
     x, y = truth.fk1(truth.spread_word_to_angle(word, s), length)
     dx, dy = answer["out_x"] - x, answer["out_y"] - y
-    assert max(np.abs(dx).max(), np.abs(dy).max()) <= _coordinate_bound(length)
+    assert max(np.abs(dx).max(), np.abs(dy).max()) <= bounds.rational_fk1(length)
     assert np.hypot(dx, dy).max() <= 1.0
     assert not answer["out_status"].any()
 
@@ -75,7 +71,7 @@ def test_fk1_saturates_with_a_flag():
     word = _words(24)
     answer = rational.fk1(ONE, in_j1=word, cfg_l1=65535)
     x, y = truth.fk1(truth.spread_word_to_angle(word, 24), 65535)
-    away = _coordinate_bound(65535)
+    away = bounds.rational_fk1(65535)
     for port, exact in (("out_x", x), ("out_y", y)):
         assert (np.abs(answer[port] - np.clip(exact, -32768, 32767)) <= away).all()
     outside = np.maximum.reduce([x - 32767, -32768 - x, y - 32767, -32768 - y])
@@ -86,17 +82,8 @@ def test_fk1_saturates_with_a_flag():
 def _cell_error(x: np.ndarray, y: np.ndarray, word: np.ndarray, s: int) -> np.ndarray:
     """Angle (rad) from (x, y) to the nearest direction that rounds to `word`."""
     theta = np.arctan2(y, x)
-    size = 4.0 * 2**s
-    off = np.mod(truth.angle_to_spread(theta, s) - word + size / 2, size) - size / 2
-    return np.abs(truth.difference(truth.spread_word_to_angle(word + np.clip(off, -0.5, 0.5), s), theta))
-
-
-# Bound of the direction, rad. s = m^2 r: d theta = (dr / r) t / 2, t = m / M <= 1 but at near ties, q = M^2 (1 + t^2):
-#   sag of the chord h^2 / (8 q^2) t / 2, h = 2^-8                 <= 0.65 * 2^-19
-#   cut of q, 2^-17 around its middle, / q * t / 2                 <= 0.87 * 2^-17
-#   knot and product of the chord, 2^-17 + 2^-17 + 2^-17 (cut), * q t / 2 <= 3 * 2^-17
-#   cut of m^2 (at most 4/8 of 2^-27, times r): below 2^-15 at the first words past a border, where t is near 0
-IK1_BOUND = 0.6 * 2.0**-14
+    within = codecs.within_cell(Port("j", 2 + s, False, "spread"), word, theta)
+    return np.abs(truth.difference(within, theta))
 
 
 @pytest.mark.parametrize("s", [8, 16, 24])
@@ -108,7 +95,7 @@ def test_ik1_error(s):
     keep = (x != 0) | (y != 0)
     x, y = x[keep], y[keep]
     word = rational.ik1(ONE | {"S": s}, in_x=x, in_y=y)["out_j1"]
-    assert _cell_error(x, y, word, s).max() <= IK1_BOUND
+    assert _cell_error(x, y, word, s).max() <= bounds.RATIONAL_DIRECTION
 
 
 def test_ik1_error_of_every_short_point():
@@ -116,7 +103,7 @@ def test_ik1_error_of_every_short_point():
     answer = rational.ik1({"W": 8, "F": 4, "S": 24}, in_x=x, in_y=y)
     zero = (x == 0) & (y == 0)
     assert (answer["out_status"] == np.where(zero, 2, 0)).all()
-    assert _cell_error(x[~zero], y[~zero], answer["out_j1"][~zero], 24).max() <= IK1_BOUND
+    assert _cell_error(x[~zero], y[~zero], answer["out_j1"][~zero], 24).max() <= bounds.RATIONAL_DIRECTION
 
 
 def test_ik1_error_first_words_past_the_borders():
@@ -124,7 +111,7 @@ def test_ik1_error_first_words_past_the_borders():
     m, long = (grid.ravel() for grid in np.meshgrid(np.arange(-40, 41), np.arange(8192, 32768, 7)))
     for x, y in ((long, m), (m, long), (-long, m), (m, -long)):
         word = rational.ik1(ONE, in_x=x, in_y=y)["out_j1"]
-        assert _cell_error(x, y, word, 24).max() <= IK1_BOUND
+        assert _cell_error(x, y, word, 24).max() <= bounds.RATIONAL_DIRECTION
 
 
 def test_ik1_is_exact_on_every_axis():
@@ -154,4 +141,4 @@ def test_one_joint_there_and_back(length):
     tip = rational.fk1(ONE, in_j1=word, cfg_l1=length)
     back = rational.ik1(ONE, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
     turned = _cell_error(*truth.fk1(truth.spread_word_to_angle(word, 24), length), back, 24)
-    assert turned.max() <= 1.0 / (length - 1) + IK1_BOUND
+    assert turned.max() <= 1.0 / (length - 1) + bounds.RATIONAL_DIRECTION

@@ -4,16 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import rational, truth
+from quadrance import bounds, rational, truth
 
 P = {"W": 16, "F": 8, "S": 24, "U": 16}
 FINE = {"W": 16, "F": 8, "S": 28, "U": 17}
 LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16384, 0), (0, 16384), (768, 512), (1, 1)]
-# Of 2^-U: half the spacing of odd words, half the greatest sag (2^-18.5), one unit of knot and cut, cut of the offset
-ROOT = {16: 0.5 + 0.177 + 0.125 + 0.022, 17: 0.5 + 0.354 + 0.125 + 0.044}
-# Error of a turn by length: the two roots of a joint err like a vector, the wide one without the sag
-TURN = np.hypot(ROOT[16], ROOT[16] - 0.16) / 2**16
-CUT = (2**0.5 + 2) / 32  # A and B, then two products
 
 
 def _words(rng: np.random.Generator, s: int, count: int) -> np.ndarray:
@@ -30,7 +25,7 @@ def test_roots_are_within_their_bound_in_every_quadrant(p: dict[str, int]) -> No
     words = np.append(_words(np.random.default_rng(1), p["S"], 200_000), borders)
     theta = truth.spread_word_to_angle(words, p["S"])
     for root, exact in zip(rational.roots(p, words), truth.unit(theta)):
-        assert np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"] <= ROOT[p["U"]]
+        assert np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"] <= bounds.spread_chord(p["U"])
 
 
 @pytest.mark.parametrize(("l1", "l2"), LINKS)
@@ -40,7 +35,7 @@ def test_fk2_is_within_its_bound(l1: int, l2: int) -> None:
     out = rational.fk2(P, in_j1=j1, in_j2=j2, cfg_l1=l1, cfg_l2=l2)
     exact = truth.fk2(*(truth.spread_word_to_angle(j, P["S"]) for j in (j1, j2)), l1, l2)
     error = [out[f"out_{axis}"] - value for axis, value in zip("xy", exact)]
-    assert np.max(np.abs(error)) <= min(0.5 + TURN * (l1 + 2 * l2) + CUT, 0.85)
+    assert np.max(np.abs(error)) <= min(bounds.rational_chain(P, 2, l1, l2), 0.85)
     assert np.max(np.hypot(*error)) <= 1.02
     assert not out["out_status"].any()
 
@@ -52,8 +47,7 @@ def test_fk3_is_within_its_bound(l1: int, l2: int) -> None:
     out = rational.fk3(P, in_j1=words[0], in_j2=words[1], in_j3=words[2], cfg_l1=l1, cfg_l2=l2)
     exact = truth.fk3(*(truth.spread_word_to_angle(j, P["S"]) for j in words), l1, l2)
     error = [out[f"out_{axis}"] - value for axis, value in zip("xyz", exact)]
-    bound = 0.5 + TURN * (l1 + 2 * l2) + CUT + ROOT[16] / 2**16 * (l1 + l2) + 2 / 32
-    assert np.max(np.abs(error)) <= min(bound, 1.0)
+    assert np.max(np.abs(error)) <= min(bounds.rational_chain(P, 3, l1, l2), 1.0)
     assert not out["out_status"].any()
 
 

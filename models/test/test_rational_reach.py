@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import rational, truth
+from quadrance import bounds, codecs, rational, truth
+from quadrance.cores import Port
 
 P = {"W": 16, "F": 8, "S": 24}
+JOINT = Port("j", 26, False, "spread")
 LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16000, 300), (300, 16000), (768, 512), (30, 20),
          (5, 2), (1, 1), (16384, 16384), (30000, 2000), (60000, 60000)]
 
@@ -28,33 +30,6 @@ def _answer(l1: int, l2: int, x: np.ndarray, y: np.ndarray, elbow: np.ndarray) -
                         **rational.config(P, cfg_l1=l1, cfg_l2=l2))
 
 
-def _within(word: np.ndarray, theta: np.ndarray) -> np.ndarray:
-    """The direction nearest to `theta` among those that round to `word`."""
-    turn = 4.0 * 2**24
-    off = np.mod(truth.angle_to_spread(theta, 24) - word + turn / 2, turn) - turn / 2
-    return truth.spread_word_to_angle(word + np.clip(off, -0.5, 0.5), 24)
-
-
-def _gap_error(l1: int, l2: int) -> float:
-    """Of the quadrance (LSB^2) that c2 stands for: n and its half, the rounding of cfg_r, the cut of c2."""
-    config, double = rational.config(P, cfg_l1=l1, cfg_l2=l2), 2 * l1 * l2
-    return (128 if config["cfg_e"] == 0 else 0) + double / config["cfg_r"] + double / 2**20
-
-
-def _bound(l1: int, l2: int, rho: np.ndarray, n2: np.ndarray) -> np.ndarray:
-    """Error of the tip beyond the rounding of the words, LSB."""
-    radial = _gap_error(l1, l2) / (2 * rho)
-    folded = rho**2 < 4 * _gap_error(l1, l2)  # so near the shoulder the direction is lost: the tip is anywhere near
-    # chord; near the circles 1 - c2^2 has 24 bits for k2, and half a unit of joint 2 no longer fits joint 1
-    answered = np.sqrt(np.maximum(n2**2 - _gap_error(l1, l2) / (l1 * l2), 1e-18))
-    root = l2 * (2 * 0.31 / 2**15 + np.minimum(2**-11.5, 2**-24 / answered))
-    cut = 2 * (2**0.5 / 16 + 1 / 16)  # k1, k2: 3 fraction bits and a constant half behind them; one's complement
-    direction = _direction_error(rho)
-    # an error e of (k1, k2) turns the tip by e across and, since the spread takes the length of k for that of the tip,
-    # by tan <= 3^(1/2) times e along: 2 e together
-    return np.where(folded, 2 * rho + np.sqrt(_gap_error(l1, l2)), 2 * radial) + root + cut + direction
-
-
 @pytest.mark.parametrize(("l1", "l2"), LINKS)
 def test_ik2_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
     x, y, elbow = _targets(l1, l2)
@@ -63,9 +38,9 @@ def test_ik2_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
     x, y, elbow, rho = x[keep], y[keep], elbow[keep], rho[keep]
     out, exact = _answer(l1, l2, x, y, elbow), truth.ik2(x, y, l1, l2, elbow)
     assert not out["out_status"].any()  # nothing in reach is flagged, borders included
-    tip = truth.fk2(_within(out["out_j1"], exact[0]), _within(out["out_j2"], exact[1]), l1, l2)
+    tip = truth.fk2(*(codecs.within_cell(JOINT, out[f"out_j{i}"], theta) for i, theta in enumerate(exact, 1)), l1, l2)
     error = np.hypot(tip[0] - x, tip[1] - y)
-    assert np.all(error <= _bound(l1, l2, rho, np.abs(np.sin(exact[1]))))
+    assert np.all(error <= bounds.rational_ik2(P, l1, l2, rho, np.abs(np.sin(exact[1]))))
     if l1 + l2 <= 16384:  # 64 units of Q7.8
         away = (rho >= 256) & (np.abs(np.sin(exact[1])) > 2**-8)
         assert np.max(error[away], initial=0) <= 1.0
@@ -78,7 +53,7 @@ def test_ik2_out_of_reach_answers_the_nearest_point(l1: int, l2: int) -> None:
     hole = rng.uniform(0, abs(l1 - l2), 10_000) + 1
     x[:10_000] = np.clip(np.rint(hole * np.cos(x[:10_000])), -32768, 32767)
     y[:10_000] = np.clip(np.rint(np.sqrt(np.maximum(hole**2 - x[:10_000] ** 2.0, 0))), 0, 32767)
-    q, edge = x * x + y * y, _gap_error(l1, l2)
+    q, edge = x * x + y * y, bounds.rational_gap(P, l1, l2)
     far, near = q > (l1 + l2) ** 2 + edge, q < (l1 - l2) ** 2 - edge
     out = _answer(l1, l2, x, y, elbow)
     assert np.all(out["out_status"][far | near] & 1)
@@ -86,15 +61,11 @@ def test_ik2_out_of_reach_answers_the_nearest_point(l1: int, l2: int) -> None:
     keep = rho > 0
     exact = truth.ik2(x, y, l1, l2)
     assert np.all(np.isin(out["out_j2"][far | near], (0, 2 << 24)))
-    theta = [_within(out["out_j1"][far | near], np.nan_to_num(exact[0])), np.where(near[far | near], np.pi, 0)]
+    theta = [codecs.within_cell(JOINT, out["out_j1"][far | near], np.nan_to_num(exact[0])),
+             np.where(near[far | near], np.pi, 0)]
     reached, nearest = truth.fk2(*theta, l1, l2), np.where(near[far | near], abs(l1 - l2), l1 + l2) / np.maximum(rho, 1)
     error = np.hypot(reached[0] - x * nearest, reached[1] - y * nearest)[keep]
-    assert np.max(error / (l1 + l2), initial=0) <= 1.2 / 2**14  # the direction alone
-
-
-def _direction_error(rho: np.ndarray) -> np.ndarray:
-    """a and b to 2^-20 of q' >= 1/4, and u; 1/q' to 2^-17, with the cut of q' half more, times tan <= 2."""
-    return rho * (1.5 * 2**-17 + 2 * 1.5 * 2**-17)
+    assert np.max(error / (l1 + l2), initial=0) <= bounds.RATIONAL_NEAREST
 
 
 @pytest.mark.parametrize(("l1", "l2"), LINKS)
@@ -110,15 +81,10 @@ def test_ik3_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
                        **rational.config(P, cfg_l1=l1, cfg_l2=l2))
     assert not out["out_status"].any()
     exact = truth.ik3(x, y, z, l1, l2, elbow)
-    tip = truth.fk3(*(_within(out[f"out_j{i}"], theta) for i, theta in enumerate(exact, 1)), l1, l2)
+    tip = truth.fk3(*(codecs.within_cell(JOINT, out[f"out_j{i}"], theta) for i, theta in enumerate(exact, 1)), l1, l2)
     error = np.sqrt(sum((a - b) ** 2 for a, b in zip(tip, (x, y, z))))
-    # rho: the chord of v <= 1/2, the cut of v to 24 bits and of rho to 3 fraction bits about a half, and to one after
-    # the shift; it turns (rho, z) and stretches it
-    longest, large = np.max(np.abs([x, y, z]), axis=0), rho >= 4096
-    rho_error = 0.26 * np.where(large, 2, 1 / 8) + np.where(large, 1 / 32, 0) + 1 / 16
-    rho_error += 2.0 ** (np.ceil(np.log2(longest + 1)) - 16)
     n2 = np.abs(np.sin(exact[1]))
-    assert np.all(error <= _bound(l1, l2, length, n2) + 2 * rho_error + _direction_error(rho))
+    assert np.all(error <= bounds.rational_ik3(P, l1, l2, np.array([x, y, z]), n2))
     if l1 + l2 <= 16384:
         away = (length >= 256) & (n2 > 2**-8)
         assert np.max(error[away], initial=0) <= 1.0
@@ -171,5 +137,4 @@ def test_inverse_is_a_tangent() -> None:
     qs = np.arange(1 << 17, 1 << 21)
     q = (qs + 0.5) / 2**19
     error = np.abs(rational.inverse(qs) / 2**24 * q - 1)
-    # half of what the tangent loses at a border, half a unit of the slope, half a unit of q', the cut of the product
-    assert np.all(error <= 2**-17 / (16 * q**2) + q**2 * 2**-19 + 2**-20 / q + q * 2**-24)
+    assert np.all(error <= bounds.reciprocal_product(q))

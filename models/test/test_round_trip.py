@@ -8,22 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import accuracy, truth
+from quadrance import accuracy, bounds, codecs, truth
 from quadrance.cores import Core, all_cores
-
-from models.test.test_paper import forward_bound, inverse_bound
 
 UNREACHABLE, SINGULAR = 1, 2
 ARMS = [(32.5, 27.5), (20.0, 20.0), (15.0, 30.0)]  # units: L1 > L2, L1 = L2, L1 < L2
-
-
-def bounds(core: Core, l1: float, l2: float) -> tuple[float, float]:
-    """Greatest tip error in LSB of the family's forward and inverse cores, from their pages."""
-    n = accuracy.JOINTS[core.function]
-    if core.family == "paper":
-        s = core.params["S"]
-        return forward_bound(s, l1 + l2, n), inverse_bound(s, l1 + l2, l1, l2)
-    return np.sqrt(n) * (1.0 if core.family == "rational" else {2: 2.0, 3: 2.8}[n]), 2.0
 
 
 def pairs() -> list[tuple[Core, Core]]:
@@ -44,16 +33,13 @@ LINKS = pytest.mark.parametrize("l1, l2", ARMS)
 
 def run(core: Core, l1: float, l2: float, **inputs: np.ndarray) -> dict[str, np.ndarray]:
     """The core's model at link lengths in units."""
-    words = {f"cfg_l{i}": round(256 * length) for i, length in enumerate((l1, l2), 1)}
-    names = {port.name for port in core.cfg}
-    if names - set(words):
-        words |= accuracy.sys.modules[core.model.__module__].config(core.params, **words)
-    return core.model(core.params, **inputs, **{name: words[name] for name in names})
+    words = accuracy.configure(core, cfg_l1=round(256 * l1), cfg_l2=round(256 * l2))
+    return core.model(core.params, **inputs, **words)
 
 
 def angles(core: Core, words: dict[str, np.ndarray]) -> list[np.ndarray]:
     """Joint angles of an inverse core's answer."""
-    return [accuracy.decode(port, core, words[port.name]) for port in core.outputs if port.name[4] == "j"]
+    return [codecs.decode(port, words[port.name]) for port in core.outputs if port.type]
 
 
 def tip_of(theta: list[np.ndarray], l1: float, l2: float) -> np.ndarray:
@@ -63,11 +49,11 @@ def tip_of(theta: list[np.ndarray], l1: float, l2: float) -> np.ndarray:
 
 def half_word(core: Core, words: dict[str, np.ndarray], l1: float, l2: float) -> np.ndarray:
     """How far half an LSB of every joint word moves the tip at most, LSB."""
-    ports = [port for port in core.outputs if port.name[4] == "j"]
+    ports = [port for port in core.outputs if port.type]
     theta = angles(core, words)
     home, moved = tip_of(theta, l1, l2), 0.0
     for i, port in enumerate(ports):
-        steps = [tip_of([*theta[:i], accuracy.decode(port, core, words[port.name] + half), *theta[i + 1:]], l1, l2)
+        steps = [tip_of([*theta[:i], codecs.decode(port, words[port.name] + half), *theta[i + 1:]], l1, l2)
                  for half in (-0.5, 0.5)]
         moved = moved + np.max([np.linalg.norm(step - home, axis=-1) for step in steps], axis=0)
     return moved
@@ -94,7 +80,7 @@ def solve(inverse: Core, tip: np.ndarray, elbow: np.ndarray, l1: float, l2: floa
 @PAIRS
 def test_forward_of_inverse_is_the_target(forward: Core, inverse: Core, l1: float, l2: float) -> None:
     joints = accuracy.JOINTS[forward.function]
-    there, back = bounds(forward, l1, l2)[0], bounds(inverse, l1, l2)[1]
+    there, back = (bounds.tip(core, 256 * l1, 256 * l2) for core in (forward, inverse))
     tip, elbow = targets(joints, l1, l2, inset=1.0)
     words = solve(inverse, tip, elbow, l1, l2)
     assert not np.any(words["out_status"] & (UNREACHABLE | 4))
@@ -113,7 +99,7 @@ def test_forward_of_inverse_is_the_target(forward: Core, inverse: Core, l1: floa
 @PAIRS
 def test_inverse_of_forward_is_the_joints_up_to_the_elbow(forward: Core, inverse: Core, l1: float, l2: float) -> None:
     joints = accuracy.JOINTS[forward.function]
-    there, back = bounds(forward, l1, l2)[0], bounds(inverse, l1, l2)[1]
+    there, back = (bounds.tip(core, 256 * l1, 256 * l2) for core in (forward, inverse))
     tip, elbow = targets(joints, l1, l2, inset=2.0, count=5000)
     words = solve(inverse, tip, elbow, l1, l2)  # joint words that reach all over the annulus
     asked = angles(inverse, words)
@@ -130,7 +116,7 @@ def test_paths_through_every_border_and_past_the_singular_points(forward: Core, 
     """Steps of one LSB through all quadrants of the target, the stretched and the folded arm, and the base axis."""
     l1, l2 = 20.0, 20.0
     joints = accuracy.JOINTS[forward.function]
-    back = bounds(inverse, l1, l2)[1]
+    back = bounds.tip(inverse, 256 * l1, 256 * l2)
     step = np.arange(-42 * 256, 42 * 256 + 1)
     circle = 256 * 25 * np.stack(truth.unit(np.linspace(0, 2 * np.pi, 40_000)))
     paths = [np.stack([step, 0 * step]), np.stack([0 * step, step]), np.stack([step, 0 * step + 3]), circle]

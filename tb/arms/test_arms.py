@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import accuracy, arms
+from quadrance import accuracy, arms, bounds
 from quadrance.cores import Core, all_cores
 
 from tb.lib import bulk
 
 SAMPLES = 2000
 ARMS = ("cobra600", "linuxcnc_scara", "staubli_tx40", "geomagic_touch")
-# What the pages of rational and classic derive up to 64 units of reach, LSB: forward a coordinate, inverse at the tip
-FORWARD = {("classic", "fk2"): 2.0, ("classic", "fk3"): 2.8}
-FORWARD_ELSE, INVERSE = 1.0, 2.0
 
 
 def kinematic() -> list[Core]:
@@ -37,6 +34,5 @@ def test_a_day_of_the_arm(core: Core, record_property) -> None:
         record_property(f"{name}_mm", millimetres)
         if core.family != "paper":  # its bound depends on the links, and eight bits see a pole near the yaw axis
             assert not np.any(result.outputs["out_status"]), f"{name} raised a status bit"
-            axis = FORWARD.get((core.family, core.function), FORWARD_ELSE)
-            limit = axis * np.sqrt(len(accuracy.AXES[core.function])) if core.function.startswith("fk") else INVERSE
+            limit = bounds.tip(core, *(round(length * 2 ** core.params["F"]) for length in arm.links))
             assert worst <= limit, f"{name}: {worst:.2f} LSB at the tip, {millimetres:.3f} mm"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from quadrance import codecs
 from quadrance.cores import Core
 
 from tb.lib import stimulus
@@ -24,15 +25,6 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     return [{"cfg_l1": length} for length in (2 * half - 1, half, half - 1, some, long, 1, 0)]
 
 
-def joint_words(core: Core) -> np.ndarray:
-    """Every quadrant border with its neighbours, the middles, and spreads of one bit."""
-    s = core.params["S"]
-    near = [(k << s) + j for k in range(4) for j in (-2, -1, 0, 1, 2)]
-    middle = [(2 * k + 1 << s - 1) + j for k in range(4) for j in (-1, 0, 1)]
-    bits = [(k << s) + sign * (1 << i) for k in range(4) for i in range(s) for sign in (-1, 1)]
-    return np.unique(np.array(near + middle + bits) % (4 << s))
-
-
 def coordinates(core: Core) -> list[int]:
     """Extremes and powers of two of a coordinate word, both signs."""
     half = 1 << core.params["W"] - 1
@@ -46,7 +38,7 @@ def cells(core: Core) -> list[np.ndarray]:
     middles = [(k << s) + f for k in range(4) for f in (1 << s - 2, 3 << s - 2)]
     inside = np.stack(np.meshgrid(*[middles[::joints - 1]] * joints), axis=-1).reshape(-1, joints)
     rng = np.random.default_rng(1)
-    edge = rng.choice(joint_words(core), (400, joints))
+    edge = rng.choice(codecs.border_words(core.inputs[0]), (400, joints))
     return list(np.concatenate([inside, edge]).T)
 
 
@@ -71,7 +63,7 @@ def targets(core: Core, cfg: dict[str, int]) -> Vectors:
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
     if core.function == "fk1":
-        return {"in_j1": joint_words(core)}
+        return {"in_j1": codecs.border_words(core.inputs[0])}
     if core.function in ("fk2", "fk3"):
         return dict(zip((port.name for port in core.inputs), cells(core)))
     if core.function in ("ik2", "ik3"):

@@ -3,18 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from quadrance import rational
+from quadrance import codecs, rational
 from quadrance.cores import Core
 
 from tb.lib.stimulus import Vectors
-
-
-def turn_spreads(s: int) -> np.ndarray:
-    """Turn-spread words at each quadrant border, each power of two of the spread and of its complement, +-2."""
-    steps = np.array(sorted({0, *(1 << i for i in range(s + 1))}))
-    near = np.concatenate([steps, -steps])[:, None] + np.arange(-2, 3)
-    words = np.arange(4)[:, None] * (1 << s) + near.ravel()
-    return np.unique(words & (4 << s) - 1)
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -77,8 +69,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
-        words = turn_spreads(core.params["S"])
-        return {port.name: rng.permutation(words) for port in core.inputs}
+        return {port.name: rng.permutation(codecs.border_words(port)) for port in core.inputs}
     if core.function in ("ik2", "ik3"):
         return targets(core, cfg, rng)
     x, y = points(core.params["W"])
