@@ -15,7 +15,7 @@ from tb.lib import bulk, stimulus, tools
 
 SAMPLES = 1000  # of the trajectory
 SWEEP = 4096  # random and border samples of all a core can be asked
-WORKSPACE = 16384  # samples of the arm's workspace, borders of the words included
+WORKSPACE = 65536  # samples of the arm's workspace, borders of the words included
 FIGURES = ("latency_cycles", "ii", "error_lsb", "error_mm", "sweep_error_lsb", "words_lsb", "words_mm", "total_lsb",
            "total_mm")  # of a row, from simulation
 MAP = 121  # points a side of the map of the workspace

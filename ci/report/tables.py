@@ -82,8 +82,8 @@ def glance_table(report: dict) -> Table:
                 number(row["total_lsb"]), number(row["total_mm"]))
 
     return Table("At a glance: every core of Q7.8 at its first parameter set", (
-        "core", "cycles", "ns", "MHz", "ALUT + DSP + memory", "ALUT, no DSP", "error LSB", "words LSB", "total LSB",
-        "total mm"), tuple(map(line, leading(q7_8(pick(report, KINEMATIC))))))
+        "core", "cycles", "ns", "MHz", "ALUT + DSP + memory", "ALUT, no DSP", "arithmetic LSB", "words LSB",
+        "total LSB", "total mm"), tuple(map(line, leading(q7_8(pick(report, KINEMATIC))))))
 
 
 def headline_table(report: dict) -> Table:
