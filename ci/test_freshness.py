@@ -201,6 +201,9 @@ def test_each_concern_has_its_own_causes(report, listed, monkeypatch, tmp_path):
         other = report | {"tools": report["tools"] | {tool: "0"}}
         assert kept(other, listed) == expected, tool
     assert kept(report, listed, arm="ur5") == (BOTH, [])
+    mine = tmp_path / "mine.toml"  # the same links within other limits: the same words, another workspace
+    mine.write_text(freshness.arms.path_of("cobra600").read_text().replace("-105", "-104"))
+    assert kept(report, listed, arm=str(mine)) == (BOTH, [])
     first, second = listed
     assert kept(report, (first, replace(second, latency=3))) == (BOTH, ["a-S8"])
     assert kept(report, (first, replace(second, params=second.params | {"S": 25}))) == (["a-S8"], ["a-S8"])
