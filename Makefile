@@ -15,7 +15,7 @@ export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
-	@echo "options: ARM=name|file.toml  CORE=name  SEED=n  N=parallel jobs"
+	@echo "options: ARM=name|file.toml  CORE=name  SEED=n  N=parallel jobs  FRESH=1"
 
 setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
 
@@ -32,8 +32,8 @@ test: setup ## every bench in both simulators and every model test
 smoke: setup ## the first parameter set of every core: cocotb bench under Icarus, bulk run
 	@$(PY) -m pytest -q -n $(N) --dist worksteal -m smoke
 
-report: setup ## latency, area, clock and accuracy of every core on an arm's trajectory
-	@$(PY) -m ci.report --arm $(ARM)
+report: setup ## latency, area, clock and accuracy of every core on ARM; FRESH=1 measures all again
+	@$(PY) -m ci.report --arm $(ARM) $(if $(FRESH),--fresh)
 
 report-check: setup ## fails when the committed report no longer follows from the sources
 	@$(PY) -m ci.report --check

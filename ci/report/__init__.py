@@ -1,0 +1,13 @@
+"""What every core costs: measured on a real arm, compared, written to `reports/`, the README and the cores' pages.
+
+measure (simulation), ci.synth (area, clock) -> run (workers, what is kept) -> rows -> comparison -> tables, figures ->
+documents; freshness tells what may be kept and whether the committed report still follows from the sources.
+"""
+
+from tb.lib import tools
+
+DEFAULT_ARM = "cobra600"
+REPORTS = tools.ROOT / "reports"  # of the default arm, committed
+OTHERS = tools.BUILD / "report"  # of any other arm, a folder each
+README = tools.ROOT / "README.md"
+PLOTS = ("area_latency.png", "accuracy.png", "tip_error_map.png")

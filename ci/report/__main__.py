@@ -1,0 +1,73 @@
+"""Measure every core on a real arm and write what it costs.
+
+    python -m ci.report                  measure what the committed report does not have; write reports/, README, pages
+    python -m ci.report --arm mine.toml  another arm: write build/report/mine/ and nothing else
+    python -m ci.report --fresh          measure everything again, and say where it differs from the committed report
+    python -m ci.report --check          does the committed report still follow from the sources? (seconds)
+"""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import sys
+import time
+
+from quadrance import arms, cores
+
+from ci.report import DEFAULT_ARM, README, REPORTS, blocks, freshness, run
+from ci.report.terminal import show
+from tb.lib import tools
+
+REFRESH = "run `make report` and commit reports/, README.md and the pages below rtl/"
+
+
+def check() -> None:
+    """Exit with the reasons where the committed report is stale."""
+    if problems := freshness.check():
+        raise SystemExit("\n".join(["The committed report no longer follows from the sources:",
+                                    *(f"  {problem}" for problem in problems), f"To refresh: {REFRESH}."]))
+    print("The committed report follows from the sources.")
+
+
+def report(arm: str, fresh: bool) -> None:
+    """Measure, write and print the report of an arm."""
+    started, listed, committed = time.monotonic(), cores.all_cores(), freshness.committed()
+    arm = DEFAULT_ARM if run.is_default(arm) else arm
+    folder = run.folder_of(arm)
+    if folder == REPORTS and (problems := blocks.wrong(README, cores.RTL, listed)):
+        raise ValueError("\n".join(problems))  # before minutes of measuring, not after
+    made, maps, kept = run.put_together(arm, listed, committed, fresh)
+    run.write(made, maps, folder, README, cores.RTL)
+    show(made)
+    count = len(listed)
+    print(f"From the committed report: area and clock of {kept['synthesis']} of {count} cores and parameter sets, "
+          f"cycles and errors of {kept['simulation']}.")
+    if fresh:
+        lines = run.differences(committed, made)
+        print("\n".join(["Other than in the committed report:", *(f"  {line}" for line in lines)]) if lines else
+              "Every figure is the one of the committed report.")
+    where = folder.relative_to(tools.ROOT)
+    print(f"Written to {where}/ (report.json, report.md, plots) in {time.monotonic() - started:.0f} s."
+          + ("" if folder == REPORTS else f" Only {DEFAULT_ARM} refreshes reports/ and README.md."))
+
+
+def main() -> None:
+    """Do what the command line says."""
+    parser = argparse.ArgumentParser(prog="python -m ci.report", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--arm", default=DEFAULT_ARM, help="name of models/quadrance/arms or path of a TOML file")
+    parser.add_argument("--fresh", action="store_true", help="measure everything again and compare")
+    parser.add_argument("--check", action="store_true", help="only check that the committed report is fresh")
+    args = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    try:
+        check() if args.check else report(args.arm, args.fresh)
+    except KeyboardInterrupt:
+        raise SystemExit("report: interrupted; what was finished is kept in build/cache") from None
+    except (arms.ArmError, RuntimeError, ValueError) as error:
+        raise SystemExit(f"report: {error}") from None
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,120 @@
+"""The plots of the report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib
+import numpy
+
+from ci.cache import digest
+from ci.report import PLOTS, code
+from ci.report.labels import label
+from ci.report.paper import PAPER, SOURCE
+from ci.report.rows import FAMILIES, KINEMATIC, MAPPED, Row, area_of, name, number, part, pick, q7_8
+
+matplotlib.use("Agg")
+
+from matplotlib import pyplot  # noqa: E402
+from matplotlib.colors import LogNorm  # noqa: E402
+
+COLOUR = {"paper": "tab:orange", "rational": "tab:green", "classic": "tab:blue"}
+MARKER = dict(zip(KINEMATIC, "os^DvP"))
+CODE = [Path(__file__), *(Path(__file__).with_name(name) for name in ("labels.py", "paper.py", "rows.py")), SOURCE]
+FLOOR = 1e-3  # LSB: smaller errors are drawn as this
+
+
+def stamp(report: dict) -> str:
+    """Digest of what the plots show and of how; written into the PNG so that a stale plot is found."""
+    then = report["sources"]
+    return digest([report["cores"], report["trajectory"], [then[key] for key in ("cores", "arm", "simulation")],
+                   code.digests(CODE)])
+
+
+def draw(report: dict, maps: dict[tuple[str, str], dict[str, list]], folder: Path) -> None:
+    """Write the plots (`PLOTS`) of the kinematic cores.
+
+    Parameters
+    ----------
+    maps : (function, family) -> "arithmetic" or "words" -> grid of LSB over the workspace, NaN out of reach.
+    """
+    rows = q7_8(pick(report, KINEMATIC))
+    drawn = (_area(rows), _accuracy([row for row in rows if row["error_lsb"]]), _map(report["trajectory"], maps))
+    for figure, plot in zip(drawn, PLOTS):
+        figure.savefig(folder / plot, dpi=90 if "map" in plot else 110,
+                       metadata={"Software": None, "Description": stamp(report)})
+        pyplot.close(figure)
+
+
+def _points(rows: list[Row], unit: str) -> list[tuple]:
+    """x, y, text, colour, marker and fill of our cores and of the paper's; `unit` "cycles" or "ns"."""
+    points = [(row["latency_cycles" if unit == "cycles" else "latency_ns"], area_of(row), name(row),
+               COLOUR[row["family"]], MARKER[row["function"]], "full") for row in rows]
+    scale = 1 if unit == "cycles" else 1000 / PAPER["clock_mhz"]
+    for function in sorted({row["function"] for row in rows} & set(PAPER["cycles"])):
+        points += [(PAPER["cycles"][function][which] * scale, PAPER["logic_elements"][function][which],
+                    f"printed {text} {function.upper()}", COLOUR[family], MARKER[function], "none")
+                   for which, text, family in (("rational", "rational", "paper"), ("cordic", "CORDIC*", "classic"))]
+    return points
+
+
+def _area(rows: list[Row]) -> pyplot.Figure:
+    """Area against latency, forward above inverse, in cycles and in ns."""
+    labels = []
+    figure, grid = pyplot.subplots(2, 2, figsize=(15, 14), sharey="row")
+    for axes, way in zip(grid, ("fk", "ik")):
+        shown = [row for row in rows if row["function"].startswith(way)]
+        for axis, unit in zip(axes, ("cycles", "ns")):
+            points = _points(shown, unit)
+            for x, y, _, colour, shape, fill in points:
+                axis.plot([x], [y], marker=shape, color=colour, linestyle="", fillstyle=fill, markersize=8)
+            axis.set(xscale="log", yscale="log", xlabel=f"latency, {unit}"
+                     + (" at the core's own ECP5 clock" if unit == "ns" else ""))
+            axis.grid(True, which="both", alpha=0.25)
+            axis.margins(x=0.2, y=0.12)
+            labels.append((axis, points))
+        axes[0].set_ylabel("Cyclone V ALUT (proxy for LE), DSP blocks not counted")
+    figure.suptitle("Area against latency. Orange: paper's circuits, green: rational, blue: CORDIC; hollow: printed "
+                    "at 50 MHz\n(*the area is that of its parallel CORDIC, the cycles are those of its iterative one)")
+    figure.tight_layout(rect=(0, 0, 1, 0.98))
+    for axis, points in labels:
+        label(axis, points)
+    return figure
+
+
+def _accuracy(rows: list[Row]) -> pyplot.Figure:
+    """A bar a core for its arithmetic on the trajectory, and one for its words over the workspace."""
+    figure, axis = pyplot.subplots(figsize=(11, 1.5 + 0.36 * max(len(rows), 1)))
+    for i, row in enumerate(rows):
+        axis.barh(i + 0.2, max(part(row, "error_lsb", "max"), FLOOR), 0.38, color=COLOUR[row["family"]])
+        axis.barh(i - 0.2, max(row["words_lsb"] or 0, FLOOR), 0.38, color="lightgrey")
+    axis.set_yticks(range(len(rows)), [name(row) for row in rows], fontsize=8)
+    axis.set(xscale="log", xlabel="greatest error at the tip, LSB (coloured: arithmetic on the trajectory; "
+             "grey: rounding of the words, over the workspace)")
+    axis.axvline(1, color="black", linewidth=0.8)
+    axis.invert_yaxis()
+    axis.grid(True, axis="x", alpha=0.25)
+    figure.tight_layout()
+    return figure
+
+
+def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]]) -> pyplot.Figure:
+    """Error over the workspace of two joints, a panel for each function, kind of error and family."""
+    panels = [(function, what) for function in MAPPED for what in ("arithmetic", "words")]
+    figure, grid = pyplot.subplots(len(panels), len(FAMILIES), figsize=(12, 15), layout="constrained")
+    scale = LogNorm(0.01, 1000, clip=True)
+    reach = (trajectory["l1_mm"] + trajectory["l2_mm"]) / trajectory["mm_per_unit"]
+    image = pyplot.cm.ScalarMappable(scale, "viridis")
+    for axes, (function, what) in zip(grid, panels):
+        for axis, family in zip(axes, FAMILIES):
+            if (function, family) in maps:
+                shown = numpy.array(maps[function, family][what])
+                axis.imshow(numpy.maximum(shown, 0.01), norm=scale, cmap="viridis", origin="lower",
+                            interpolation="nearest", extent=[-reach, reach] * 2)
+                axis.set_title(f"{family}_{function}: {what}, max {number(float(numpy.nanmax(shown)))} LSB", fontsize=9)
+            else:
+                axis.set_axis_off()
+    figure.colorbar(image, ax=grid, shrink=0.5, label="error at the tip, LSB")
+    figure.suptitle(f"Tip error over the workspace of {trajectory['name']}, units; elbow 0\n"
+                    "arithmetic: the core's own; words: what rounding its words costs an exact core")
+    return figure

@@ -1,0 +1,101 @@
+"""Latency, interval and errors of one core: its Verilog simulated on an arm's trajectory, workspace and borders."""
+
+from __future__ import annotations
+
+from dataclasses import astuple
+
+import numpy as np
+from quadrance import accuracy, arms
+from quadrance.accuracy import Case, Errors, summary
+from quadrance.arms import Arm
+from quadrance.cores import Core
+
+from ci import cache
+from tb.lib import bulk, stimulus, tools
+
+SAMPLES = 1000  # of the trajectory
+SWEEP = 4096  # random and border samples of all a core can be asked
+WORKSPACE = 65536  # samples of the arm's workspace, borders of the words included
+FIGURES = ("latency_cycles", "ii", "error_lsb", "error_mm", "sweep_error_lsb", "words_lsb", "words_mm", "total_lsb",
+           "total_mm")  # of a row, from simulation
+MAP = 121  # points a side of the map of the workspace
+
+
+def stream(core: Core, inputs: dict, cfg: dict[str, int]) -> dict:
+    """Outputs, latency and interval of the Verilog for these words, cached by everything they depend on."""
+    words = {port: [int(word) for word in column] for port, column in inputs.items()}
+    texts = [path.read_text() for path in (*core.sources, bulk.SOURCE)]
+    ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
+
+    def compute() -> dict:
+        result = bulk.stream(core, inputs, cfg)
+        return {"outputs": {port: [int(word) for word in column] for port, column in result.outputs.items()},
+                "latency": sorted({int(cycles) for cycles in result.latency}), "ii": result.ii}
+
+    return cache.cached(["stream", core.name, core.params, ports, texts, tools.versions()["verilator"], words, cfg],
+                        compute)
+
+
+def _answered(core: Core, arm: Arm, case: Case, every: bool = False) -> tuple[dict, Errors | None]:
+    """The simulation of a case and the errors of its answers."""
+    result = stream(core, case.inputs, case.cfg)
+    outputs = {port: np.array(words, dtype=np.int64) for port, words in result["outputs"].items()}
+    return result, accuracy.errors(core, arm, case, outputs, every)
+
+
+def _listed(core: Core, timed: dict) -> dict[str, int]:
+    """Latency and interval in cycles, measured, and equal to the list."""
+    cycles, ii = (timed["latency"][-1], timed["ii"]) if core.clocked else (0, 0)
+    for what, measured, listed in (("latency", cycles, core.latency), ("ii", ii, core.ii)):
+        if listed is not None and measured is not None and measured != listed:
+            raise ValueError(f"{core.id}: {what} is {measured} in simulation and {listed} in rtl/cores.toml")
+    return {"latency_cycles": cycles, "ii": ii}
+
+
+def simulate(core: Core, arm_name: str) -> dict:
+    """The figures of a row that come from simulation, by the names of `FIGURES`.
+
+    Arithmetic errors on the trajectory (`error_*`) and in the sweep; over the workspace the greatest error of the
+    words (`words_*`: an exact core of the same words) and of words and arithmetic together (`total_*`).
+    """
+    arm = arms.load(arm_name)
+    row: dict = dict.fromkeys(FIGURES)
+    timed = None
+    cases = {"trajectory": accuracy.trajectory_case(core, arm, SAMPLES), "sweep": accuracy.sweep_case(core, arm, SWEEP),
+             "workspace": accuracy.workspace_case(core, arm, WORKSPACE, np.random.default_rng(1))}
+    for what, case in cases.items():
+        if case is None:
+            continue
+        result, errors = _answered(core, arm, case)
+        timed = timed or result
+        if errors is None:
+            continue
+        if what == "sweep":
+            row["sweep_error_lsb"] = summary(errors.arithmetic)
+        elif what == "trajectory":
+            row["error_lsb"] = summary(errors.arithmetic)
+            row["error_mm"] = summary(errors.arithmetic, accuracy.mm_per_lsb(core, arm))
+        else:
+            for key, error in (("words", errors.quantisation), ("total", errors.total)):
+                if error is not None and error.size:
+                    row[f"{key}_lsb"] = float(np.max(error))
+                    row[f"{key}_mm"] = row[f"{key}_lsb"] * accuracy.mm_per_lsb(core, arm)
+    if core.function not in accuracy.JOINTS:
+        row["error_lsb"] = row["sweep_error_lsb"]
+    if timed is None:  # a function without a truth here: its timing on its own corners
+        cfg = stimulus.configs(core, np.random.default_rng(1))[0]
+        timed = stream(core, stimulus.corners(core, cfg), cfg)
+    return row | _listed(core, timed)
+
+
+def tip_map(core: Core, arm_name: str) -> dict[str, list]:
+    """Arithmetic error and rounding of the words over the workspace, LSB: (MAP, MAP) each, NaN out of reach."""
+    arm = arms.load(arm_name)
+    case, inside = accuracy.map_case(core, arm, MAP)
+    _, errors = _answered(core, arm, case, every=True)
+    maps = {}
+    for what, error in (("arithmetic", errors.arithmetic), ("words", errors.quantisation)):
+        grid = np.full(inside.shape, np.nan)
+        grid[inside] = error
+        maps[what] = grid.tolist()
+    return maps

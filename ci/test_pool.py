@@ -1,0 +1,80 @@
+"""The report's workers: all answers, all failures, and nothing left running when the parent ends."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from ci import cache
+from ci.report import pool
+from tb.lib import tools
+
+
+def half(number):
+    if number % 2:
+        raise ValueError(f"{number} is odd")
+    return number // 2
+
+
+def age():
+    return cache.SINCE
+
+
+def missing():
+    tools.require("no-such-tool")
+
+
+def nap(folder, number):
+    """What a tool does: a child of a worker that runs for long."""
+    child = subprocess.Popen(["sleep", "60"])
+    Path(folder, f"{child.pid}.pid").touch()
+    child.wait()
+
+
+@pytest.fixture
+def log(tmp_path, monkeypatch):
+    monkeypatch.setattr(pool, "LOG", tmp_path / "log")
+
+
+def test_every_job_is_answered(log):
+    assert pool.run(half, [(2,), (4,), (8,)]) == {(2,): 1, (4,): 2, (8,): 4}
+    assert pool.run(age, [()], since=5.0) == {(): 5.0}
+
+
+def test_every_failure_is_named_and_the_others_are_done(log):
+    with pytest.raises(RuntimeError, match="2 measurements failed\n(3: 3 is odd|5: 5 is odd).*\n(3: 3|5: 5) is odd"):
+        pool.run(half, [(2,), (3,), (5,)])
+    with pytest.raises(RuntimeError, match="no-such-tool is missing"):
+        pool.run(missing, [()])
+
+
+@pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
+def test_workers_and_their_tools_die_with_the_parent(how, tmp_path):
+    program = (f"import signal, sys\nfrom ci import test_pool\nfrom ci.report import pool\n"
+               f"from pathlib import Path\npool.LOG = Path({str(tmp_path / 'log')!r})\n"
+               f"signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+               f"signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))\n"
+               f"pool.run(test_pool.nap, [({str(tmp_path)!r}, i) for i in range(9)])\n")
+    parent = subprocess.Popen([sys.executable, "-c", program], cwd=tools.ROOT, stderr=subprocess.DEVNULL)
+
+    def running() -> list[int]:
+        return [int(path.stem) for path in tmp_path.glob("*.pid")
+                if Path("/proc", path.stem).exists() and "Z (" not in Path("/proc", path.stem, "stat").read_text()
+                and Path("/proc", path.stem, "stat").read_text().split()[2] != "Z"]
+
+    def wait(done) -> bool:
+        end = time.monotonic() + 20
+        while not done() and time.monotonic() < end:
+            time.sleep(0.05)
+        return done()
+
+    workers = min(8, os.cpu_count() or 1)
+    assert wait(lambda: len(running()) == workers)
+    parent.send_signal(how)
+    assert wait(lambda: parent.poll() is not None), "the parent waits for its workers"
+    assert wait(lambda: not running())
+    assert len(list(tmp_path.glob("*.pid"))) == workers, "no other job was begun"
