@@ -46,7 +46,7 @@ module paper_chain #(
         Q3     = 6'b000010,  // quad obtuse range acc <- acc h k2 range: q3 = (b -+ L1)^2 + Q2 s2; then acc = 0
         DIVIDE = 6'b000100,  // h digits <- h quad: R digits of s' = Q2 s2 / q3
         DIFFER = 6'b001000,  // acc <- acc: the root less acc
-        QA     = 6'b010000,  // h <- quad: qa = q3 - qz, less the product
+        QA     = 6'b010000,  // h <- quad: qa = q3 - qz, the product
         CLEAR  = 6'b100000;  // h <- -: 0, so that the accepting clock squares L2 alone
     localparam [1:0]  // spread register, for the next line
         S1 = 2'b00,   // spread <- j1: s1
