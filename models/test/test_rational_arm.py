@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import rational, truth
+from quadrance import codecs, rational, truth
 
 P = {"W": 16, "F": 8, "S": 24, "U": 16}
 FINE = {"W": 16, "F": 8, "S": 28, "U": 17}
 LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16384, 0), (0, 16384), (768, 512), (1, 1)]
 # Of 2^-U: half the spacing of odd words, half the greatest sag (2^-18.5), one unit of knot and cut, cut of the offset
 ROOT = {16: 0.5 + 0.177 + 0.125 + 0.022, 17: 0.5 + 0.354 + 0.125 + 0.044}
-# Error of a turn by length: the two roots of a joint err like a vector, the wide one without the sag
+# Error of a turn by length: the two roots of a joint err like a vector, the major one without the sag
 TURN = np.hypot(ROOT[16], ROOT[16] - 0.16) / 2**16
 CUT = (2**0.5 + 2) / 32  # A and B, then two products
 
@@ -29,7 +29,7 @@ def test_roots_are_within_their_bound_in_every_quadrant(p: dict[str, int]) -> No
     borders = (np.arange(4)[:, None] * (1 << p["S"]) + np.arange(-4096, 4096)).ravel() & (4 << p["S"]) - 1
     words = np.append(_words(np.random.default_rng(1), p["S"], 200_000), borders)
     theta = truth.spread_word_to_angle(words, p["S"])
-    for root, exact in zip(rational.roots(p, words), truth.unit(theta)):
+    for root, exact in zip(codecs.spread_chords(p, words), truth.unit(theta)):
         assert np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"] <= ROOT[p["U"]]
 
 
