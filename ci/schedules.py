@@ -19,7 +19,8 @@ from quadrance.cores import ROOT, RTL, Core, all_cores
 OPERATION = re.compile(r"^\s*(?:localparam\s*\[[^\]]*\]\s*)?(\w+)\s*=\s*\d+'[bdh]\w+[,;]"
                        r"(?:[ \t]*//[ \t]*([^:\n]*?)<-([^:\n]*):[ \t]*(.+))?$", re.M)
 START = re.compile(r"//\s*Schedule\. start:\s*(.*?)<-")
-TABLE = re.compile(r"((?:^[ \t]*//[^\n]*\n)?)^[ \t]*localparam\s*\[[^\]]*\]\s*(\w+)\s*=\s*\{\s*\n((?:\s*/\*.*\n)+)", re.M)
+TABLE = re.compile(r"((?:^[ \t]*//[^\n]*\n)?)^[ \t]*localparam\s*\[[^\]]*\]\s*(\w+)\s*=\s*\{\s*\n"
+                   r"((?:\s*/\*.*\n)+)", re.M)
 LINE = re.compile(r"/\*\s*(.*?)\s*\*/\s*(.*?)\s*(?:\};?)?,?\s*$")
 INSTANCE = re.compile(r"^\s*schedule\s*#\([^;]*?\.TABLE\(\s*\{?([\w\s,]+?)\}?\s*\)", re.M)
 BLOCK = re.compile(r"(<!-- schedule:(\w+) -->\n)(.*?)(<!-- /schedule -->)", re.S)
@@ -173,7 +174,7 @@ def check(cores: tuple[Core, ...]) -> list[str]:
     for path in sorted(RTL.rglob("README.md")):
         page = path.read_text()
         if filled(page) != page:
-            wrong.append(f"{path.relative_to(ROOT)}: a schedule is not that of the Verilog; python -m ci.schedules --write")
+            wrong.append(f"{path.relative_to(ROOT)}: stale schedule, fill it by `python -m ci.schedules --write`")
     for core in cores:
         if any(source.stem == "schedule" for source in core.sources):
             wrong += latency_problems(core, elaborated_lines(core))
