@@ -6,11 +6,11 @@
 // Four ranges of v, from 2^-4, 2^-9, 2^-15 and 0, of 512 segments each: w is a 4:1 selection, and the slopes are stored
 // denormalised, so nothing is shifted. 1 - s is ~s followed by ones. The last range has a segment for every word.
 // Error: |sqrt - product| <= 0.52 * 2^-15, B = 20: 0.31 * 2^-15; 0 is exact; it may step back by 0.84 * 2^-15.
-// Model: codecs.root_product
+// Model: arith.root_product
 `default_nettype none
 module root_product #(
-    parameter S = 24,
-    parameter B = 17
+    parameter S = 24,  // bits of the radicand, 1 to 24: the longest spread of one table, 2^-24 to 1
+    parameter B = 17   // bits of a slope, 17 to 20: 17 where the error of 0.52 * 2^-15 is good enough
 ) (
     input  wire         clk,
     input  wire         in_read,
@@ -21,7 +21,7 @@ module root_product #(
 );
     generate
         if (S < 1 || S > 24 || B < 17 || B > 20) begin : g_illegal
-            spread_chord_needs_S_from_1_to_24_and_B_from_17_to_20 rule ();
+            root_product_needs_S_from_1_to_24_and_B_from_17_to_20 rule ();
         end
     endgenerate
 
