@@ -8,7 +8,7 @@
 // Model: arith.reciprocal_product
 `default_nettype none
 module reciprocal_product #(
-    parameter TOP = 0  // 1: q may reach 4, and the table has twice the words; 0: q reaches 2. 0, one 10-kbit block less
+    parameter TOP = 0  // 1: q may reach 4, and the table has twice the words; 0: q reaches 2. 0, two memories less
 ) (
     input  wire            clk,
     input  wire            in_read,
