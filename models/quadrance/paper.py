@@ -226,7 +226,7 @@ def solve(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints | None, in_elbow: Int
     twice = product << 1 >> 2 * f - g
     slack = twice - np.abs(c)
     unreachable = slack < 0
-    v = quotient(whole, in_rem=np.maximum(slack, 0), in_d=twice)["out_digits"]
+    v = np.where(unreachable, 0, quotient(whole, in_rem=np.maximum(slack, 0), in_d=twice)["out_digits"])
     cosine = (1 << squared) - 1 - (v << right - digits >> right - squared)
     square = cosine * cosine
     k2 = np.where(elbow != 0, np.where(c < 0, 2, 3), np.where(c < 0, 1, 0))
@@ -235,7 +235,7 @@ def solve(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints | None, in_elbow: Int
     # the base angle by the spread law, and the difference that both elbows come down to
     s2 = (1 << right) - 1 - (square >> 2 * squared - right)
     h = (q2 >> 2 * i + g - left) * s2 >> left + right - 2 * i - g
-    base = quotient(whole, in_rem=h, in_d=q3)["out_digits"] << left - digits
+    base = np.where(unreachable, 0, quotient(whole, in_rem=h, in_d=q3)["out_digits"]) << left - digits
     base = np.where(obtuse ^ (elbow != 0), base, (1 << left) - 1 - base)
     tip = tip << right - digits
     tip = np.where(ka % 2 == 1, (1 << right) - 1 - tip, tip)

@@ -34,7 +34,7 @@ module paper_solve #(
     localparam B = R < 1 ? 1 : R;    // R, where it is legal
     localparam M = (S + 2 + B) / B;  // clocks of a division
 
-    // Schedule. start: z elbow kr range still den num <- in_x in_y in_z in_elbow
+    // Schedule. start: z elbow kr range still unreachable den num <- in_x in_y in_z in_elbow
     localparam [2:0]      // sides of the two squarers
         SIDES  = 3'b000,  // - <- -: acc (an operation that uses its square names it) and L2
         HEIGHT = 3'b001,  // - <- z: the second is z
@@ -47,7 +47,7 @@ module paper_solve #(
         DIFF_2 = 3'b100;   // - <- digits alpha kr z elbow obtuse: g (1-sa), second product
     localparam [6:0]          // sums and divisions
         HOLD   = 7'b0000000,  // - <- -: nothing
-        DIVIDE = 7'b0000001,  // num digits <- num den: R digits of num / den
+        DIVIDE = 7'b0000001,  // num digits <- num den unreachable: R digits of num / den, 0 when unreachable
         ADD_Z  = 7'b0000010,  // den num still <- den z: q3 = qa + qz; next num / den is sa = qz / q3
         LAW    = 7'b0000100,  // c den q3 alpha undefined <- den digits: c = q3 - Q1 - Q2, den = 2 Q1; sa is kept
         BEND   = 7'b0001000,  // obtuse den <- c den: c < 0 and 2 Q1 - |c| < 0; den = 2 L1 L2

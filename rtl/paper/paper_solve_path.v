@@ -12,16 +12,15 @@ module paper_solve_path #(
     parameter R   = 3,   // quotient digits a clock, 1 or more
     parameter YAW = 0    // 1: joint 3 turns the plane
 ) (
-    input  wire                clk,
-    input  wire                rst,
+    input  wire                clk, rst,
     input  wire        [W-1:0] cfg_l1, cfg_l2,
     input  wire                in_start,
     input  wire signed [W-1:0] in_x, in_y, in_z,
     input  wire                in_elbow,
-    input  wire                in_height, in_links, in_cosine,                                     // squarers
-    input  wire                in_q2_s2, in_diff_1, in_diff_2,                                     // product
+    input  wire                in_height, in_links, in_cosine,                                      // squarers
+    input  wire                in_q2_s2, in_diff_1, in_diff_2,                                      // product
     input  wire                in_divide, in_add_z, in_law, in_bend, in_slack, in_base, in_differ,  // sums
-    input  wire                in_j3, in_j2, in_j1,                                                // word
+    input  wire                in_j3, in_j2, in_j1,                                                 // word
     output reg         [S+1:0] out_j1, out_j2, out_j3,
     output wire        [3:0]   out_status
 );
@@ -29,8 +28,7 @@ module paper_solve_path #(
     localparam G = S < 2*F ? S : 2*F;           // fraction bits of a quadrance
     localparam Q = 2*I + 2 + G;                 // bits of a quadrance, u(2I+2).G: three squares fit
     localparam B = R < 1 ? 1 : R;               // R, where it is legal
-    localparam M = (S + 2 + B) / B;             // clocks of a division
-    localparam D = B * M;                       // digits of a share
+    localparam D = B * ((S + 2 + B) / B);       // digits of a share, divided R a clock
     localparam P = D > W ? D : W;               // bits of the multiplier's right factor
     localparam L = 2*I + G > 27 ? 27 : 2*I + G; // and of its left one
     localparam E = P > 26 ? 26 : P;             // bits of a root to be squared
@@ -87,7 +85,8 @@ module paper_solve_path #(
 
     wire [Q-1:0]      next_num;
     wire [B-1:0]      next_digits;
-    wire [D+B-1:0]    longer = {digits, next_digits};
+    // Unreachable: v = 0, and s' = 0, because s2 is one truncation above 0 there
+    wire [D+B-1:0]    longer = {digits, next_digits & {B{!unreachable}}};
     paper_quotient #(.Q(Q), .R(B)) quotient (
         .in_rem(num), .in_d(den), .out_rem(next_num), .out_digits(next_digits));
 
@@ -100,11 +99,12 @@ module paper_solve_path #(
 
     always @(posedge clk) begin
         if (in_start) begin
-            z     <= in_z;
-            elbow <= in_elbow;
-            kr    <= {in_y[W-1], in_y[W-1] ^ in_x[W-1]};
-            range <= cfg_l1[W-1] || cfg_l2[W-1];
-            still <= 1'b0;
+            z           <= in_z;
+            elbow       <= in_elbow;
+            kr          <= {in_y[W-1], in_y[W-1] ^ in_x[W-1]};
+            range       <= cfg_l1[W-1] || cfg_l2[W-1];
+            still       <= 1'b0;
+            unreachable <= 1'b0;
         end
         if (in_start || in_add_z) begin
             den <= sum;
