@@ -3,12 +3,14 @@
 set -eu
 venv=$1
 python=${PYTHON:-python3}
+command -v "$python" > /dev/null || { echo "setup: there is no '$python'; give one with make PYTHON=..." >&2; exit 1; }
 "$python" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || {
     echo "setup: Python 3.11 or newer is needed, $python is $("$python" --version 2>&1)" >&2; exit 1; }
-for tool in c++ make perl git; do
+for tool in g++ make perl git; do
     command -v $tool > /dev/null || { echo "setup: $tool is missing; install it from your system's packages" >&2; exit 1; }
 done
-[ -x "$venv/bin/python" ] || "$python" -m venv "$venv"
+# an interrupted run leaves an environment without pip: begin again
+"$venv/bin/python" -m pip --version > /dev/null 2>&1 || { rm -rf "$venv"; "$python" -m venv "$venv"; }
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r requirements.lock
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps --editable .
 if ! command -v iverilog > /dev/null; then

@@ -83,7 +83,7 @@ def root_product(bits: int = 17) -> float:
 
 
 def reciprocal_product(q: ArrayLike) -> Floats:
-    """Relative error of `rational.inverse` at q, 1/4 to 4, which is taken in the middle of its last bit.
+    """Relative error of `arith.reciprocal_product` at q, 1/4 to 4, which is taken in the middle of its last bit.
 
     Half of what the tangent loses at a border of a segment, half a unit of the slope, half a unit of q, the cut of the
     product. 2^-17 at 1/4 and up to 2, 2^-15 at 4.

@@ -1,9 +1,10 @@
 """Bit-true models of rtl/paper: spreads and quadrances all the way, as the paper computes, with its errors corrected.
 
 R. Martinez et al., "Efficient FPGA Hardware Implementation for Robot Manipulator Kinematic Modeling Using
-Rational Trigonometry". A joint word is a turn-spread: quadrant k above S fraction bits f, spread f in the even
-quadrants and 1 - f in the odd ones. Every model takes the Verilog parameters and the input words by port name
-and returns every output word by port name.
+Rational Trigonometry"; equation numbers are the paper's. A joint word is a turn-spread: quadrant k above S fraction
+bits f, spread f in even quadrants and 1 - f in odd ones. Every model takes the Verilog parameters (`p`) and integer
+arrays of input words by port name, which broadcast, and returns every output word by port name. Formats, error bounds
+and corrections: rtl/paper/README.md.
 """
 
 from __future__ import annotations
@@ -28,7 +29,10 @@ def root(p: Params, *, in_d: Ints) -> dict[str, Ints]:
 
 
 def sign(p: Params, *, in_root: Ints, in_negative: Ints, in_over: Ints) -> dict[str, Ints]:
-    """``+-root / 2^(N-W+1)`` to nearest, ties away from zero; +-(2^(W-1) - 1) where it or `in_over` goes over."""
+    """``+-root / 2^(N-W+1)`` to nearest, ties away from zero.
+
+    The word is ``+-(2^(W-1) - 1)`` where `in_over` is set or the magnitude would round to ``2^(W-1)``.
+    """
     high = (1 << p["W"] - 1) - 1
     shift = p["N"] - p["W"] + 1
     magnitude = round_shift(in_root, shift)
@@ -38,7 +42,7 @@ def sign(p: Params, *, in_root: Ints, in_negative: Ints, in_over: Ints) -> dict[
 
 
 def quotient(p: Params, *, in_rem: Ints, in_d: Ints) -> dict[str, Ints]:
-    """R restoring digits of rem / d, as the rows do it: exact for 0 <= rem <= d, defined for every word."""
+    """R digits of rem / d by restoring division, row by row: exact for 0 <= rem <= d, bit-true for every word."""
     rem, d = np.broadcast_arrays(ints(in_rem), ints(in_d))
     digits, mask = np.zeros_like(rem), (1 << p["Q"]) - 1
     for _ in range(p["R"]):
@@ -50,7 +54,7 @@ def quotient(p: Params, *, in_rem: Ints, in_d: Ints) -> dict[str, Ints]:
 
 
 def complement(fraction: Ints, fall: Bools, s: int) -> Ints:
-    """1 - f where `fall`, else f; both have S fraction bits, and 1 is a value of its own."""
+    """1 - f where `fall`, else f: a word u1.S, for 1 - 0 is 1.0."""
     return np.where(fall, (1 << s) - ints(fraction), fraction)
 
 
@@ -58,7 +62,7 @@ def complement(fraction: Ints, fall: Bools, s: int) -> Ints:
 
 
 def status(**bits: Bools) -> Ints:
-    """Status word of the named bits."""
+    """Status word with the named bits set."""
     return sum(ints(bit) << STATUS_BITS[name] for name, bit in bits.items())
 
 
@@ -95,7 +99,7 @@ DIGITS = 3  # quotient digits a clock
 def chain(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints | None, cfg_l1: Ints, cfg_l2: Ints) -> dict[str, Ints]:
     """Cross law, spread of the base angle, spread difference, 1DOF (eqs. 11-17, 24-31, Table II corrected).
 
-    Every word, also where the tip is out of range, is the word of rtl/paper/paper_chain.v.
+    Every word is the word of rtl/paper/paper_chain.v, also where the tip is out of range. `in_j3` is None in the plane.
     """
     w, f, s = p["W"], p["F"], p["S"]
     i = w - 1 - f
@@ -109,7 +113,7 @@ def chain(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints | None, cfg_l1: In
     short = (1 << w - 1) - 1
 
     def square(side: Ints) -> Ints:
-        """Quadrance u(2I).G of a length with half an LSB of the root; more than Q bits where it is out of range."""
+        """Quadrance u(2I).G of a length with one bit below the root's LSB; above Q bits where out of range."""
         return side * side >> 2 * n + 2 - q
 
     def dof(left: Ints, right: Ints) -> tuple[Ints, Ints]:
@@ -222,7 +226,7 @@ def solve(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints | None, in_elbow: Int
     twice = product << 1 >> 2 * f - g
     slack = twice - np.abs(c)
     unreachable = slack < 0
-    v = quotient(whole, in_rem=np.maximum(slack, 0), in_d=twice)["out_digits"]
+    v = np.where(unreachable, 0, quotient(whole, in_rem=np.maximum(slack, 0), in_d=twice)["out_digits"])
     cosine = (1 << squared) - 1 - (v << right - digits >> right - squared)
     square = cosine * cosine
     k2 = np.where(elbow != 0, np.where(c < 0, 2, 3), np.where(c < 0, 1, 0))
@@ -231,7 +235,7 @@ def solve(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints | None, in_elbow: Int
     # the base angle by the spread law, and the difference that both elbows come down to
     s2 = (1 << right) - 1 - (square >> 2 * squared - right)
     h = (q2 >> 2 * i + g - left) * s2 >> left + right - 2 * i - g
-    base = quotient(whole, in_rem=h, in_d=q3)["out_digits"] << left - digits
+    base = np.where(unreachable, 0, quotient(whole, in_rem=h, in_d=q3)["out_digits"]) << left - digits
     base = np.where(obtuse ^ (elbow != 0), base, (1 << left) - 1 - base)
     tip = tip << right - digits
     tip = np.where(ka % 2 == 1, (1 << right) - 1 - tip, tip)

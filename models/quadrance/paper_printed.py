@@ -2,8 +2,8 @@
 
     python -m quadrance.paper_printed       writes rtl/paper/as_printed.png and prints the shares of rtl/paper/README.md
 
-Everything takes joint words as real turn-spreads in [0, 4) (quadrant + fraction, see `truth.spread_word_to_angle`)
-and returns coordinates in the unit of the links; arrays broadcast.
+Joint words are real turn-spreads in [0, 4) (quadrant + fraction, see `truth.spread_word_to_angle`), coordinates and
+quadrances have the unit of the links and its square; arrays broadcast. Equation numbers are the paper's.
 """
 
 from __future__ import annotations
@@ -16,29 +16,29 @@ from numpy.typing import ArrayLike
 from quadrance import truth
 from quadrance.truth import Floats, floats
 
-PICTURE = Path(__file__).resolve().parent.parent / "rtl" / "paper" / "as_printed.png"
+PICTURE = Path(__file__).resolve().parents[2] / "rtl" / "paper" / "as_printed.png"
 CORRECTIONS = ("mirror", "conditions", "sum", "rho")
 
 
 def difference(a: Floats, b: Floats) -> Floats:
-    """``a (-) b`` (eq. 15)."""
+    """Spread difference ``a (-) b`` (eq. 15): the spread of the difference of two angles in the first quadrant."""
     return (np.sqrt(a * (1 - b)) - np.sqrt(b * (1 - a))) ** 2
 
 
 def plus(a: Floats, b: Floats) -> Floats:
-    """``a (+) b`` (eq. 22)."""
+    """Spread sum ``a (+) b`` (eq. 22): the spread of the sum of two angles in the first quadrant."""
     return (np.sqrt(a * (1 - b)) + np.sqrt(b * (1 - a))) ** 2
 
 
 def spread(word: ArrayLike) -> tuple[Floats, Floats]:
-    """Quadrant 0...3 and spread of a joint word; 1 - f in odd quadrants, or the motion would jump."""
+    """Quadrant 0...3 and spread of a joint word: 1 - f in odd quadrants, or the tip would jump at every border."""
     quadrant = np.floor(floats(word))
     fraction = word - quadrant
     return quadrant, np.where(quadrant % 2 == 1, 1 - fraction, fraction)
 
 
 def signs(quadrant: Floats) -> tuple[Floats, Floats]:
-    """Table I."""
+    """Signs of the cosine and of the sine in a quadrant (Table I)."""
     return np.where((quadrant == 1) | (quadrant == 2), -1.0, 1.0), np.where(quadrant >= 2, -1.0, 1.0)
 
 
@@ -46,8 +46,9 @@ def table_two(j1: ArrayLike, j2: ArrayLike, l1: float, l2: float,
               corrections: tuple[str, ...] = CORRECTIONS) -> tuple[Floats, Floats]:
     """Tip (x, y) of two links by Table II, eqs. 53-60.
 
-    `corrections` are some of `CORRECTIONS`: "mirror" takes row 5 - i where quadrant 1 is odd; "conditions" repairs
-    those of rows 1 and 4; "sum" uses the spread sum in rows 2 and 3 where Q2 (1 - s2) > Q1.
+    `corrections` are some of `CORRECTIONS`: "mirror" takes row 5 - i in the paper's quadrants 1 and 3 of joint 1;
+    "conditions" corrects the conditions of rows 1 and 4; "sum" takes the spread sum in rows 2 and 3 where
+    Q2 (1 - s2) > Q1; "rho" is used by `fk3` alone.
     """
     (k1, s1), (k2, s2) = (spread(word) for word in np.broadcast_arrays(floats(j1), floats(j2)))
     q1, q2 = l1 * l1, l2 * l2
@@ -86,9 +87,10 @@ def fk3(j1: ArrayLike, j2: ArrayLike, j3: ArrayLike, l1: float, l2: float,
 
 
 def wrong(joints: int, l1: float, l2: float, corrections: tuple[str, ...], steps: int = 50) -> Floats:
-    """Tip error over reach, joint 1 by joint 2: `steps` words a quadrant, off the borders; joint 1 in [0, 2] in 3 DOF.
+    """Tip error over reach, (joint 1 words, joint 2 words): `steps` words a quadrant, none on a border.
 
-    Joint 3 stands still: x and y share every sign but its own, which is right.
+    With three joints, joint 1 is in [0, 2] as in the paper, and joint 3 is fixed: the signs of x and y that it gives
+    are right as printed.
     """
     words = (np.arange(4 * steps) + 0.5) / steps
     j1, j2 = np.meshgrid(words[:2 * steps] if joints == 3 else words, words, indexing="ij")

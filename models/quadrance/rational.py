@@ -7,7 +7,7 @@ from math import isqrt
 
 import numpy as np
 
-from quadrance import codecs
+from quadrance import arith, codecs
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 
 Params = dict[str, int]
@@ -151,22 +151,6 @@ def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
     return {"cfg_q": l1 * l1 + l2 * l2 - half, "cfg_r": min(ratio, (1 << 26) - 1), "cfg_e": e}
 
 
-@cache
-def _slopes() -> Ints:
-    """2^18 / q^2 in the middle of q = a / 512 to (a + 1) / 512, raised as reciprocal_product.v says.
-
-    Below 1/4 such that 1 / q stays just below 4.
-    """
-    below = [(1 << 29) // (max(a, 64) + 1) for a in range(128)]
-    return ints(below + [((((2 * b * b + 1) * (1024 * b + 1) << 16) // b**3 << 12) // (b * b) + 1) >> 1
-                         for b in range(257, 4096, 2)])
-
-
-def inverse(qs: Ints) -> Ints:
-    """2^24 / q, q = qs / 2^19 from 1/4 to 4, as a tangent's product; relative error 2^-17 up to 2, 2^-15 at 4."""
-    return (qs ^ 0x3FF) * _slopes()[qs >> 10] >> 13
-
-
 def _about_axis(s: int, axis: Ints, negative: Ints, product: Ints) -> Ints:
     """Turn-spread word of the axis plus or minus a spread of 40 fraction bits; nearest, ties away from the axis."""
     spread = ((product & (1 << 41) - 1) >> 39 - s) + 1 >> 1
@@ -183,7 +167,7 @@ def _direction(p: Params, b: Ints, a: Ints, qs: Ints, halfway: Ints) -> Ints:
     """Turn-spread word of the direction (b, a), 1.0 is 2^20: (m / q)^2, m^2 / q where `halfway`; m the smaller one."""
     long = ((a ^ a >> 63) >> 14 & 0xFF) <= (qs >> 14 & 0x7F)
     m = np.where(long, a, b)
-    u = wrap(m * inverse(qs) >> 24, 27)
+    u = wrap(m * arith.reciprocal_product(qs) >> 24, 27)
     axis = np.where(long, 2 * (b < 0), 1 + 2 * (a < 0))
     return _about_axis(p["S"], axis, (a < 0) ^ (b < 0) ^ ~long, u * np.where(halfway, m, u))
 

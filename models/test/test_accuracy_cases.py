@@ -93,7 +93,7 @@ def test_the_workspace_is_within_the_limits_and_rounding_never_beyond_half_a_wor
         found = accuracy.errors(one, arm, case, ideal(one, case))
         if function.startswith("fk"):  # every joint half a word off, on the longest lever
             l1, l2 = (256 * length for length in arm.links)
-            lever = {"fk1": l1, "fk2": l1 + 2 * l2, "fk3": l1 + 2 * l2 + np.hypot(0, l1 + l2)}[function]
+            lever = {"fk1": l1, "fk2": l1 + 2 * l2, "fk3": 2 * l1 + 3 * l2}[function]
             assert found.quantisation.max() <= codecs.half_step(port) * lever + 0.5 * accuracy.JOINTS[function]
 
 
@@ -113,6 +113,15 @@ def test_the_workspace_reaches_every_border_at_every_scale_on_both_sides(joint):
                 assert set(range(-4, port.width - 3)) <= seen, (joint, i, k, side)
     elbow = np.abs(np.sin(case.angles[:, 1]))
     assert np.mean(elbow < 1e-3) > 0.05 and np.mean(elbow > 0.1) > 0.2
+
+
+def test_the_workspace_starts_with_every_combination_of_border_cells():
+    one = core("fk2")
+    case = accuracy.workspace_case(one, arms.load("ur5"), 1000, np.random.default_rng(4))
+    words = np.stack([codecs.exact(port, theta) for port, theta in zip(one.inputs, case.angles.T)], axis=-1)[:64]
+    near = np.rint(np.mod(words, 1 << 26) * 4)  # quarters of an LSB
+    assert len({tuple(row) for row in near.tolist()}) == 64
+    assert {float(off) for off in np.abs(np.mod(words + (1 << 23), 1 << 24) - (1 << 23)).ravel().round(2)} == {0.5}
 
 
 def test_the_workspace_follows_its_generator():

@@ -130,11 +130,3 @@ def test_ik2_degenerate_links_still_point_at_the_target(l1: int, l2: int) -> Non
     if l1 != l2:
         rho = np.hypot(x, y)
         assert np.all((out["out_status"] & 1)[np.abs(rho - max(l1, l2)) > 1])
-
-
-def test_inverse_is_a_tangent() -> None:
-    """Over every q' from 1/4 to 4, taken in the middle of its last bit: relative error 2^-17 at 1/4 and up to 2."""
-    qs = np.arange(1 << 17, 1 << 21)
-    q = (qs + 0.5) / 2**19
-    error = np.abs(rational.inverse(qs) / 2**24 * q - 1)
-    assert np.all(error <= bounds.reciprocal_product(q))

@@ -3,11 +3,12 @@
 //   out_k = number of bits below the sign bit that repeat it in every word; out_x = in_x << in_k
 // Formats: in_used = OR over the words w of w[14:0] ^ w[15:1]; out_k u4.0, 15 where every word is 0 or -1.
 // in_x has B bits and any fraction; a word that was counted does not lose its sign. Combinational, error 0.
-// The two halves are independent: a user registers the count, or shifts several words by it, one after the other.
+// The halves are independent: a user registers the count or not, and shifts several words by it, one after the other.
 // Model: rational._zeros
 `default_nettype none
 module normalise #(
-    parameter B = 16  // bits of the shifted word, 16 or more: 16, the words that are counted
+    parameter B = 16,    // bits of the shifted word, 16 or more: 16, the words that are counted
+    parameter LATE = 0   // 1: in_k may be the out_k of the same clock; 0: it comes from a register. 0, the smaller one
 ) (
     input  wire [14:0]  in_used,
     output reg  [3:0]   out_k,
@@ -23,7 +24,27 @@ module normalise #(
                 out_k = 4'd14 - i[3:0];
     end
 
-    // Coarse steps first: the low bits of a count are the last to be known
-    assign out_x = (((in_x << {in_k[3], 3'd0}) << {in_k[2], 2'd0}) << {in_k[1], 1'd0}) << in_k[0];
+    generate
+        if (LATE) begin : g_late  // coarse steps first: the low bits of a count are the last to be known
+            assign out_x = (((in_x << {in_k[3], 3'd0}) << {in_k[2], 2'd0}) << {in_k[1], 1'd0}) << in_k[0];
+        end else begin : g_early
+            reg [B-1:0] fine, scaled;
+            assign out_x = scaled;
+            always @* begin
+                case (in_k[1:0])
+                    2'd0: fine = in_x;
+                    2'd1: fine = in_x << 1;
+                    2'd2: fine = in_x << 2;
+                    default: fine = in_x << 3;
+                endcase
+                case (in_k[3:2])
+                    2'd0: scaled = fine;
+                    2'd1: scaled = fine << 4;
+                    2'd2: scaled = fine << 8;
+                    default: scaled = fine << 12;
+                endcase
+            end
+        end
+    endgenerate
 endmodule
 `default_nettype wire

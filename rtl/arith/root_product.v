@@ -25,41 +25,41 @@ module root_product #(
         end
     endgenerate
 
-    // 2^25 slopes of all segments, root by Newton from the neighbour's. With b = 2 t, factor 1 - 1/(8 b^2) under the
-    // root lowers the tangent by half of what it gains towards the ends, 1 + 1/(512 b) centres the cut of d.
-    localparam SEGMENTS = 2048, E = B - 17;
-    function [B*SEGMENTS-1:0] slopes(input integer ranges);
-        integer    range, a;
+    // 2^(B+8) times the slopes of one range, each root by Newton's rule from the one before. With b = 2 t the factor
+    // 1 - 1/(8 b^2) under the root lowers the tangent by half of what it gains towards the ends of the segment, and
+    // 1 + 1/(512 b) centres the truncation of d. In the last range (shift = 0) the product is exact.
+    function [512*B-1:0] slopes(input integer shift);
+        integer    a;
         reg [63:0] b, square, root;
         begin
             slopes = 0;
-            for (range = 0; range < ranges; range = range + 1) begin
-                root = range == 3 ? 64'd1 << 14 + E : 64'd1 << 18 + E;
-                for (a = 0; a < 512; a = a + 1) begin
-                    if (range < 3) begin
-                        b = {31'd0, a, 1'b1};
-                        square = (((512 * b + 1) * (8 * b * b - 1) << 20) / (b * b * b * b))
-                            << (range == 0 ? 10 : range == 1 ? 6 : 1) + 2 * E;
-                    end else begin
-                        b = {32'd0, a};
-                        square = a == 0 ? 64'd1 << 28 + 2 * E : ((16 * b * b - 1) << 22 + 2 * E) / (b * b * b);
-                    end
-                    root = (root + square / root) >> 1;
-                    root = (root + square / root) >> 1;
-                    root = (root + square / root) >> 1;
-                    root = (root + square / root) >> 1;
-                    slopes[B * (512 * range + a) +: B] = root[B:1] + {{(B-1){1'b0}}, root[0]};
+            root = shift > 0 ? 64'd1 << 1 + B : 64'd1 << B - 3;
+            for (a = 0; a < 512; a = a + 1) begin
+                b = {31'd0, a, 1'b1};
+                square = ((512 * b + 1) * (8 * b * b - 1) << 20) / (b * b * b * b) << shift + 2 * (B - 17);
+                if (shift == 0) begin
+                    b = {32'd0, a};
+                    square = a > 0 ? ((16 * b * b - 1) << 22 + 2 * (B - 17)) / (b * b * b) : 64'd1 << 28 + 2 * (B - 17);
                 end
+                root = (root + square / root) >> 1;
+                root = (root + square / root) >> 1;
+                root = (root + square / root) >> 1;
+                root = (root + square / root) >> 1;
+                slopes[B*a +: B] = root[B:1] + {{(B-1){1'b0}}, root[0]};
             end
         end
     endfunction
-    localparam [B*SEGMENTS-1:0] SLOPES = slopes(4);
-
-    reg [B-1:0] slope[0:SEGMENTS-1];
-    integer    i;
+    // A constant a range, not one of all: Icarus copies the whole constant for every entry
+    localparam [512*B-1:0] RANGE0 = slopes(10), RANGE1 = slopes(6), RANGE2 = slopes(1), RANGE3 = slopes(0);
+    reg [B-1:0] slope[0:2047];
+    integer     a;
     initial
-        for (i = 0; i < SEGMENTS; i = i + 1)
-            slope[i] = SLOPES[B*i +: B];
+        for (a = 0; a < 512; a = a + 1) begin
+            slope[a]        = RANGE0[B*a +: B];
+            slope[512 + a]  = RANGE1[B*a +: B];
+            slope[1024 + a] = RANGE2[B*a +: B];
+            slope[1536 + a] = RANGE3[B*a +: B];
+        end
 
     wire [23:0] v = {in_s, {(24-S){1'b0}}} ^ {24{in_not}};
     wire        high = |v[23:20], middle = |v[19:15], low = |v[14:9];

@@ -9,6 +9,7 @@
 `default_nettype none
 module spread_about_axis #(
     parameter JOINTS = 1,  // joints, 1 or more: 1, the core of one joint
+    parameter [JOINTS-1:0] HELD = {JOINTS{1'b1}},  // bit i: joint i + 1 may lack a direction, so its word is reset: all
     parameter S = 24       // fraction bits of a spread, 2 to 24: 24, all that the kernels' squares are good for
 ) (
     input  wire                      clk,
@@ -37,11 +38,12 @@ module spread_about_axis #(
 
     integer joint;
     always @(posedge clk) begin
-        for (joint = 0; joint < JOINTS; joint = joint + 1)
+        for (joint = 0; joint < JOINTS; joint = joint + 1) begin
             if (in_take[joint])
                 out_j[joint*(S+2) +: S+2] <= word;
-        if (rst)
-            out_j <= {JOINTS*(S+2){1'b0}};
+            if (rst && HELD[joint])
+                out_j[joint*(S+2) +: S+2] <= {(S+2){1'b0}};
+        end
     end
 endmodule
 `default_nettype wire

@@ -48,16 +48,21 @@ module spread_chords #(
             end
         end
     endfunction
-    localparam [513*K-1:0]   WIDE = knots(9);
-    localparam [513*K-1:0]   NONE = 0;
-    localparam [5*513*K-1:0] THIN = {RANGES == 5 ? knots(30) : NONE, knots(24), knots(19), knots(14), knots(10)};
-
+    // A constant a range, not one of all: Icarus copies the whole constant for every entry
+    localparam [513*K-1:0] WIDE = knots(9), THIN0 = knots(10), THIN1 = knots(14), THIN2 = knots(19), THIN3 = knots(24);
+    localparam [513*K-1:0] THIN4 = RANGES > 4 ? knots(30) : {(513*K){1'b0}};
     reg [2*U-3:0] thin [0:512*RANGES-1];  // {step, knot}
     reg [2*U-3:0] wide [0:255];
     integer       i;
     initial begin
-        for (i = 0; i < 512 * RANGES; i = i + 1)
-            thin[i] = {THIN[K*(i+i/512+1) +: U-5] - THIN[K*(i+i/512) +: U-5], THIN[K*(i+i/512) +: K]};
+        for (i = 0; i < 512; i = i + 1) begin
+            thin[i]        = {THIN0[K*(i+1) +: U-5] - THIN0[K*i +: U-5], THIN0[K*i +: K]};
+            thin[512 + i]  = {THIN1[K*(i+1) +: U-5] - THIN1[K*i +: U-5], THIN1[K*i +: K]};
+            thin[1024 + i] = {THIN2[K*(i+1) +: U-5] - THIN2[K*i +: U-5], THIN2[K*i +: K]};
+            thin[1536 + i] = {THIN3[K*(i+1) +: U-5] - THIN3[K*i +: U-5], THIN3[K*i +: K]};
+            if (RANGES > 4)
+                thin[512 * (RANGES - 1) + i] = {THIN4[K*(i+1) +: U-5] - THIN4[K*i +: U-5], THIN4[K*i +: K]};
+        end
         for (i = 0; i < 256; i = i + 1)
             wide[i] = {WIDE[K*(511-i) +: U-5] - WIDE[K*(512-i) +: U-5], WIDE[K*(512-i) +: K]};
     end

@@ -21,13 +21,13 @@ module kernel_aim (
     output wire [1:0]         out_axis,
     output wire               out_below,
     output wire [40:0]        out_square,
-    output reg                out_singular
+    output wire [3:0]         out_status
 );
-    // Schedule. start: y k m2 x_near x_left y_left out_singular <- in_x in_y
+    // Schedule. start: y k m2 x_near x_left y_left zero <- in_x in_y
     localparam [2:0]
         SUM   = 3'b001,  // m2 x_near both_one chord <- y k m2 x_near: square y, q = x^2 + y^2, read the chord of 1/q
         CHORD = 3'b010,  // reciprocal <- chord: interpolate 1/q
-        GIVE  = 3'b100;  // - <- m2 reciprocal x_near x_left y_left both_one out_singular: the direction goes out
+        GIVE  = 3'b100;  // - <- m2 reciprocal x_near x_left y_left both_one zero: the direction goes out
     //              work
     localparam [3*3-1:0] AIM = {
         /* 1 y^2 */ {SUM},
@@ -45,7 +45,7 @@ module kernel_aim (
     wire [3:0]   spare;
     reg  [3:0]   k;
     wire [15:0]  scaled;
-    normalise #(.B(16)) shift (
+    normalise #(.B(16), .LATE(1)) shift (
         .in_used(used), .out_k(spare), .in_k(sum ? k : spare), .in_x(sum ? y : in_x), .out_x(scaled));
 
     // One multiplier squares both coordinates, then interpolates
@@ -61,14 +61,16 @@ module kernel_aim (
     wire [17:0]  q = {1'b0, m2[27:11]} + {1'b0, square[27:11]};
     reg          x_left, y_left;  // negative
     reg          x_near;          // the x axis is the nearer one: |x| >= 1/2 and y is not -1
+    reg          zero;            // x = y = 0
     reg          both_one;        // x = y = -1, the one case where m^2 is 1.0: m2 holds 0, and the square is 1/2
     reciprocal_chord inverse (.clk(clk), .in_q(q[16:0]), .out_knot(knot), .out_step(step), .out_offset(offset));
     reg  [17:0]  reciprocal;      // a constant 1 behind it centres what truncation loses
 
     wire [45:0]  ratio = m2[26:0] * {reciprocal, 1'b1};  // below 1, of 44 fraction bits
-    assign out_take = give && !out_singular;
+    assign out_take = give && !zero;
     assign out_axis = {x_near ? x_left : y_left, !x_near};
     assign out_below = x_left ^ y_left ^ !x_near;
+    assign out_status = {2'd0, zero, 1'b0};
     assign out_square = {1'b0, ratio[43] ^ both_one, ratio[42:4]};
     wire   unused = &{1'b0, product[31], product[2:0], ratio[45:44], ratio[3:0]};
 
@@ -77,9 +79,9 @@ module kernel_aim (
         k          <= spare;
         reciprocal <= knot + {6'h3f, ~product[19:8]};
         if (accept) begin
-            x_left       <= in_x[15];
-            y_left       <= in_y[15];
-            out_singular <= used == 0 && !in_x[15] && !in_y[15];
+            x_left <= in_x[15];
+            y_left <= in_y[15];
+            zero   <= used == 0 && !in_x[15] && !in_y[15];
         end
         if (accept || sum)
             x_near <= sum ? x_near && !square[27] : scaled[15] ^ scaled[14];

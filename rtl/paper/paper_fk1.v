@@ -3,27 +3,27 @@
 //   x = +-sqrt(Q1 (1 - s1)), y = +-sqrt(Q1 s1), Q1 = cfg_l1^2, signs by quadrant
 // Formats: in_j1 turn-spread u2.S, cfg_l1 u(W-F).F, out_x out_y s(W-F).F; rounded to nearest, ties outward.
 // Error: arithmetic <= 1/2 LSB (Q1 s is exact down to the bit that decides the rounding).
-// Latency 2, II 2. Clock 1: spread f from the port; clock 2: spread 1 - f. One multiplier pair, one root.
+// Latency 2, II 2: one pair of multipliers and one square root serve f, then 1 - f.
 // Status: overflow (a magnitude rounds to 2^(W-1) LSB or more: +-(2^(W-1) - 1))
 // Source: paper eqs. 51-52, Fig. 8, Table I read as turn-spread (odd quadrants swap s and 1 - s)
 // Model: paper.fk1
 `default_nettype none
 module paper_fk1 #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter S = 8
+    parameter W = 16,  // bits of a coordinate and of the link, 4 to 18; Q7.8 is the paper's word
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1
+    parameter S = 8    // fraction bits of the joint word, 2 to 24; 8 is the paper's
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire [W-1:0] cfg_l1,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [S+1:0] in_j1,
-    output reg          out_valid,
-    input  wire         out_ready,
-    output reg  [W-1:0] out_x,
-    output reg  [W-1:0] out_y,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire        [W-1:0] cfg_l1,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire        [S+1:0] in_j1,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output reg  signed [W-1:0] out_x,
+    output reg  signed [W-1:0] out_y,
+    output wire        [3:0]   out_status
 );
     generate
         if (W < 4 || W > 18 || F < 0 || F >= W || S < 2 || S > 24) begin : g_illegal
@@ -31,9 +31,10 @@ module paper_fk1 #(
         end
     endgenerate
 
-    reg         second;      // the clock of the spread 1 - f
+    // Two clocks need no schedule: the accepting one roots Q1 f from the port, `second` roots Q1 (1 - f)
+    reg         second;
     reg [1:0]   kept_k;
-    reg [S:0]   kept_s;
+    reg [S:0]   kept_s;  // 1 - f
     reg         over_x, over_y;
 
     wire [1:0]  k = second ? kept_k : in_j1[S +: 2];
@@ -49,8 +50,8 @@ module paper_fk1 #(
     // f belongs to y in even quadrants and to x in odd ones
     wire         to_x = second ^ k[0];
     wire         beyond = |q[2*W+S-1 -: 2];
-    wire         rounded;
-    wire [W-1:0] word;
+    wire                rounded;
+    wire signed [W-1:0] word;
     paper_sign #(.W(W), .N(W)) sign (.in_root(root), .in_negative(k[1] ^ (to_x & k[0])), .in_over(beyond),
                                      .out_word(word), .out_over(rounded));
     wire         over = beyond || rounded;

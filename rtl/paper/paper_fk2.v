@@ -8,26 +8,26 @@
 // Source: paper eqs. 11-17, Table II, Fig. 9. Model: paper.fk2
 `default_nettype none
 module paper_fk2 #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter S = 8
+    parameter W = 16,  // bits of a coordinate and of a link, F + 5 or more; Q7.8 is the paper's word
+    parameter F = 8,   // fraction bits of a coordinate, 1 or more
+    parameter S = 8    // fraction bits of a joint word, 4 to 24; 8 is the paper's
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire [W-1:0] cfg_l1,
-    input  wire [W-1:0] cfg_l2,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [S+1:0] in_j1,
-    input  wire [S+1:0] in_j2,
-    output wire         out_valid,
-    input  wire         out_ready,
-    output wire [W-1:0] out_x,
-    output wire [W-1:0] out_y,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire        [W-1:0] cfg_l1,
+    input  wire        [W-1:0] cfg_l2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire        [S+1:0] in_j1,
+    input  wire        [S+1:0] in_j2,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire        [3:0]   out_status
 );
     wire overflow;
-    wire [W-1:0] unused;
+    wire signed [W-1:0] unused;
     paper_chain #(.W(W), .F(F), .S(S), .YAW(0)) chain (
         .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),
         .in_j1(in_j1), .in_j2(in_j2), .in_j3({(S+2){1'b0}}), .out_valid(out_valid), .out_ready(out_ready),

@@ -8,25 +8,25 @@
 // Source: paper eqs. 24-31, Fig. 10. Model: paper.fk3
 `default_nettype none
 module paper_fk3 #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter S = 8
+    parameter W = 16,  // bits of a coordinate and of a link, F + 5 or more; Q7.8 is the paper's word
+    parameter F = 8,   // fraction bits of a coordinate, 1 or more
+    parameter S = 8    // fraction bits of a joint word, 4 to 24; 8 is the paper's
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire [W-1:0] cfg_l1,
-    input  wire [W-1:0] cfg_l2,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [S+1:0] in_j1,
-    input  wire [S+1:0] in_j2,
-    input  wire [S+1:0] in_j3,
-    output wire         out_valid,
-    input  wire         out_ready,
-    output wire [W-1:0] out_x,
-    output wire [W-1:0] out_y,
-    output wire [W-1:0] out_z,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire        [W-1:0] cfg_l1,
+    input  wire        [W-1:0] cfg_l2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire        [S+1:0] in_j1,
+    input  wire        [S+1:0] in_j2,
+    input  wire        [S+1:0] in_j3,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire signed [W-1:0] out_z,
+    output wire        [3:0]   out_status
 );
     wire overflow;
     paper_chain #(.W(W), .F(F), .S(S), .YAW(1)) chain (

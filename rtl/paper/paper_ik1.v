@@ -2,27 +2,27 @@
 // Inverse kinematics of one joint, the paper's way: the spread is a quotient of quadrances.
 //   s1 = qy / (qx + qy), qx = x^2, qy = y^2; out_j1 = {k, s1} in even quadrants, {k, 1 - s1} in odd ones
 // Formats: in_x in_y s(W-F).F, out_j1 turn-spread u2.S modulo 4, rounded to nearest.
-// Error: arithmetic <= 1/2 LSB of the spread (all S+1 quotient bits are exact; the last one rounds).
-// Latency and II: 1 + ceil((S+1) / 3). Clock 1: squares and their sum; then three quotient bits a clock.
-// Status: singular (x = y = 0: the last joint word is held)
+// Error: arithmetic <= 1/2 LSB of the joint word (all S+1 quotient bits are exact; the last one rounds).
+// Latency and II: 1 + ceil((S+1) / 3); the cycle table is in vector_to_spread_iter.v.
+// Status: singular (x = y = 0: the last joint word is held, 0 after a reset)
 // Source: paper eq. 9, quadrant by the signs of x and y (Table I); the paper does not recover the quadrant
 // Model: paper.ik1
 `default_nettype none
 module paper_ik1 #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter S = 8
+    parameter W = 16,  // bits of a coordinate, 4 to 18; Q7.8 is the paper's word
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; the joint word does not depend on it
+    parameter S = 8    // fraction bits of the joint word, 3 to 24; 8 is the paper's
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    output wire         out_valid,
-    input  wire         out_ready,
-    output wire [S+1:0] out_j1,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire        [S+1:0] out_j1,
+    output wire        [3:0]   out_status
 );
     generate
         if (W < 4 || W > 18 || F < 0 || F >= W || S < 3 || S > 24) begin : g_illegal

@@ -9,25 +9,25 @@
 // Source: paper eqs. 18-23, which lose the elbow and the quadrants. Model: paper.ik2
 `default_nettype none
 module paper_ik2 #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter S = 8,
-    parameter R = 4  // quotient bits a clock
+    parameter W = 16,  // bits of a coordinate and of a link, F + 5 or more; Q7.8 is the paper's word
+    parameter F = 8,   // fraction bits of a coordinate, 1 or more
+    parameter S = 8,   // fraction bits of a joint word, 4 to 24; 8 is the paper's
+    parameter R = 4    // quotient digits a clock, 1 or more; 4 stays within the paper's 671 logic elements at S = 8
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire [W-1:0] cfg_l1,
-    input  wire [W-1:0] cfg_l2,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    input  wire         in_elbow,
-    output wire         out_valid,
-    input  wire         out_ready,
-    output wire [S+1:0] out_j1,
-    output wire [S+1:0] out_j2,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire        [W-1:0] cfg_l1,
+    input  wire        [W-1:0] cfg_l2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire                in_elbow,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire        [S+1:0] out_j1,
+    output wire        [S+1:0] out_j2,
+    output wire        [3:0]   out_status
 );
     wire [S+1:0] unused;
     paper_solve #(.W(W), .F(F), .S(S), .R(R), .YAW(0)) solver (

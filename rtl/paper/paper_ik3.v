@@ -9,27 +9,27 @@
 // Source: paper eqs. 32-40, which lose the elbow and the quadrants. Model: paper.ik3
 `default_nettype none
 module paper_ik3 #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter S = 8,
-    parameter R = 6  // quotient bits a clock
+    parameter W = 16,  // bits of a coordinate and of a link, F + 5 or more; Q7.8 is the paper's word
+    parameter F = 8,   // fraction bits of a coordinate, 1 or more
+    parameter S = 8,   // fraction bits of a joint word, 4 to 24; 8 is the paper's
+    parameter R = 6    // quotient digits a clock, 1 or more; 6 gives the 17 clocks of paper_ik2 at S = 8
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire [W-1:0] cfg_l1,
-    input  wire [W-1:0] cfg_l2,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    input  wire [W-1:0] in_z,
-    input  wire         in_elbow,
-    output wire         out_valid,
-    input  wire         out_ready,
-    output wire [S+1:0] out_j1,
-    output wire [S+1:0] out_j2,
-    output wire [S+1:0] out_j3,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire        [W-1:0] cfg_l1,
+    input  wire        [W-1:0] cfg_l2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,
+    input  wire                in_elbow,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire        [S+1:0] out_j1,
+    output wire        [S+1:0] out_j2,
+    output wire        [S+1:0] out_j3,
+    output wire        [3:0]   out_status
 );
     paper_solve #(.W(W), .F(F), .S(S), .R(R), .YAW(1)) solver (
         .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),

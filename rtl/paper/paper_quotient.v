@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// R fraction digits of a quotient of quadrances that is at most 1, restoring, combinational: a spread is one.
+// R fraction digits of a quotient of two quadrances, which is a spread and so at most 1; restoring, combinational.
 //   in_rem 2^R = out_digits in_d + out_rem, 0 <= in_rem <= in_d; in_rem = in_d gives ones and keeps the remainder
-// 2 rem - d = {rem, 1} + ~d: the digit that is not there carries the increment, so a row costs no cell for it.
+// Formats: in_rem in_d out_rem uQ in one scale, out_digits u0.R. Error: truncation, exact with the remainder.
+// 2 rem - d = {rem, 1} + ~d: the free bit below 2 rem carries the increment of -d, so a row costs no cell for it.
 // Model: paper.quotient
 `default_nettype none
 module paper_quotient #(
-    parameter Q = 22,
-    parameter R = 3
+    parameter Q = 22,  // bits of remainder and divisor, 1 or more; 22 is a quadrance of the forward cores at S = 8
+    parameter R = 3    // digits, 1 or more; 3 is what paper_chain takes a clock
 ) (
     input  wire [Q-1:0] in_rem,
     input  wire [Q-1:0] in_d,
@@ -21,7 +22,7 @@ module paper_quotient #(
         for (i = 0; i < R; i = i + 1) begin : g_digit
             wire [Q-1:0] rem;
             wire [Q:0]   trial = {rem, 1'b1} + {1'b1, ~in_d};
-            wire [Q-1:0] next = trial[Q] ? {rem[Q-2:0], 1'b0} : trial[Q-1:0];
+            wire [Q-1:0] next = trial[Q] ? rem << 1 : trial[Q-1:0];
             assign out_digits[R-1-i] = !trial[Q];
             if (i == 0) begin : g_first
                 assign rem = in_rem;

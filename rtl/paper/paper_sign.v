@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sign (Fig. 8b) and rounding of a root: out_word = -+in_root / 2^(N-W+1), to nearest, ties away from zero.
 //   Formats: in_root uN.0, N >= W-1; out_word sW.0. With N = W-1 nothing is rounded.
-// The increments of sign and rounding are one: x + 1 toggles up to the lowest 0, -x above the lowest 1, -(x + 1) all.
-// The word is +-(2^(W-1) - 1) with in_over, and with out_over: the magnitude would round to 2^(W-1).
+// Sign and rounding share one carry: x + 1 inverts the bits up to the lowest 0, -x those above the lowest 1, and
+// -(x + 1) inverts every bit. The word is +-(2^(W-1) - 1) when in_over, or when the magnitude would round to 2^(W-1):
+// out_over says so.
 // Model: paper.sign
 `default_nettype none
 module paper_sign #(
-    parameter W = 16,
-    parameter N = 16
+    parameter W = 16,  // bits of the word, 2 or more; Q7.8 is the paper's word
+    parameter N = 16   // digits of the root, W - 1 or more; W rounds by one digit
 ) (
-    input  wire [N-1:0] in_root,
-    input  wire         in_negative,
-    input  wire         in_over,
-    output reg  [W-1:0] out_word,
-    output wire         out_over
+    input  wire        [N-1:0] in_root,
+    input  wire                in_negative,
+    input  wire                in_over,
+    output reg  signed [W-1:0] out_word,
+    output wire                out_over
 );
     wire         half;  // the bit below the word's LSB
     wire [W-1:0] x = {1'b0, in_root[N-1 -: W-1] | {(W-1){in_over}}};

@@ -1,185 +1,109 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangle of two links solved backwards, and with YAW its plane: paper_ik2 and paper_ik3. Model: paper.solve
-//   s3 = qy / qa, sa = qz / q3, s2 = 1 - (q3 - Q1 - Q2)^2 / (4 Q1 Q2), s' = s2 Q2 / q3, s1 = sa (-) s'
-// One row set divides, M = ceil((S+3) / R) clocks each, sa in the first M after num; one multiplier feeds one root.
-//   clock          squarers, multiplier                   adders                            rows
-//   0 (accept)     x^2, y^2                               den = x^2 + y^2                   num = y^2
-//   YAW: 1 .. M+1  -, then z^2                            den = qa + z^2                    s3 -> j3; num = z^2
-//   M+1, +2, +3    Q1, Q2; L1 L2; -                       c = q3 - Q1 - Q2; 2 Q1 - |c| < 0?  num = 2 L1 L2 - |c|
-//   M+4 .. 2M+3    -                                      -                                 v = 1 - |c| / (2 L1 L2)
-//   2M+4           (1 - v)^2 -> j2, num = Q2 s2           -                                 den = q3
-//   2M+5 .. 3M+4   -                                      -                                 s'
-//   3M+5, +6, +7   sqrt(sa (1-g)), sqrt(g (1-sa)); square  acc = their difference           -> j1
+// The triangle of two links solved backwards, and with YAW its plane: the kernel of paper_ik2 and paper_ik3.
+//   sa = qy / q3, s2 = 1 - (q3 - Q1 - Q2)^2 / (4 Q1 Q2), s' = s2 Q2 / q3, s1 = sa (-) s' or sa (+) s'
+//   YAW: s3 = qy / qa, qa = qx + qy, q3 = qa + qz, sa = qz / q3
+// This file is the control; registers and arithmetic are paper_solve_path.
+// Formats, rounding, error bound: README.md. Latency and II: 3M + 8, with YAW 4M + 9, M = ceil((S+3) / R).
+// Status: unreachable, singular, overflow, see paper_ik2 and paper_ik3
+// Source: paper eqs. 18-23, 32-40, elbow and quadrants recovered. Model: paper.solve
 `default_nettype none
 module paper_solve #(
-    parameter W   = 16,
-    parameter F   = 8,
-    parameter S   = 8,
-    parameter R   = 3,
-    parameter YAW = 0
+    parameter W   = 16,  // bits of a coordinate and of a link; F + 5 or more, so that W - 1 - F integer bits are 4
+    parameter F   = 8,   // fraction bits of a coordinate, 1 or more; Q7.8 is the paper's word
+    parameter S   = 8,   // fraction bits of a joint word, 4 to 24; 8 is the paper's
+    parameter R   = 3,   // quotient digits a clock, 1 or more; 3 as in paper_chain
+    parameter YAW = 0    // 1: joint 3 turns the plane
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire [W-1:0] cfg_l1,
-    input  wire [W-1:0] cfg_l2,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    input  wire [W-1:0] in_z,
-    input  wire         in_elbow,
-    output reg          out_valid,
-    input  wire         out_ready,
-    output reg  [S+1:0] out_j1,
-    output reg  [S+1:0] out_j2,
-    output reg  [S+1:0] out_j3,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire        [W-1:0] cfg_l1,
+    input  wire        [W-1:0] cfg_l2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,  // 0 without YAW
+    input  wire                in_elbow,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output wire        [S+1:0] out_j1,
+    output wire        [S+1:0] out_j2,
+    output wire        [S+1:0] out_j3,
+    output wire        [3:0]   out_status
 );
-    localparam I  = W - 1 - F;                       // integer bits of a length
-    localparam G  = S < 2*F ? S : 2*F;               // fraction bits of a quadrance
-    localparam Q  = 2*I + 2 + G;                     // u(2I+2).G: three squares fit
-    localparam M  = (S + 2 + R) / R;                 // clocks of a division
-    localparam D  = R * M;                           // digits of a share
-    localparam P  = D > W ? D : W;                   // bits of the multiplier's right factor
-    localparam L  = 2*I + G > 27 ? 27 : 2*I + G;     // and of its left one
-    localparam E  = P > 26 ? 26 : P;                 // bits of a root to be squared
-    localparam Z  = (L > P ? L : P) + 1;
-    localparam N  = D > 26 ? 26 : D;                 // digits of the root
-    localparam H  = YAW != 0 ? M + 1 : 0;            // clocks for the yaw
-    localparam T  = H + 3*M + 7;                     // the last clock
+    localparam B = R < 1 ? 1 : R;    // R, where it is legal
+    localparam M = (S + 2 + B) / B;  // clocks of a division
 
+    // Schedule. start: z elbow kr range still unreachable den num <- in_x in_y in_z in_elbow
+    localparam [2:0]      // sides of the two squarers
+        SIDES  = 3'b000,  // - <- -: acc (an operation that uses its square names it) and L2
+        HEIGHT = 3'b001,  // - <- z: the second is z
+        LINKS  = 3'b010,  // - <- -: L1 and L2
+        COSINE = 3'b100;  // - <- digits: 1 - v = |cos| of joint 2, and L2
+    localparam [2:0]       // factors of the multiplier; the square root takes its product
+        L1_L2  = 3'b000,   // - <- -: L1 L2
+        Q2_S2  = 3'b001,   // - <- digits: Q2 s2, s2 = 1 - (1 - v)^2
+        DIFF_1 = 3'b010,   // - <- digits alpha kr z elbow obtuse: sa (1-g), first product of sa (-) g; g: s' or 1 - s'
+        DIFF_2 = 3'b100;   // - <- digits alpha kr z elbow obtuse: g (1-sa), second product
+    localparam [6:0]          // sums and divisions
+        HOLD   = 7'b0000000,  // - <- -: nothing
+        DIVIDE = 7'b0000001,  // num digits <- num den unreachable: R digits of num / den, 0 when unreachable
+        ADD_Z  = 7'b0000010,  // den num still <- den z: q3 = qa + qz; next num / den is sa = qz / q3
+        LAW    = 7'b0000100,  // c den q3 alpha undefined <- den digits: c = q3 - Q1 - Q2, den = 2 Q1; sa is kept
+        BEND   = 7'b0001000,  // obtuse den <- c den: c < 0 and 2 Q1 - |c| < 0; den = 2 L1 L2
+        SLACK  = 7'b0010000,  // unreachable num <- c den: 2 L1 L2 - |c|; next num / den is v = 1 - |c| / (2 L1 L2)
+        BASE   = 7'b0100000,  // num den acc <- q3: next num / den is s' = Q2 s2 / q3; acc = 0
+        DIFFER = 7'b1000000;  // acc <- acc: the root less acc
+    localparam [2:0]    // joint word
+        NONE = 3'b000,  // - <- -: none
+        J3   = 3'b001,  // out_j3 <- digits kr den: joint 3
+        J2   = 3'b010,  // out_j2 <- elbow c: joint 2, its spread the square of the cosine or the rest
+        J1   = 3'b100;  // out_j1 <- acc kr z elbow obtuse undefined: joint 1, its spread the square of acc or the rest
+    localparam BITS = 16;
+    //                             squares product sums    joint
+    localparam [BITS*(M+1)-1:0] JOINT_3 = {
+        /* digits of s3     */ {M{ SIDES,  L1_L2,  DIVIDE, NONE}},
+        /* q3, joint 3      */ {   HEIGHT, L1_L2,  ADD_Z,  J3}};
+    localparam [BITS*(3*M+7)-1:0] TRIANGLE = {
+        /* digits of sa     */ {M{ SIDES,  L1_L2,  DIVIDE, NONE}},
+        /* c                */ {   LINKS,  L1_L2,  LAW,    NONE},
+        /* 2 Q1 - |c|       */ {   SIDES,  L1_L2,  BEND,   NONE},
+        /* 2 L1 L2 - |c|    */ {   SIDES,  L1_L2,  SLACK,  NONE},
+        /* digits of v      */ {M{ SIDES,  L1_L2,  DIVIDE, NONE}},
+        /* joint 2          */ {   COSINE, Q2_S2,  BASE,   J2},
+        /* digits of s'     */ {M{ SIDES,  L1_L2,  DIVIDE, NONE}},
+        /* sa (-) s', first */ {   SIDES,  DIFF_1, DIFFER, NONE},
+        /* sa (-) s'        */ {   SIDES,  DIFF_2, DIFFER, NONE},
+        /* joint 1          */ {   SIDES,  L1_L2,  HOLD,   J1}};
+
+    wire            accept = in_valid && in_ready;
+    wire            idle;
+    wire [BITS-1:0] op;
     generate
-        if (F < 1 || I < 4 || S < 4 || S > 24 || R < 1 || D > L || D > 27) begin : g_illegal
-            paper_solve_needs_S_from_4_to_24_F_from_1_to_W_minus_5_and_shares_no_longer_than_quadrances rule ();
+        if (YAW != 0) begin : g_space
+            schedule #(.LINES(4*M + 8), .BITS(BITS), .TABLE({JOINT_3, TRIANGLE})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end else begin : g_plane
+            schedule #(.LINES(3*M + 7), .BITS(BITS), .TABLE(TRIANGLE)) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
     endgenerate
 
-    // Control: the clock of the table above, one-hot
-    reg  [T:1] clock;
-    reg        busy;
-    wire accept = in_valid && in_ready;
-    wire law = clock[H+M+1], bend = clock[H+M+2], slack = clock[H+M+3], elbow = clock[H+2*M+4];
-    wire near = clock[T-2], far = clock[T-1], last = clock[T];
-    wire yaw, yaw_divide;
-    wire divide = |clock[H+M:H+1] || |clock[H+2*M+3:H+M+4] || |clock[H+3*M+4:H+2*M+5] || yaw_divide;
-    generate
-        if (YAW != 0) begin : g_yaw
-            assign yaw = clock[M+1];
-            assign yaw_divide = |clock[M:1];
-        end else begin : g_flat
-            assign yaw = 1'b0;
-            assign yaw_divide = 1'b0;
-        end
-    endgenerate
+    paper_solve_path #(.W(W), .F(F), .S(S), .R(R), .YAW(YAW)) path (
+        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_start(accept), .in_x(in_x), .in_y(in_y),
+        .in_z(in_z), .in_elbow(in_elbow), .in_cosine(op[15]), .in_links(op[14]), .in_height(op[13]), .in_diff_2(op[12]),
+        .in_diff_1(op[11]), .in_q2_s2(op[10]), .in_differ(op[9]), .in_base(op[8]), .in_slack(op[7]), .in_bend(op[6]),
+        .in_law(op[5]), .in_add_z(op[4]), .in_divide(op[3]), .in_j1(op[2]), .in_j2(op[1]), .in_j3(op[0]),
+        .out_j1(out_j1), .out_j2(out_j2), .out_j3(out_j3), .out_status(out_status));
 
-    reg  [W-1:0]      z;
-    reg               folded;       // in_elbow
-    reg  [1:0]        kr;           // quadrant of (x, y)
-    reg  [Q-1:0]      den, num, q3;
-    reg  [Q:0]        c;            // signed: its sign is that of -cos of the joint
-    reg  [D-1:0]      digits, alpha;
-    reg  [N:0]        acc;          // signed
-    reg               obtuse, unreachable, undefined, still, range;
-    wire [1:0]        ka = YAW != 0 ? {2{z[W-1]}} : kr;  // quadrant of the direction to the tip
-
-    // Squarers
-    wire [Z-1:0]      shares = {digits, {(Z-D){1'b0}}};
-    wire [P:0]        alphas = {alpha, {(P+1-D){1'b0}}};
-    wire [E+1:0]      accs = {acc, {(E+1-N){1'b0}}};
-    wire signed [E:0] side_a = accept ? {{(E+1-W){in_x[W-1]}}, in_x} : law ? {{(E+2-W){1'b0}}, cfg_l1[W-2:0]}
-                             : elbow ? {1'b0, ~shares[Z-1 -: E]} : accs[E+1:1];
-    wire signed [W-1:0] side_b = accept ? in_y : yaw ? z : {1'b0, cfg_l2[W-2:0]};
-    wire [2*E+1:0]    square_a = side_a * side_a;
-    wire [2*W-1:0]    square_b = side_b * side_b;
-    wire [Q-1:0]      qa = square_a[2*F-G +: Q];
-    wire [Q-1:0]      qb = square_b[2*F-G +: Q];
-    wire [Q-1:0]      sum = (yaw ? den : qa) + qb;
-    wire [Q:0]        bent = {1'b0, den} + (c ^ {(Q+1){!c[Q]}}) + {{Q{1'b0}}, !c[Q]};  // den - |c|
-
-    // The tip's direction less the base angle, or plus it: again one difference, see paper_chain
-    wire              borrow = !acc[N];
-    wire [1:0]        turn = {folded ? obtuse && !borrow : obtuse || borrow, folded ^ obtuse ^ borrow};
-    wire [1:0]        k1 = {ka[1] ^ turn[1] ^ (ka[0] & turn[0]), ka[0] ^ turn[0]};
-    wire              flip = folded ^ obtuse ^ near;
-    wire [L-1:0]      left = near || far ? shares[Z-1 -: L] ^ {L{flip}}
-                           : elbow ? qb[2*I+G-1 -: L] : {{(L+1-W){1'b0}}, cfg_l1[W-2:0]};
-    wire [P-1:0]      right = near || far ? alphas[P:1] ^ {P{ka[0] ^ far}}
-                            : elbow ? ~square_a[2*E-1 -: P] : {{(P+1-W){1'b0}}, cfg_l2[W-2:0]};
-    wire [L+P-1:0]    product = left * right;
-    wire [L+P:0]      twice = {product, 1'b0};
-    wire [N-1:0]      root;
-    paper_root #(.N(N)) square_root (.in_d(product[L+P-1 -: 2*N]), .out_root(root));
-
-    wire [Q-1:0]      next_num;
-    wire [R-1:0]      next_digits;
-    paper_quotient #(.Q(Q), .R(R)) quotient (
-        .in_rem(num), .in_d(den), .out_rem(next_num), .out_digits(next_digits));
-
-    // A share in its quadrant, rounded to the word: the carry steps into the next quadrant
-    wire [1:0]        k = yaw ? kr : elbow ? {folded, folded ^ c[Q]} : k1;
-    wire [S:0]        share = (yaw ? digits[D-1 -: S+1] : square_a[2*E-1 -: S+1])
-                            ^ {(S+1){yaw ? kr[0] : elbow ? !k[0] : borrow}};
-    wire [S+1:0]      word = {k, share[S:1]} + {{(S+1){1'b0}}, share[0]};
-
-    always @(posedge clk) begin
-        if (accept) begin
-            z      <= in_z;
-            folded <= in_elbow;
-            kr     <= {in_y[W-1], in_y[W-1] ^ in_x[W-1]};
-            range  <= cfg_l1[W-1] || cfg_l2[W-1];
-            still  <= 1'b0;
-        end
-        if (accept || yaw) begin
-            den <= sum;
-            num <= qb;
-        end
-        if (yaw) still <= ~|den;
-        if (law) begin
-            alpha     <= digits;
-            c         <= {1'b0, den} - {1'b0, sum};
-            q3        <= den;
-            den       <= qa << 1;
-            undefined <= ~|den;
-        end
-        if (bend) begin
-            obtuse <= c[Q] && bent[Q];
-            den    <= twice[2*F-G +: Q];
-        end
-        if (slack) begin
-            unreachable <= bent[Q];
-            num         <= bent[Q-1:0] & {Q{!bent[Q]}};
-        end
-        if (elbow) begin
-            num    <= {2'b00, product[L+P-1 -: Q-2]};
-            den    <= q3;
-            acc    <= {(N+1){1'b0}};
-            out_j2 <= word;
-        end
-        if (divide) begin
-            num    <= next_num;
-            digits <= {digits[D-R-1:0], next_digits};
-        end
-        if (near || far) acc <= {1'b0, root} - acc;
-        if (last && !undefined) out_j1 <= word;
-        if (yaw && |den)        out_j3 <= word;
-        if (rst) begin
-            out_j1 <= {(S+2){1'b0}};
-            out_j3 <= {(S+2){1'b0}};
-        end
-    end
-
+    // The table is long: a register that says busy is smaller than looking at every step of it
+    reg    busy;
+    wire   last = op[2];  // joint 1
+    wire   unused = idle;
     assign in_ready = !busy && (!out_valid || out_ready);
-    assign out_status = {1'b0, range, undefined || still, unreachable};
     always @(posedge clk) begin
-        clock     <= {clock[T-1:1], accept};
-        busy      <= accept || (busy && !clock[T]);
-        out_valid <= clock[T] || (out_valid && !out_ready);
-        if (rst) begin
-            clock     <= {T{1'b0}};
-            busy      <= 1'b0;
-            out_valid <= 1'b0;
-        end
+        busy      <= !rst && (accept || (busy && !last));
+        out_valid <= !rst && (last || (out_valid && !out_ready));
     end
-    wire unused = &{1'b0, square_a, square_b, twice, shares, alphas, accs, z, in_z};
 endmodule
 `default_nettype wire

@@ -30,15 +30,14 @@ module rational_ik1 #(
     endgenerate
 
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}};
-    wire               take, below, singular;
+    wire               take, below;
     wire [1:0]         axis;
     wire [40:0]        square;
     kernel_aim kernel (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .out_valid(out_valid),
         .out_ready(out_ready), .out_take(take), .out_axis(axis), .out_below(below), .out_square(square),
-        .out_singular(singular));
+        .out_status(out_status));
     spread_about_axis #(.JOINTS(1), .S(S)) codec (
         .clk(clk), .rst(rst), .in_take(take), .in_axis(axis), .in_below(below), .in_square(square), .out_j(out_j1));
-    assign out_status = {2'd0, singular, 1'b0};
 endmodule
 `default_nettype wire

@@ -1,47 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of three joints: joint 3 is the direction of (x, y), rho its length; rational_ik2 on (rho, z).
 // Formats: in_x, in_y, in_z s(W-F).F, out_j1..3 turn-spread u2.S modulo 4, nearest; cfg_*: rational.config.
-// Latency 26, II 26; the schedule stands in rational_solve.v.
-// Error of the tip: that of rational_ik2, 1.2 + 2^-k LSB for rho and 2.25 rho / 2^16 for joint 3: page.
-// Status: unreachable, singular (x = y = 0: out_j3 held, z = 0 too: out_j1). Eqs. 9, 18-23. Model: rational.ik3
+// Error of the tip: that of rational_ik2, 1.2 + 2^-k LSB for rho and 2.25 rho / 2^16 for joint 3: page. Latency, II: 26.
+// Status: unreachable, singular (x = y = 0: out_j3 held, z = 0 too: out_j1). Model: rational.ik3
 `default_nettype none
 module rational_ik3 #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter S = 24
+    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
+    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter S = 24   // fraction bits of a turn-spread word, 2 to 24: 24, 0.014 degrees at a quadrant border
 ) (
-    input  wire           clk,
-    input  wire           rst,
-    input  wire [W-1:0]   cfg_l1,
-    input  wire [W-1:0]   cfg_l2,
-    input  wire [32:0]    cfg_q,
-    input  wire [25:0]    cfg_r,
-    input  wire [1:0]     cfg_e,
-    input  wire           in_valid,
-    output wire           in_ready,
-    input  wire [W-1:0]   in_x,
-    input  wire [W-1:0]   in_y,
-    input  wire [W-1:0]   in_z,
-    input  wire           in_elbow,
-    output wire           out_valid,
-    input  wire           out_ready,
-    output wire [S+1:0]   out_j1,
-    output wire [S+1:0]   out_j2,
-    output wire [S+1:0]   out_j3,
-    output wire [3:0]     out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire [32:0]         cfg_q,
+    input  wire [25:0]         cfg_r,
+    input  wire [1:0]          cfg_e,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,
+    input  wire                in_elbow,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire [S+1:0]        out_j1,
+    output wire [S+1:0]        out_j2,
+    output wire [S+1:0]        out_j3,
+    output wire [3:0]          out_status
 );
     generate
         if (W < 4 || W > 16 || F < 0 || F >= W || S < 2 || S > 24) begin : g_illegal
             rational_ik3_needs_W_from_4_to_16_and_F_below_W_and_S_from_2_to_24 rule ();
         end
     endgenerate
-
-    assign out_status[3:2] = 2'd0;
-    rational_solve #(.JOINTS(3), .S(S)) kernel (
+    wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}}, z = {in_z, {(16-W){1'b0}}};
+    wire [2:0]         take;
+    wire [1:0]         axis;
+    wire               below;
+    wire [40:0]        square;
+    kernel_solve #(.JOINTS(3)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
-        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x({in_x, {(16-W){1'b0}}}),
-        .in_y({in_y, {(16-W){1'b0}}}), .in_z({in_z, {(16-W){1'b0}}}), .in_elbow(in_elbow), .out_valid(out_valid),
-        .out_ready(out_ready), .out_j1(out_j1), .out_j2(out_j2), .out_j3(out_j3),
-        .out_unreachable(out_status[0]), .out_singular(out_status[1]));
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z),
+        .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_take(take), .out_axis(axis),
+        .out_below(below), .out_square(square), .out_status(out_status));
+    spread_about_axis #(.JOINTS(3), .HELD(3'b101), .S(S)) codec (.clk(clk), .rst(rst), .in_take(take),
+        .in_axis(axis), .in_below(below), .in_square(square), .out_j({out_j3, out_j2, out_j1}));
 endmodule
 `default_nettype wire

@@ -122,7 +122,7 @@ def workspace_case(core: Core, arm: Arm, count: int, rng: np.random.Generator) -
     arm : Arm
         Its limits; a yaw that it lacks turns all round, and a joint of more than a turn keeps one.
     count : int
-        Poses. The combinations alone are 8^joints; an inverse core wants some thousand more.
+        Poses. The combinations alone are up to 8^joints; an inverse core wants some thousand more.
     rng : numpy Generator
 
     Returns
