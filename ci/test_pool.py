@@ -1,4 +1,4 @@
-"""The report's workers: all answers, all failures, and nothing left running when the parent ends."""
+"""The workers of `make report` and `make netlist`: all answers, all failures, and nothing left running when the parent ends."""
 
 import os
 import signal
@@ -9,8 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from ci import cache
-from ci.report import pool
+from ci import cache, pool
 from tb.lib import tools
 
 
@@ -37,7 +36,7 @@ def nap(folder, number):
 
 @pytest.fixture
 def log(tmp_path, monkeypatch):
-    monkeypatch.setattr(pool, "LOG", tmp_path / "log")
+    monkeypatch.setattr(pool, "LOGS", tmp_path)
 
 
 def test_every_job_is_answered(log):
@@ -46,7 +45,7 @@ def test_every_job_is_answered(log):
 
 
 def test_every_failure_is_named_and_the_others_are_done(log):
-    with pytest.raises(RuntimeError, match="2 measurements failed\n(3: 3 is odd|5: 5 is odd).*\n(3: 3|5: 5) is odd"):
+    with pytest.raises(RuntimeError, match="2 jobs failed\n(3: 3 is odd|5: 5 is odd).*\n(3: 3|5: 5) is odd"):
         pool.run(half, [(2,), (3,), (5,)])
     with pytest.raises(RuntimeError, match="no-such-tool is missing"):
         pool.run(missing, [()])
@@ -54,8 +53,8 @@ def test_every_failure_is_named_and_the_others_are_done(log):
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 def test_workers_and_their_tools_die_with_the_parent(how, tmp_path):
-    program = (f"import signal, sys\nfrom ci import test_pool\nfrom ci.report import pool\n"
-               f"from pathlib import Path\npool.LOG = Path({str(tmp_path / 'log')!r})\n"
+    program = (f"import signal, sys\nfrom ci import pool, test_pool\n"
+               f"from pathlib import Path\npool.LOGS = Path({str(tmp_path)!r})\n"
                f"signal.signal(signal.SIGINT, signal.default_int_handler)\n"
                f"signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))\n"
                f"pool.run(test_pool.nap, [({str(tmp_path)!r}, i) for i in range(9)])\n")

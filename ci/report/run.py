@@ -9,8 +9,8 @@ from pathlib import Path
 from quadrance import arms, cores
 from quadrance.cores import Core
 
-from ci import synth
-from ci.report import DEFAULT_ARM, OTHERS, REPORTS, blocks, documents, figures, freshness, measure, pool
+from ci import pool, synth
+from ci.report import DEFAULT_ARM, OTHERS, REPORTS, blocks, documents, figures, freshness, measure
 from ci.report.rows import MAPPED, Row, name
 from tb.lib import tools
 

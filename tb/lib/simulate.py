@@ -9,16 +9,17 @@ import logging
 import os
 import pickle
 import shutil
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
-from cocotb_test.simulator import run
+from cocotb_test.simulator import Icarus, Verilator
 from quadrance.cores import Core
 
 from tb.lib import tools
 
-SIMULATORS = ("icarus", "verilator")
+SIMULATORS = {"icarus": Icarus, "verilator": Verilator}
 OPTIMISE = "-O1"  # the build costs more than the runs it speeds up
 
 
@@ -103,6 +104,16 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
     return folder
 
 
+@contextlib.contextmanager
+def _handlers_kept() -> Iterator[None]:
+    """Ctrl-C and TERM as before: cocotb-test makes a failed assertion of them, and a worker would take its next job."""
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    yield
+    for number, handler in before.items():
+        if signal.getsignal(number) is not handler:
+            signal.signal(number, handler)
+
+
 def _run(core: Core, simulator: str, folder: Path, module: str, tests: str | None, seed: int | None, waves: bool,
          compile_only: bool, parameters: bool) -> None:
     (folder / "core.pickle").write_bytes(pickle.dumps(core))
@@ -116,12 +127,15 @@ def _run(core: Core, simulator: str, folder: Path, module: str, tests: str | Non
         if not waves:
             extra["make_args"] += ["VK_GLOBAL_OBJS=", f"LOADLIBES={' '.join(map(str, runtime()))}"]
     try:
-        run(simulator=simulator, toplevel=core.name, module=module, python_search=[str(tools.ROOT)],
-            verilog_sources=[str(source) for source in core.sources],
-            parameters=core.params if parameters else {}, sim_build=str(folder), timescale="1ns/1ps",
-            testcase=tests, seed=seed, waves=waves, compile_only=compile_only,
-            extra_env={"QUADRANCE_CORE": str(folder / "core.pickle")},
-            compile_args=[] if simulator == "icarus" else ["-Wno-fatal", "-Wno-lint", "-Wno-style"], **extra)
+        with _handlers_kept():
+            simulation = SIMULATORS[simulator](
+                toplevel=core.name, module=module, python_search=[str(tools.ROOT)],
+                verilog_sources=[str(source) for source in core.sources],
+                parameters=core.params if parameters else {}, sim_build=str(folder), timescale="1ns/1ps",
+                testcase=tests, seed=seed, waves=waves, compile_only=compile_only,
+                extra_env={"QUADRANCE_CORE": str(folder / "core.pickle")},
+                compile_args=[] if simulator == "icarus" else ["-Wno-fatal", "-Wno-lint", "-Wno-style"], **extra)
+        simulation.run()
     except (SystemExit, ElementTree.ParseError) as error:  # cocotb-test exits for every reason, and says which
         if str(error).startswith("FAILED"):
             raise

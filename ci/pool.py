@@ -13,6 +13,7 @@ import threading
 import time
 from collections.abc import Callable, Hashable
 from concurrent.futures import ProcessPoolExecutor, as_completed
+from pathlib import Path
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
@@ -20,7 +21,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from ci import cache
 from tb.lib import tools
 
-LOG = tools.BUILD / "report.log"
+LOGS = tools.BUILD
 WATCH = 0.5  # seconds between two looks for the parent
 
 
@@ -34,25 +35,27 @@ def _watch(parent: int) -> None:
     _end()
 
 
-def _worker(since: float) -> None:
+def _worker(log: Path, since: float) -> None:
     """Begin a worker: its group, its end, its log (away from the progress bar), the age of results that it takes."""
     os.setpgid(0, 0)
     signal.signal(signal.SIGTERM, _end)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the terminal's Ctrl-C is for the parent, which ends the workers
     threading.Thread(target=_watch, args=(os.getppid(),), daemon=True).start()
-    LOG.parent.mkdir(parents=True, exist_ok=True)
-    log = os.open(LOG, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
-    os.dup2(log, 1)
-    os.dup2(log, 2)
+    log.parent.mkdir(parents=True, exist_ok=True)
+    file = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
+    os.dup2(file, 1)
+    os.dup2(file, 2)
     cache.SINCE = since
 
 
-def run(work: Callable, jobs: list[tuple[Hashable, ...]], since: float = 0.0) -> dict[tuple, object]:
+def run(work: Callable, jobs: list[tuple[Hashable, ...]], since: float = 0.0,
+        name: str = "report") -> dict[tuple, object]:
     """The answers of ``work(*job)`` by job, the first jobs first.
 
     Parameters
     ----------
     since : kept results that are older (seconds of the epoch) are computed again.
+    name : stands before the progress bar; what the jobs print goes to ``build/<name>.log``.
 
     Raises
     ------
@@ -61,11 +64,12 @@ def run(work: Callable, jobs: list[tuple[Hashable, ...]], since: float = 0.0) ->
     """
     if not jobs:
         return {}
-    columns = (TextColumn("measuring"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
+    columns = (TextColumn(name), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
                TextColumn("{task.description}"))
-    LOG.unlink(missing_ok=True)
+    log = LOGS / f"{name}.log"
+    log.unlink(missing_ok=True)
     answers, failures = {}, []
-    with ProcessPoolExecutor(min(8, os.cpu_count() or 1), initializer=_worker, initargs=(since,)) as pool:
+    with ProcessPoolExecutor(min(8, os.cpu_count() or 1), initializer=_worker, initargs=(log, since)) as pool:
         running = {pool.submit(work, *job): job for job in jobs}
         try:
             with Progress(*columns, console=Console(stderr=True)) as progress:
@@ -73,7 +77,7 @@ def run(work: Callable, jobs: list[tuple[Hashable, ...]], since: float = 0.0) ->
                 for done in as_completed(running):
                     job = running[done]
                     if error := done.exception():
-                        failures.append(f"{' '.join(map(str, job))}: {error} (log: {tools.local(LOG)})")
+                        failures.append(f"{' '.join(map(str, job))}: {error} (log: {tools.local(log)})")
                     else:
                         answers[job] = done.result()
                     progress.update(task, advance=1, description=" ".join(map(str, job)))
@@ -83,5 +87,5 @@ def run(work: Callable, jobs: list[tuple[Hashable, ...]], since: float = 0.0) ->
             pool.shutdown(wait=False, cancel_futures=True)
             raise
     if failures:
-        raise RuntimeError("\n".join([f"{len(failures)} measurements failed", *failures]))
+        raise RuntimeError("\n".join([f"{len(failures)} jobs failed", *failures]))
     return answers

