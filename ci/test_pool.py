@@ -1,4 +1,4 @@
-"""The workers of `make report` and `make netlist`: all answers, all failures, and nothing left running when the parent ends."""
+"""The workers of `make report` and `make netlist`: every answer, every failure, nothing left running at the end."""
 
 import os
 import signal
