@@ -76,7 +76,7 @@ def test_chord_slopes_cover_every_read(bits, bound):
     v = np.arange(1 << 16)
     assert bounds.root_product(bits) == bound / 2**15
     for flip in (0, 1):
-        parts = arith.root_product({"S": 16, "B": bits}, in_s=v, in_not=np.full(v.shape, flip))
+        parts = arith.root_product({"S": 16, "B": bits}, in_v=v, in_not=np.full(v.shape, flip))
         root = parts["out_w"] * parts["out_slope"] / 2.0 ** (bits + 17)
         exact = np.sqrt((65536 - v) / 65536 if flip else v / 65536)
         assert np.abs(root - exact).max() <= bounds.root_product(bits) + 2.0**-24

@@ -57,8 +57,12 @@ module kernel_scale #(
             out_x  <= out_y;
             over_x <= over;
         end
-        busy      <= !rst && out_cos;
-        out_valid <= !rst && (busy || (out_valid && !out_ready));
+        busy      <= out_cos;
+        out_valid <= busy || (out_valid && !out_ready);
+        if (rst) begin
+            busy      <= 1'b0;
+            out_valid <= 1'b0;
+        end
     end
 endmodule
 `default_nettype wire

@@ -86,7 +86,7 @@ module kernel_solve_path #(
     wire [18:0] root_w;
     wire [19:0] root_slope;
     root_product #(.S(24), .B(20)) chord (
-        .clk(clk), .in_read(j2 || j3), .in_not(!j3), .in_s(j3 ? big ? q[31:8] : q[23:0] : product[39:16]),
+        .clk(clk), .in_read(j2 || j3), .in_not(!j3), .in_v(j3 ? big ? q[31:8] : q[23:0] : product[39:16]),
         .out_w(root_w), .out_slope(root_slope));
 
     // b becomes m where |a| > q' / 2, roughly
