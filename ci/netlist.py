@@ -176,7 +176,11 @@ def main() -> int:
     for target in args.target or TARGETS:
         models(target)  # before the workers, which would all write it
     jobs = [(core.id, target, seed) for core in cores for target in args.target or TARGETS]
-    verdicts = pool.run(judge, jobs, name="netlist")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # the pool then ends its workers
+    try:
+        verdicts = pool.run(judge, jobs, name="netlist")
+    except KeyboardInterrupt:
+        raise SystemExit("netlist: interrupted; the netlists that were made are kept in build/netlist") from None
     table = Table(*COLUMNS, min_width=100)
     for job in jobs:
         table.add_row(*verdicts[job].row(), style="red" if FAILED in verdicts[job].results.values() else "")
@@ -190,5 +194,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # the pool ends its workers
     sys.exit(main())
