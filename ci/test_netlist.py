@@ -1,4 +1,4 @@
-"""Netlists of small cores pass their benches, and broken ones do not; our cell models are Yosys' where inputs are known."""
+"""Netlists of small cores pass their benches, broken ones do not; our cells are Yosys' where inputs are known."""
 
 import re
 
@@ -14,6 +14,7 @@ from tb.lib.suite import SEED
 pytestmark = [pytest.mark.full, pytest.mark.skipif(not available("icarus"), reason="cell models need Icarus")]
 
 VENDOR = netlist.SHARE / "intel_alm" / "common"
+TABLES = (0xcafe_1234_9669_8000, 0x5a3c_0ff1_7fe0_1ead)  # a look-up table takes as many bits as it has
 WIDTHS = {2: "BA", 3: "CBA", 4: "DCBA", 5: "EDCBA", 6: "FEDCBA"}
 
 
@@ -60,8 +61,7 @@ def test_a_slow_netlist_is_named(monkeypatch):
 def _pairs() -> tuple[list[str], list[str]]:
     """Instances of each cell in both models, and the comparisons of their outputs."""
     cells, same = [], []
-    words = {n: [f"{1 << n}'h{word & (1 << (1 << n)) - 1:x}" for word in (0xcafe_1234_9669_8000, 0x5a3c_0ff1_7fe0_1ead)]
-             for n in WIDTHS}
+    words = {n: [f"{1 << n}'h{word & (1 << (1 << n)) - 1:x}" for word in TABLES] for n in WIDTHS}
     for n, names in WIDTHS.items():
         for i, word in enumerate(words[n]):
             plugs = ", ".join(f".{pin}(bits[{at}])" for at, pin in enumerate(reversed(names)))

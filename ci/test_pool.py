@@ -1,4 +1,4 @@
-"""The workers of `make report` and `make netlist`: all answers, all failures, and nothing left running when the parent ends."""
+"""The workers of reports and netlists: all answers, all failures, and nothing left when the parent ends."""
 
 import os
 import signal
