@@ -11,7 +11,7 @@ export SEED
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report report-check formal waves mutants exhaustive clean
+.PHONY: help setup lint test smoke report report-check formal netlist waves mutants exhaustive clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
@@ -40,6 +40,9 @@ report-check: setup ## fails when the committed report no longer follows from th
 
 formal: setup ## proofs of the arithmetic primitives and the handshakes
 	@$(PY) -m ci.formal
+
+netlist: setup ## every core's bench on its iCE40 and Cyclone V netlist
+	@$(PY) -m ci.netlist
 
 waves: setup ## a waveform of CORE's bench and the command to open it
 	@$(PY) -m ci.waves $(CORE)

@@ -1,14 +1,14 @@
 """`make netlist`: the bench of every core on what synthesis made of it.
 
 The first parameter set of each core goes through the flows of `ci.synth` for iCE40 and Cyclone V, those that the
-report counts. The netlist of cells takes the core's place in its own cocotb bench under Icarus: reset, latency and
-interval, random samples under stalls. A test that is not through after a minute of processor time is named in the
-table, and the core with it.
+report counts. The netlist of cells takes the core's place in its own cocotb bench under Icarus: reset; latency and
+interval on corners and random samples; more of both under idle cycles and stalls. Where the minute of processor time
+of a netlist is over, the test is "too slow" in the table, and the core is named below it.
 
 The devices clear every flip-flop at power-up, and so do Yosys' cell models (`initial Q = 0`). That hides a netlist
 that needs this zero where the contract says reset. So here every flip-flop starts undefined, and one clock of reset
 has to be enough, as it has to be in RTL. What the models still hide: `if (E)` in an iCE40 flip-flop takes an undefined
-enable for 0, and nothing has a delay. Cyclone V cells are simulated by tb/lib/cells/intel_alm.v, which says why.
+enable for 0; nothing has a delay. Cyclone V cells are simulated by tb/lib/cells/intel_alm.v, which says why.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ from tb.lib.simulate import simulate
 TARGETS = ("ice40", "cyclonev")
 LIMIT = 60  # seconds of processor time that all tests of a netlist may take
 TESTS = {"reset": "one_clock_of_reset", "latency": "latency_and_interval",
-         "random": "idle_and_back_pressure"}  # column -> cocotb test
+         "random": "idle_and_back_pressure"}  # column -> cocotb test of a core with a clock
 COMBINATIONAL = {"random": "corners_and_random_combinational"}
 PASSED, FAILED, LATE = "passed", "FAILED", "too slow"
 COLUMNS = ("core", "target", "LUT", "FF", "DSP", "mem", *TESTS, "s")
@@ -176,7 +176,11 @@ def main() -> int:
     for target in args.target or TARGETS:
         models(target)  # before the workers, which would all write it
     jobs = [(core.id, target, seed) for core in cores for target in args.target or TARGETS]
-    verdicts = pool.run(judge, jobs, name="netlist")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # the pool then ends its workers
+    try:
+        verdicts = pool.run(judge, jobs, name="netlist")
+    except KeyboardInterrupt:
+        raise SystemExit("netlist: interrupted; the netlists that were made are kept in build/netlist") from None
     table = Table(*COLUMNS, min_width=100)
     for job in jobs:
         table.add_row(*verdicts[job].row(), style="red" if FAILED in verdicts[job].results.values() else "")
@@ -190,5 +194,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # the pool ends its workers
     sys.exit(main())

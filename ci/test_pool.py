@@ -1,4 +1,4 @@
-"""The workers of `make report` and `make netlist`: every answer, every failure, nothing left running at the end."""
+"""The workers of reports and netlists: all answers, all failures, and nothing left when the parent ends."""
 
 import os
 import signal

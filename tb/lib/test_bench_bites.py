@@ -1,5 +1,6 @@
 """The bench on cores broken on purpose: a check that never failed is not yet a check."""
 
+import signal
 from dataclasses import replace
 from pathlib import Path
 
@@ -100,3 +101,11 @@ def test_what_does_not_compile_is_no_failed_test(tmp_path):
             simulate(torn, simulator, seed=SEED)
     with pytest.raises(RuntimeError, match="verilator failed"):
         bulk.build(torn)
+
+
+@pytest.mark.full
+def test_a_bench_leaves_ctrl_c_and_term_alone():
+    """Or a worker that is told to end takes its next job."""
+    before = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
+    simulate(specimen(0), simulators()[0], tests="one_clock_of_reset", seed=SEED)
+    assert (signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)) == before
