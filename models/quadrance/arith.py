@@ -76,13 +76,13 @@ def chord_slopes(bits: int = 17) -> Ints:
     return table
 
 
-def root_product(p: Params, *, in_s: Ints, in_not: Ints) -> dict[str, Ints]:
-    """Factors of the square root of a spread (or of its complement): sqrt(v) ~ w * slope / 2^(B + 17).
+def root_product(p: Params, *, in_v: Ints, in_not: Ints) -> dict[str, Ints]:
+    """Factors of the square root of v = in_v (or of its complement 1 - in_v): sqrt(v) ~ w * slope / 2^(B + 17).
 
     At B = 17 (default) |sqrt(v) - w * slope / 2^34| <= 0.52 / 2^15, and 0 at v = 0.
     """
     flip = -ints(in_not)  # every bit
-    v = (ints(in_s) << 24 - p["S"] ^ flip) & 0xFFFFFF
+    v = (ints(in_v) << 24 - p["S"] ^ flip) & 0xFFFFFF
     row = np.select([v >= 1 << 20, v >= 1 << 15, v >= 1 << 9], [0, 1, 2], 3)
     width = ints(SEGMENT_BITS)[row]
     segment = v >> width & SEGMENTS - 1

@@ -24,7 +24,7 @@ def fk1(p: Params, *, in_j1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
     odd, lower = ints(in_j1) >> s & 1, ints(in_j1) >> s + 1 & 1
 
     def coordinate(complement: Ints, negative: Ints) -> tuple[Ints, Ints]:
-        root = arith.root_product(p, in_s=spread, in_not=complement)
+        root = arith.root_product(p, in_v=spread, in_not=complement)
         n = (ints(cfg_l1) * root["out_w"] >> 14) * 2 + 1
         value, over = saturate(round_shift(np.where(negative, -n, n) * root["out_slope"], 21), p["W"])
         return value, over
@@ -166,7 +166,7 @@ def _elbow(p: Params, x: Ints, y: Ints, more: int, k: Ints, qs: Ints, gap: Ints,
     square = c2 * c2
     j2 = _about_axis(p["S"], 1 + 2 * elbow, short == (elbow != 0), square)
 
-    root = arith.root_product({"S": 24, "B": 20}, in_s=square >> 16 & 0xFFFFFF, in_not=ints(1))
+    root = arith.root_product({"S": 24, "B": 20}, in_v=square >> 16 & 0xFFFFFF, in_not=ints(1))
     k1 = (l1 << 3) + (c2 * l2 >> 17)
     k2 = (root["out_w"] * l2 >> 9) * root["out_slope"] >> 25
     one = np.where(k1 < 0, -1, 1) << 19
@@ -201,7 +201,7 @@ def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1
     x, y, z = x << near, y << near, z << k
     qs = x * x + y * y >> 11
     j3 = _direction(p, x << 5, y << 5, qs, ints(1))
-    root = arith.root_product({"S": 24, "B": 20}, in_s=np.where(large, square >> 8, square), in_not=ints(0))
+    root = arith.root_product({"S": 24, "B": 20}, in_v=np.where(large, square >> 8, square), in_not=ints(0))
     rho = (root["out_w"] << np.where(large, 7, 3)) * (root["out_slope"] << 2) >> 27  # 3 fraction bits
     fine = (2 * rho + 1) << k
     rho = fine >> 3  # 1 fraction bit

@@ -24,7 +24,7 @@ module spread_product #(
         if (in_cos)
             kept <= in_j;
 
-    root_product #(.S(S), .B(17)) product (.clk(clk), .in_read(in_cos || in_sin), .in_s(word[S-1:0]),
+    root_product #(.S(S), .B(17)) product (.clk(clk), .in_read(in_cos || in_sin), .in_v(word[S-1:0]),
         .in_not(in_sin == word[S]), .out_w(out_w), .out_slope(out_slope));
 endmodule
 `default_nettype wire

@@ -160,7 +160,7 @@ module rational_solve #(
     wire [18:0] w;
     root_product #(.S(24), .B(20)) chord (
         .clk(clk), .in_read(plane[6] || yaw[10]), .in_not(!yaw[10]),
-        .in_s(yaw[10] ? big ? q[31:8] : q[23:0] : product[39:16]), .out_w(w), .out_slope(slope));
+        .in_v(yaw[10] ? big ? q[31:8] : q[23:0] : product[39:16]), .out_w(w), .out_slope(slope));
 
     // b is taken where |a| > q' / 2, roughly
     wire [7:0]  a_size = left[21:14] ^ {8{left[22]}};
