@@ -120,10 +120,8 @@ module kernel_chain #(
             out_z <= out_x;
         if (last)
             out_y <= out_x;
-        if (accept)
-            over_before <= 1'b0;
-        else if (yaw || last)
-            over_before <= out_overflow;
+        if (accept || yaw || last)
+            over_before <= !accept && out_overflow;
         out_valid <= last || (out_valid && !out_ready);
         if (rst)
             out_valid <= 1'b0;
