@@ -26,7 +26,7 @@ module classic_legs #(
     input  wire                  in_height,
     output reg         [W+4:0]   out_a,
     output wire        [W+4:0]   out_b,
-    output reg  signed [W+7:0]   out_product,
+    output wire signed [W+7:0]   out_product,
     output wire                  out_unreachable
 );
     localparam G = 4;  // guard bits
@@ -58,8 +58,10 @@ module classic_legs #(
     reg  signed [W+3:0]     right;
     wire signed [2*W+G+5:0] whole = left * right;
     wire        [2*W-1:0]   square_x = in_x * in_x, square_y = in_y * in_y;
-    wire                    unused = &{1'b0, whole};
-    always @(posedge clk) out_product <= whole[2*W+G+5 -: W+8];
+    reg  signed [2*W+G+5:0] done;
+    wire                    unused = &{1'b0, done};
+    always @(posedge clk) done <= whole;
+    assign out_product = done[2*W+G+5 -: W+8];
     generate
         if (JOINTS == 2) begin : g_plane
             wire unused_ports = &{1'b0, in_z, in_add, in_first, in_ask, in_height};
@@ -74,7 +76,7 @@ module classic_legs #(
                 if (in_start) {height, last} <= {in_z, square_y};
                 if (in_start) q <= {2*W{1'b0}};
                 else if (in_add) q <= q + term;
-                term  <= in_start ? square_x : in_first ? last : whole[G +: 2*W];
+                term  <= in_start ? square_x : in_first ? last : done[G +: 2*W];
                 left  <= in_height ? {{2{height[W-1]}}, height, {G{1'b0}}} : {1'b0, out_a};
                 right <= !in_height ? in_f : in_first ? {{4{height[W-1]}}, height} : GROWTH[31 -: W+4];
             end

@@ -50,18 +50,19 @@ module classic_solve_iter #(
         TO_HALF = 3'b010,    // x y z mirror phi <- a b z elbow: of (b, a)
         TO_REST = 3'b100;    // x y mirror out_j2 <- b product z elbow: of (b, f a), z goes on
     localparam [3:0]         // squares and products, in classic_legs
-        NONE    = 4'b0000,   // - <- -: f a
-        X2      = 4'b0111,   // q term left right <- q term last height: r^2 = x^2
-        Y2      = 4'b0001,   // q term <- q term left right: plus y^2
+        NONE    = 4'b0000,   // - <- -: nothing, or products in flight
+        X2      = 4'b0111,   // q term left right <- q term last height: r^2 = x^2; z is squared
+        Y2      = 4'b0001,   // q <- q term: plus y^2
         Z2      = 4'b1001,   // q a b <- q term: plus z^2; the roots begin
-        LIFT    = 4'b0100;   // left right product <- height: K z
+        LIFT    = 4'b0100;   // left right product <- height: K z, two clocks later
     localparam BITS = 10;
     //                                vectoring at its end products
     localparam [BITS*(L+1)-1:0] YAW = {
         /* j3, and r^2    */ {        GROW,   STAY,    X2},
         /* second square  */ {        GROW,   STAY,    Y2},
+        /* z^2 in term    */ {        GROW,   STAY,    NONE},
         /* third square   */ {        GROW,   STAY,    Z2},
-        /* rho grows      */ {(C - 2){GROW,   STAY,    NONE}},
+        /* rho grows      */ {(C - 3){GROW,   STAY,    NONE}},
         /* bits of j3     */ {(L - C - 3){DIVIDE, STAY, NONE}},
         /* K z            */ {        DIVIDE, STAY,    LIFT},
         /* K z is ready   */ {        DIVIDE, STAY,    NONE},
