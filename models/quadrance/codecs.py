@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from math import isqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -92,47 +93,37 @@ def border_words(port: Port) -> Ints:
 
 # Bit-true models of rtl/codec
 
-# root_product: ranges of the radicand v (24 bits): width of a segment in bits, and the segments of each
-SEGMENT_BITS = (15, 11, 6, 0)
-SEGMENTS = 512
-
-
 @cache
-def chord_slopes(bits: int = 17) -> Ints:
-    """2^(bits + 8) sqrt(h) / (2 sqrt(t)) of segment a of each range, as root_product.v computes it, (4, 512).
+def _knots(u: int, h: int) -> Ints:
+    """``sqrt(a / 2^h)``, a = 0 ... 512, lifted by half the chord's sag (a >= 8), rounded up to a unit of 2^-(u+3)."""
+    k, scale = u + 3, 2 * (u + 3) - h
+    squares = [a << scale if a < 8 else ((32 * a * a + 1) << scale) // (32 * a) for a in range(1, 513)]
+    return ints([0, *(min(isqrt(square) + 1, (1 << k) - 1) for square in squares)])
 
-    t = a + 1/2, h = 2^(SEGMENT_BITS - 24); the last range holds the exact roots of a h over 2 a instead.
-    Segments below the start of their range, which are never read, are filled too.
+
+def spread_chords(p: Params, word: Ints) -> tuple[Ints, Ints]:
+    """(cos, sin) of a turn-spread word as odd integers of 2^-(U+1), each within 0.83 / 2^U at U = 16.
+
+    With f the fraction and v = min(f, 1 - f) the roots are those of v and 1 - v, on chords of 512 segments a
+    range and of 256; 1 - f is the one's complement followed by ones.
     """
-    table, extra = np.zeros((4, SEGMENTS), dtype=np.int64), bits - 17
-    for row, width in enumerate(SEGMENT_BITS):
-        root = 1 << (14 if row == 3 else 18) + extra
-        for a in range(SEGMENTS):
-            if row < 3:
-                b = 2 * a + 1
-                square = (((512 * b + 1) * (8 * b * b - 1) << 20) // b**4) << width - 5 + 2 * extra
-            else:
-                square = ((16 * a * a - 1) << 22 + 2 * extra) // a**3 if a else 1 << 28 + 2 * extra
-            for _ in range(4):
-                root = (root + square // root) >> 1
-            table[row, a] = (root + 1) >> 1 & (1 << bits) - 1
-    return table
-
-
-def root_product(p: Params, *, in_s: Ints, in_not: Ints) -> dict[str, Ints]:
-    """Factors of the square root of a spread (or of its complement): sqrt(v) ~ w * slope / 2^(B + 17).
-
-    At B = 17 (default) |sqrt(v) - w * slope / 2^34| <= 0.52 / 2^15, and 0 at v = 0.
-    """
-    flip = -ints(in_not)  # every bit
-    v = (ints(in_s) << 24 - p["S"] ^ flip) & 0xFFFFFF
-    row = np.select([v >= 1 << 20, v >= 1 << 15, v >= 1 << 9], [0, 1, 2], 3)
-    width = ints(SEGMENT_BITS)[row]
-    segment = v >> width & SEGMENTS - 1
-    offset = (v << 9 | flip & 0x1FF) >> width & 0x1FF  # 9 bits, behind the word come more of its kind
-    middle = segment << 10 | (offset & 0x100) << 1 | (~offset & 0x100) | offset & 0xFF
-    w = np.where(row == 3, segment << 10 | (flip & 1) << 9, middle)
-    return {"out_w": w, "out_slope": chord_slopes(p.get("B", 17))[row, segment]}
+    s, u, d = p["S"], p["U"], 12
+    word = ints(word)
+    quadrant, f = word >> s, word & (1 << s) - 1
+    fold = f >> s - 1
+    v = ((f ^ -fold) & (1 << s - 1) - 1) << 54 - (s - 1) | -fold & (1 << 54 - (s - 1)) - 1  # 2 v, 54 bits
+    minor = np.zeros_like(v)
+    for shift in (0, 4, 9, 14, 20) if s > 24 else (0, 4, 9, 14):
+        knots = _knots(u, 10 + shift)
+        scaled = (v << shift | -fold & (1 << shift) - 1) & (1 << 54) - 1
+        a, offset = scaled >> 45, scaled >> 45 - d & (1 << d) - 1
+        root = knots[a] + ((knots[a + 1] - knots[a]) * offset >> d) >> 3
+        minor = np.where(v < 1 << 54 - shift, root, minor)
+    knots, a, offset = _knots(u, 9), v >> 46, v >> 46 - d & (1 << d) - 1
+    major = knots[512 - a] + ((knots[511 - a] - knots[512 - a]) * offset >> d) >> 3
+    minor_n = fold == quadrant & 1
+    c, n = 2 * np.where(minor_n, major, minor) + 1, 2 * np.where(minor_n, minor, major) + 1
+    return np.where((quadrant ^ quadrant >> 1) & 1, -c, c), np.where(quadrant >> 1, -n, n)
 
 
 def vector_to_spread(p: Params, *, in_c: Ints, in_n: Ints) -> dict[str, Ints]:

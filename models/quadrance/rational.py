@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cache
-from math import isqrt
 
 import numpy as np
 
@@ -25,7 +24,7 @@ def fk1(p: Params, *, in_j1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
     odd, lower = ints(in_j1) >> s & 1, ints(in_j1) >> s + 1 & 1
 
     def coordinate(complement: Ints, negative: Ints) -> tuple[Ints, Ints]:
-        root = codecs.root_product(p, in_s=spread, in_not=complement)
+        root = arith.root_product(p, in_v=spread, in_not=complement)
         n = (ints(cfg_l1) * root["out_w"] >> 14) * 2 + 1
         value, over = saturate(round_shift(np.where(negative, -n, n) * root["out_slope"], 21), p["W"])
         return value, over
@@ -68,39 +67,6 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
 # Two and three joints
 
 
-@cache
-def _knots(u: int, h: int) -> Ints:
-    """``sqrt(a / 2^h)``, a = 0 ... 512, lifted by half the chord's sag (a >= 8), rounded up to a unit of 2^-(u+3)."""
-    k, scale = u + 3, 2 * (u + 3) - h
-    squares = [a << scale if a < 8 else ((32 * a * a + 1) << scale) // (32 * a) for a in range(1, 513)]
-    return ints([0, *(min(isqrt(square) + 1, (1 << k) - 1) for square in squares)])
-
-
-def roots(p: Params, word: Ints) -> tuple[Ints, Ints]:
-    """(cos, sin) of a turn-spread word as odd integers of 2^-(U+1), each within 0.83 / 2^U at U = 16: spread_chords.v.
-
-    With f the fraction and v = min(f, 1 - f) the roots are those of v and 1 - v, on chords of 512 segments a
-    range and of 256; 1 - f is the one's complement followed by ones.
-    """
-    s, u, d = p["S"], p["U"], 12
-    word = ints(word)
-    quadrant, f = word >> s, word & (1 << s) - 1
-    fold = f >> s - 1
-    v = ((f ^ -fold) & (1 << s - 1) - 1) << 54 - (s - 1) | -fold & (1 << 54 - (s - 1)) - 1  # 2 v, 54 bits
-    thin = np.zeros_like(v)
-    for shift in (0, 4, 9, 14, 20) if s > 24 else (0, 4, 9, 14):
-        knots = _knots(u, 10 + shift)
-        scaled = (v << shift | -fold & (1 << shift) - 1) & (1 << 54) - 1
-        a, offset = scaled >> 45, scaled >> 45 - d & (1 << d) - 1
-        root = knots[a] + ((knots[a + 1] - knots[a]) * offset >> d) >> 3
-        thin = np.where(v < 1 << 54 - shift, root, thin)
-    knots, a, offset = _knots(u, 9), v >> 46, v >> 46 - d & (1 << d) - 1
-    wide = knots[512 - a] + ((knots[511 - a] - knots[512 - a]) * offset >> d) >> 3
-    thin_n = fold == quadrant & 1
-    c, n = 2 * np.where(thin_n, wide, thin) + 1, 2 * np.where(thin_n, thin, wide) + 1
-    return np.where((quadrant ^ quadrant >> 1) & 1, -c, c), np.where(quadrant >> 1, -n, n)
-
-
 def _turn(p: Params, x: Ints, y: Ints, c: Ints, n: Ints) -> tuple[Ints, Ints]:
     """(x, y) turned by the direction (c, n); every product is cut to the fraction of x and y."""
     u = p["U"] + 1
@@ -108,12 +74,12 @@ def _turn(p: Params, x: Ints, y: Ints, c: Ints, n: Ints) -> tuple[Ints, Ints]:
 
 
 def _chain(p: Params, words: tuple[Ints, ...], cfg_l1: Ints, cfg_l2: Ints) -> tuple[Ints, ...]:
-    """Tip of the chain with 5 fraction bits below the coordinate's LSB: rational_chain.v."""
+    """Tip of the chain with 5 fraction bits below the coordinate's LSB: kernel_chain.v."""
     u, g = p["U"] + 1, 5
     l1, l2 = ints(cfg_l1) << g, ints(cfg_l2) << g
-    c, n = roots(p, words[1])
-    x, y = _turn(p, l1 + (l2 * c >> u), l2 * n >> u, *roots(p, words[0]))
-    return (x, y) if len(words) == 2 else (*_turn(p, x, ints(0), *roots(p, words[2])), y)
+    c, n = codecs.spread_chords(p, words[1])
+    x, y = _turn(p, l1 + (l2 * c >> u), l2 * n >> u, *codecs.spread_chords(p, words[0]))
+    return (x, y) if len(words) == 2 else (*_turn(p, x, ints(0), *codecs.spread_chords(p, words[2])), y)
 
 
 def _coordinates(p: Params, axes: str, exact: tuple[Ints, ...]) -> dict[str, Ints]:
@@ -184,7 +150,7 @@ def _elbow(p: Params, x: Ints, y: Ints, more: int, k: Ints, qs: Ints, gap: Ints,
     square = c2 * c2
     j2 = _about_axis(p["S"], 1 + 2 * elbow, short == (elbow != 0), square)
 
-    root = codecs.root_product({"S": 24, "B": 20}, in_s=square >> 16 & 0xFFFFFF, in_not=ints(1))
+    root = arith.root_product({"S": 24, "B": 20}, in_v=square >> 16 & 0xFFFFFF, in_not=ints(1))
     k1 = (l1 << 3) + (c2 * l2 >> 17)
     k2 = (root["out_w"] * l2 >> 9) * root["out_slope"] >> 25
     one = np.where(k1 < 0, -1, 1) << 19
@@ -219,7 +185,7 @@ def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1
     x, y, z = x << near, y << near, z << k
     qs = x * x + y * y >> 11
     j3 = _direction(p, x << 5, y << 5, qs, ints(1))
-    root = codecs.root_product({"S": 24, "B": 20}, in_s=np.where(large, square >> 8, square), in_not=ints(0))
+    root = arith.root_product({"S": 24, "B": 20}, in_v=np.where(large, square >> 8, square), in_not=ints(0))
     rho = (root["out_w"] << np.where(large, 7, 3)) * (root["out_slope"] << 2) >> 27  # 3 fraction bits
     fine = (2 * rho + 1) << k
     rho = fine >> 3  # 1 fraction bit

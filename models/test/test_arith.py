@@ -68,3 +68,15 @@ def test_reciprocal_is_a_tangent() -> None:
     q = (qs + 0.5) / 2**19
     error = np.abs(arith.reciprocal_product(qs) / 2**24 * q - 1)
     assert np.all(error <= bounds.reciprocal_product(q))
+
+
+@pytest.mark.parametrize(("bits", "bound"), [(17, 0.52), (20, 0.31)])
+def test_chord_slopes_cover_every_read(bits, bound):
+    """|sqrt(v) - w slope / 2^(B + 17)| <= bound / 2^15 over both readings of a 16-bit spread, and 0 at 0."""
+    v = np.arange(1 << 16)
+    assert bounds.root_product(bits) == bound / 2**15
+    for flip in (0, 1):
+        parts = arith.root_product({"S": 16, "B": bits}, in_v=v, in_not=np.full(v.shape, flip))
+        root = parts["out_w"] * parts["out_slope"] / 2.0 ** (bits + 17)
+        exact = np.sqrt((65536 - v) / 65536 if flip else v / 65536)
+        assert np.abs(root - exact).max() <= bounds.root_product(bits) + 2.0**-24

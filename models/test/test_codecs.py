@@ -137,15 +137,3 @@ def test_no_direction_holds_the_last_word():
     answer = codecs.vector_to_spread({"W": 8, "S": 13}, in_c=np.array([0, 5, 0, -5]), in_n=np.array([0, 5, 0, 0]))
     assert answer["out_j"].tolist() == [0, 1 << 12, 1 << 12, 2 << 13]
     assert answer["out_status"].tolist() == [2, 0, 2, 0]
-
-
-@pytest.mark.parametrize(("bits", "bound"), [(17, 0.52), (20, 0.31)])
-def test_chord_slopes_cover_every_read(bits, bound):
-    """|sqrt(v) - w slope / 2^(B + 17)| <= bound / 2^15 over both readings of a 16-bit spread, and 0 at 0."""
-    v = np.arange(1 << 16)
-    assert bounds.root_product(bits) == bound / 2**15
-    for flip in (0, 1):
-        parts = codecs.root_product({"S": 16, "B": bits}, in_s=v, in_not=np.full(v.shape, flip))
-        root = parts["out_w"] * parts["out_slope"] / 2.0 ** (bits + 17)
-        exact = np.sqrt((65536 - v) / 65536 if flip else v / 65536)
-        assert np.abs(root - exact).max() <= bounds.root_product(bits) + 2.0**-24

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from quadrance import bounds, codecs, rational, truth
+from quadrance import arith, bounds, codecs, rational, truth
 from quadrance.cores import Port
 
 ONE = {"W": 16, "F": 8, "S": 24}
@@ -18,9 +18,9 @@ def _words(s: int) -> np.ndarray:
     """Every word of a format up to 16 bits of spread; else both ends and middle of every table segment, and a rest."""
     if s <= 16:
         return np.arange(4 << s)
-    edges = [np.arange(codecs.SEGMENTS)[:, None] << width for width in codecs.SEGMENT_BITS]
+    edges = [np.arange(arith.SEGMENTS)[:, None] << width for width in arith.SEGMENT_BITS]
     near = np.concatenate([edge + (np.array([0, 1, 2, 3]) << width >> 1) + step
-                           for edge, width in zip(edges, codecs.SEGMENT_BITS) for step in (-1, 0, 1)], axis=None)
+                           for edge, width in zip(edges, arith.SEGMENT_BITS) for step in (-1, 0, 1)], axis=None)
     rest = np.random.default_rng(2).integers(0, 1 << s, 30000)
     spread = np.concatenate([near, -near, rest]) & (1 << s) - 1
     return np.unique(np.arange(4)[:, None] * (1 << s) + spread)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import bounds, rational, truth
+from quadrance import bounds, codecs, rational, truth
 
 P = {"W": 16, "F": 8, "S": 24, "U": 16}
 FINE = {"W": 16, "F": 8, "S": 28, "U": 17}
@@ -24,7 +24,7 @@ def test_roots_are_within_their_bound_in_every_quadrant(p: dict[str, int]) -> No
     borders = (np.arange(4)[:, None] * (1 << p["S"]) + np.arange(-4096, 4096)).ravel() & (4 << p["S"]) - 1
     words = np.append(_words(np.random.default_rng(1), p["S"], 200_000), borders)
     theta = truth.spread_word_to_angle(words, p["S"])
-    for root, exact in zip(rational.roots(p, words), truth.unit(theta)):
+    for root, exact in zip(codecs.spread_chords(p, words), truth.unit(theta)):
         assert np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"] <= bounds.spread_chord(p["U"])
 
 

@@ -6,9 +6,9 @@
 // Model: arith.divide
 `default_nettype none
 module divide_comb #(
-    parameter WN = 16,
-    parameter WD = 16,
-    parameter F  = 0
+    parameter WN = 16,  // bits of the numerator, 1 or more; 16 is the library's word
+    parameter WD = 16,  // bits of the divisor, 1 or more; 16 is the library's word
+    parameter F  = 0    // further fraction bits of the quotient, 0 or more; 0: whole numbers
 ) (
     input  wire [WN-1:0]   in_n,
     input  wire [WD-1:0]   in_d,

@@ -6,9 +6,9 @@
 // d = 0 yields digits 1 and keeps p, of which WD bits remain.
 `default_nettype none
 module divide_digits #(
-    parameter K  = 16,
-    parameter R  = 1,
-    parameter WD = 16
+    parameter K  = 16,  // digits known before, 0 or more; 16 has no meaning: every user sets it
+    parameter R  = 1,   // digits to add, 1 or more; 1: the step itself
+    parameter WD = 16   // bits of the divisor, 1 or more; 16 is the library's word
 ) (
     input  wire [(K < 1 ? 1 : K < WD ? K : WD)-1:0] in_rem,
     input  wire [WD-1:0]                            in_d,

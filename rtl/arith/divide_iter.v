@@ -7,10 +7,10 @@
 // Model: arith.divide
 `default_nettype none
 module divide_iter #(
-    parameter WN = 16,
-    parameter WD = 16,
-    parameter F  = 0,
-    parameter R  = 1
+    parameter WN = 16,  // bits of the numerator, 1 or more; 16 is the library's word
+    parameter WD = 16,  // bits of the divisor, 1 or more; 16 is the library's word
+    parameter F  = 0,   // further fraction bits of the quotient, 0 or more; 0: whole numbers
+    parameter R  = 1    // digits a clock, 1 to WN + F - 1; 1, the smallest and the fastest clock
 ) (
     input  wire            clk,
     input  wire            rst,

@@ -6,8 +6,8 @@
 // Model: arith.isqrt
 `default_nettype none
 module isqrt_comb #(
-    parameter W = 16,
-    parameter F = 0
+    parameter W = 16,  // bits of the radicand, 1 or more; 16 is the library's word
+    parameter F = 0    // further fraction bits of the root, 0 or more; 0: whole numbers
 ) (
     input  wire [W-1:0]         in_d,
     output wire [(W+1)/2+F-1:0] out_root,

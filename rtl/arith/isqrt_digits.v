@@ -6,8 +6,8 @@
 // The invariant 0 <= rem <= 2 root keeps t inside K+2 chain bits, so the sign bit is the digit.
 `default_nettype none
 module isqrt_digits #(
-    parameter K = 7,
-    parameter R = 1
+    parameter K = 7,  // digits known before, 1 or more; 7: the last digit of a 16-bit radicand
+    parameter R = 1   // digits to add, 1 or more; 1: the step itself
 ) (
     input  wire [K:0]     in_rem,
     input  wire [K-1:0]   in_root,

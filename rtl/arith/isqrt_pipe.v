@@ -7,9 +7,9 @@
 // Model: arith.isqrt
 `default_nettype none
 module isqrt_pipe #(
-    parameter W = 16,
-    parameter F = 0,
-    parameter R = 1
+    parameter W = 16,  // bits of the radicand, 1 or more; 16 is the library's word
+    parameter F = 0,   // further fraction bits of the root, 0 or more; 0: whole numbers
+    parameter R = 1    // digits a stage, 1 to ceil(W/2) + F; 1, the fastest clock
 ) (
     input  wire                 clk,
     input  wire                 rst,

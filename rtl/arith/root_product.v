@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Square root of a spread or of its complement as a product, sqrt(v) = out_w * out_slope / 2^(B+17), one clock a root.
-//   v = in_not ? 1 - in_s : in_s = (a + d) h, d in [0, 1), t = a + 1/2: the tangent in the middle of segment a,
+// Square root of a fraction or of its complement as a product, sqrt(v) = out_w * out_slope / 2^(B+17).
+//   v = in_not ? 1 - in_v : in_v = (a + d) h, d in [0, 1), t = a + 1/2: the tangent in the middle of segment a,
 //   sqrt(v) = (v/h + t) * sqrt(h) / (2 sqrt(t)), needs no addend, and v/h + t is wiring: {a, d[top], ~d[top], d[rest]}.
-// Formats: in_s u0.S; out_w u19 with in_s; out_slope uB one clock after in_read, held until the next.
+// Formats: in_v u0.S; out_w u19 with in_v; out_slope uB one clock after in_read, held until the next.
 // Four ranges of v, from 2^-4, 2^-9, 2^-15 and 0, of 512 segments each: w is a 4:1 selection, and the slopes are stored
-// denormalised, so nothing is shifted. 1 - s is ~s followed by ones. The last range has a segment for every word.
+// denormalised, so nothing is shifted. 1 - v is ~v followed by ones. The last range has a segment for every word.
 // Error: |sqrt - product| <= 0.52 * 2^-15, B = 20: 0.31 * 2^-15; 0 is exact; it may step back by 0.84 * 2^-15.
-// Model: codecs.root_product
+// Model: arith.root_product
 `default_nettype none
 module root_product #(
-    parameter S = 24,
-    parameter B = 17
+    parameter S = 24,  // bits of the radicand, 1 to 24: the longest spread of one table, 2^-24 to 1
+    parameter B = 17   // bits of a slope, 17 to 20: 17 where the error of 0.52 * 2^-15 is good enough
 ) (
     input  wire         clk,
     input  wire         in_read,
-    input  wire [S-1:0] in_s,
+    input  wire [S-1:0] in_v,
     input  wire         in_not,
     output reg  [18:0]  out_w,
     output reg  [B-1:0] out_slope
 );
     generate
         if (S < 1 || S > 24 || B < 17 || B > 20) begin : g_illegal
-            spread_chord_needs_S_from_1_to_24_and_B_from_17_to_20 rule ();
+            root_product_needs_S_from_1_to_24_and_B_from_17_to_20 rule ();
         end
     endgenerate
 
@@ -61,7 +61,7 @@ module root_product #(
             slope[1536 + a] = RANGE3[B*a +: B];
         end
 
-    wire [23:0] v = {in_s, {(24-S){1'b0}}} ^ {24{in_not}};
+    wire [23:0] v = {in_v, {(24-S){1'b0}}} ^ {24{in_not}};
     wire        high = |v[23:20], middle = |v[19:15], low = |v[14:9];
     wire [1:0]  range = {!high && !middle, !high && (middle || !low)};
     always @*

@@ -5,13 +5,13 @@
 // Model: arith.round_saturate
 `default_nettype none
 module round_saturate #(
-    parameter WI    = 24,
-    parameter WO    = 16,
-    parameter SHIFT = 4
+    parameter WI    = 24,  // bits of the word, above SHIFT; 24: 16 bits and a product's guard bits
+    parameter WO    = 16,  // bits of the result, 2 or more; 16 is the library's word
+    parameter SHIFT = 4    // low bits that are rounded away, 0 to WI - 1; 4 guard bits are what the CORDIC has
 ) (
-    input  wire [WI-1:0] in_x,
-    output wire [WO-1:0] out_x,
-    output wire          out_overflow
+    input  wire signed [WI-1:0] in_x,
+    output wire signed [WO-1:0] out_x,
+    output wire                 out_overflow
 );
     localparam WR = WI - SHIFT + 1;  // rounding upward may need one bit more
     wire [WR-1:0] rounded;

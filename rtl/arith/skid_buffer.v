@@ -5,7 +5,7 @@
 // Model: arith.skid_buffer
 `default_nettype none
 module skid_buffer #(
-    parameter W = 16
+    parameter W = 16  // bits of a word, 1 or more; 16 is the library's word
 ) (
     input  wire         clk,
     input  wire         rst,

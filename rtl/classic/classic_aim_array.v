@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// One vectoring of classic_solve_iter unrolled, bit for bit, combinational: x grown, angle = z + the signed angles.
+// One vectoring of classic_solve_iter unrolled, bit for bit, combinational: the x it ends with; its angle added to z.
 // Up to C a micro-rotation carries w = y or ~y, whichever is not negative, as cordic_aim_array does:
 //   x' = x + (w >> 2i),  u = w + ~x + (w is ~y),  w' = 2 u or ~2 u.  Then a division.
-// Six signs at a time look up the sum of their angles; in_minus: these are subtracted.
+// Six signs at a time look up the sum of their angles. in_minus: the angles are subtracted.
 `default_nettype none
 module classic_aim_array #(
-    parameter W = 16,
-    parameter A = 16,
-    parameter U = 6
+    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter A = 16,  // bits of an angle, 4 to W, 2^A to the turn; 16, as sharp as the coordinates
+    parameter U = 6    // last micro-rotation that grows x, up to (W + 1) / 2; 6: of two joints at W = 16
 ) (
-    input  wire [W+5:0] in_x,
-    input  wire [W+7:0] in_y,
-    input  wire [A+5:0] in_z,
-    input  wire         in_minus,
-    output wire [W+5:0] out_x,
-    output wire [A+5:0] out_z
+    input  wire        [W+5:0] in_x,
+    input  wire signed [W+7:0] in_y,
+    input  wire        [A+5:0] in_z,
+    input  wire                in_minus,
+    output wire        [W+5:0] out_x,
+    output wire        [A+5:0] out_z
 );
     localparam G = 4;
     localparam C = (W + 1) / 2;

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // The arithmetic of classic_chain_iter, bit for bit, on the parallel CORDIC: a rotation a clock. No handshake.
-// out_x and out_y are sums of the clock itself: at out_lifted y is the height, at out_done both are final.
-// The first rotation runs in the clock of in_start; the five factors stand before the third.
+// out_x and out_y are not registered: with out_lifted out_y is the height, with out_done both are the result.
+// The first rotation is done in the clock of in_start; the five factors of the gain stand before the third.
 `default_nettype none
 module classic_chain_comb #(
-    parameter W      = 16,
-    parameter A      = 16,
-    parameter JOINTS = 2
+    parameter W      = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter A      = 16,  // bits of an angle, 5 to W + 3, 2^A to the turn; 16, as sharp as the coordinates
+    parameter JOINTS = 2    // 2: in the plane; 3: in space. 2, the smaller one
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire         in_start,
-    input  wire [A-1:0] in_j1,
-    input  wire [A-1:0] in_j2,
-    input  wire [A-1:0] in_j3,
-    input  wire [W+4:0] in_s1,
-    input  wire [W+4:0] in_s2,
-    output wire         out_busy,
-    output wire         out_done,
-    output wire         out_lifted,
-    output wire [W+6:0] out_x,
-    output wire [W+6:0] out_y
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_start,
+    input  wire        [A-1:0] in_j1,
+    input  wire        [A-1:0] in_j2,
+    input  wire        [A-1:0] in_j3,
+    input  wire        [W+4:0] in_s1,
+    input  wire        [W+4:0] in_s2,
+    output wire                out_busy,
+    output wire                out_done,
+    output wire                out_lifted,
+    output wire signed [W+6:0] out_x,
+    output wire signed [W+6:0] out_y
 );
     localparam D = W + 7;
     reg  [1:0]   pass;

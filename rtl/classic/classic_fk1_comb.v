@@ -6,21 +6,21 @@
 // Status: overflow. Paper: the parallel CORDIC of its tables III and IV. Model: classic.fk1
 `default_nettype none
 module classic_fk1_comb #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter A = 16
+    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; 8: Q7.8, the paper's word
+    parameter A = 16   // bits of an angle, 4 to W + 3, 2^A to the turn; 16, as sharp as the coordinates
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire [W+3:0] cfg_c1,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [A-1:0] in_j1,
-    output reg          out_valid,
-    input  wire         out_ready,
-    output reg  [W-1:0] out_x,
-    output reg  [W-1:0] out_y,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire        [W+3:0] cfg_c1,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire        [A-1:0] in_j1,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output reg  signed [W-1:0] out_x,
+    output reg  signed [W-1:0] out_y,
+    output wire        [3:0]   out_status
 );
     localparam G = 4;
     localparam D = W + 1 + G;

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of one joint by the iterative CORDIC: x = L1 cos j1, y = L1 sin j1.
 // Formats: in_j1 uA, 2^A to the turn; out_x, out_y s(W-F).F, nearest, saturated;
-//   cfg_c1 = floor(L1 * 0.607252935 * 2^4), L1 u(W-F).F: the compensated gain costs nothing here.
-// It starts at the middle of the quadrant, so that the first micro-rotation of the full circle is a choice of signs.
+//   cfg_c1 = floor(L1 * 0.607252935 * 2^4), L1 u(W-F).F: it takes out the gain.
+// It starts in the middle of the quadrant, so that the signs of the start word replace the first micro-rotation.
 // Error: at most 1 LSB each up to L1 = 2^(W-2), 1.6 at any length (page). Latency and II 15 at W = 16.
 // Status: overflow. Model: classic.fk1
 `default_nettype none
 module classic_fk1_iter #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter A = 16
+    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; 8: Q7.8, the paper's word
+    parameter A = 16   // bits of an angle, 4 to W + 3, 2^A to the turn; 16, as sharp as the coordinates
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire [W+3:0] cfg_c1,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [A-1:0] in_j1,
-    output reg          out_valid,
-    input  wire         out_ready,
-    output wire [W-1:0] out_x,
-    output wire [W-1:0] out_y,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire        [W+3:0] cfg_c1,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire        [A-1:0] in_j1,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire        [3:0]   out_status
 );
     localparam G = 4;
     localparam D = W + 1 + G;

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of one joint by the parallel CORDIC: j1 = atan2(y, x), in one long clock.
 // Formats: in_x, in_y s(W-F).F; out_j1 uA, 2^A to the turn, to nearest. Bit for bit classic_ik1_iter.
-// Error: at most 0.9 LSB of the angle and 0.25 LSB at the tip besides (page). Latency and II 1.
-// Status: singular (x = y = 0: the last angle stays, 0 after a reset).
+// Error: 0.88 LSB of the angle and 0.39 rad LSB / length, at most (page). Latency and II 1.
+// Status: singular (x = y = 0: the last angle is held; 0 after a reset).
 // Paper: the parallel CORDIC of its table V. Model: classic.ik1
 `default_nettype none
 module classic_ik1_comb #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter A = 16
+    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; 8: Q7.8, the paper's word
+    parameter A = 16   // bits of an angle, 4 to W, 2^A to the turn; 16, as sharp as the coordinates
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    output reg          out_valid,
-    input  wire         out_ready,
-    output reg  [A-1:0] out_j1,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output reg         [A-1:0] out_j1,
+    output wire        [3:0]   out_status
 );
     generate
         if (W < 8 || W > 16 || F < 0 || F >= W || A < 4 || A > W) begin : g_illegal

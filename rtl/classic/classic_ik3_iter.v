@@ -3,33 +3,33 @@
 //   rho exp(j j3) = x + j y, rho >= 0. Four vectorings on one engine, two roots beside them (classic_solve_iter).
 // Formats: in_x, in_y, in_z s(W-F).F; in_elbow 0: j2 in 0 .. 1/2 turn, 1: -1/2 turn .. 0; out_j1, out_j2, out_j3 uA;
 //   cfg_far, cfg_near = (L1 + L2)^2, (L1 - L2)^2, cfg_f = (L2 - L1) / (L1 + L2) * 2^(W+2), L1, L2 u(W-F).F.
-// Error: tip within 2 LSB up to L1 + L2 = 2^(W-2), L1 < 4 L2 (law on the page), the words' own half LSBs included.
-// Latency and II 74 at W = 16.
-// Status: unreachable (the answer is the nearest point in reach), singular (x = y = 0: j3 stays; z = 0 too: j1).
+// Error: tip within 2 LSB up to L1 + L2 = 2^(W-2), L1 < 4 L2, including half an LSB of rounding in each output word
+//   (law on the page). Latency and II 74 at W = 16.
+// Status: unreachable (the answer is the nearest point in reach), singular (x = y = 0: j3 is held; z = 0 too: j1).
 // Model: classic.ik3
 `default_nettype none
 module classic_ik3_iter #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter A = 16
+    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; 8: Q7.8, the paper's word
+    parameter A = 16   // bits of an angle, 4 to W, 2^A to the turn; 16, as sharp as the coordinates
 ) (
-    input  wire           clk,
-    input  wire           rst,
-    input  wire [2*W+1:0] cfg_far,
-    input  wire [2*W-1:0] cfg_near,
-    input  wire [W+3:0]   cfg_f,
-    input  wire           in_valid,
-    output wire           in_ready,
-    input  wire [W-1:0]   in_x,
-    input  wire [W-1:0]   in_y,
-    input  wire [W-1:0]   in_z,
-    input  wire           in_elbow,
-    output reg            out_valid,
-    input  wire           out_ready,
-    output wire [A-1:0]   out_j1,
-    output wire [A-1:0]   out_j2,
-    output wire [A-1:0]   out_j3,
-    output wire [3:0]     out_status
+    input  wire                  clk,
+    input  wire                  rst,
+    input  wire        [2*W+1:0] cfg_far,
+    input  wire        [2*W-1:0] cfg_near,
+    input  wire signed [W+3:0]   cfg_f,
+    input  wire                  in_valid,
+    output wire                  in_ready,
+    input  wire signed [W-1:0]   in_x,
+    input  wire signed [W-1:0]   in_y,
+    input  wire signed [W-1:0]   in_z,
+    input  wire                  in_elbow,
+    output reg                   out_valid,
+    input  wire                  out_ready,
+    output wire        [A-1:0]   out_j1,
+    output wire        [A-1:0]   out_j2,
+    output wire        [A-1:0]   out_j3,
+    output wire        [3:0]     out_status
 );
     generate
         if (W < 8 || W > 16 || F < 0 || F >= W || A < 4 || A > W) begin : g_illegal

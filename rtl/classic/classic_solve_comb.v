@@ -4,27 +4,27 @@
 // Clocks of JOINTS = 3: the yaw (that of in_start); K z; phi and root a; root b; h; d.
 `default_nettype none
 module classic_solve_comb #(
-    parameter W      = 16,
-    parameter A      = 16,
-    parameter JOINTS = 2
+    parameter W      = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter A      = 16,  // bits of an angle, 4 to W, 2^A to the turn; 16, as sharp as the coordinates
+    parameter JOINTS = 2    // 2: in the plane; 3: in space. 2, the smaller one
 ) (
-    input  wire           clk,
-    input  wire           rst,
-    input  wire           in_start,
-    input  wire [2*W+1:0] in_far,
-    input  wire [2*W-1:0] in_near,
-    input  wire [W+3:0]   in_f,
-    input  wire [W-1:0]   in_x,
-    input  wire [W-1:0]   in_y,
-    input  wire [W-1:0]   in_z,
-    input  wire           in_elbow,
-    output wire           out_busy,
-    output wire           out_done,
-    output reg  [A-1:0]   out_j1,
-    output reg  [A-1:0]   out_j2,
-    output reg  [A-1:0]   out_j3,
-    output wire           out_singular,
-    output wire           out_unreachable
+    input  wire                  clk,
+    input  wire                  rst,
+    input  wire                  in_start,
+    input  wire        [2*W+1:0] in_far,
+    input  wire        [2*W-1:0] in_near,
+    input  wire signed [W+3:0]   in_f,
+    input  wire signed [W-1:0]   in_x,
+    input  wire signed [W-1:0]   in_y,
+    input  wire signed [W-1:0]   in_z,
+    input  wire                  in_elbow,
+    output wire                  out_busy,
+    output wire                  out_done,
+    output reg         [A-1:0]   out_j1,
+    output reg         [A-1:0]   out_j2,
+    output reg         [A-1:0]   out_j3,
+    output wire                  out_singular,
+    output wire                  out_unreachable
 );
     localparam G = 4;
     localparam C = (W + 1) / 2;

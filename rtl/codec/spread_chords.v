@@ -1,31 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// First half of the turn-spread decoder: in one clock from a joint word to the chords of |cos| and |sin|.
-// With f the fraction of the word and v = min(f, 1 - f), sqrt(1 - v) is `wide` and sqrt(v) is `thin`; the user's
-// multiplier completes root = knot + (step * offset >> D) in units of 2^-(U+3), D bits of offset.
-// 1 - f is taken as the one's complement followed by ones, which costs no adder. `thin` has 512 segments for each
-// range of v (tops 2^-1, 2^-5, 2^-10, 2^-15, 2^-21), stored denormalised: no shift behind the multiplier. In the
-// last range that S needs every word is a knot, so that even sqrt(2^-S) is exact to the unit.
-// Knots lie half the sag above the curve: a chord errs by at most half its sag, 0.2 units of 2^-U.
-// out_thin_n: the sine is `thin`; out_neg_c, out_neg_n: signs of cosine and sine.
-// Model: rational.roots
+// Table codec of turn-spreads: from a joint word to the chords of |cos| and |sin| in one clock.
+// f is the fraction of the word, v = min(f, 1 - f): major = sqrt(1 - v), minor = sqrt(v), each knot + step * offset.
+// Formats: in_j turn-spread u2.S; out_chords is the port of all table codecs (rtl/codec/README.md).
+// 1 - f is the one's complement followed by ones, which costs no adder. The minor root has 512 chords for each range of
+// v (tops 2^-1, 2^-5, 2^-10, 2^-15, 2^-21), stored denormalised: no shift behind the multiplier. In the last range that
+// S needs every word is a knot, so that even sqrt(2^-S) is exact to the unit.
+// Error: knots lie half the sag above the curve, so a chord errs by at most half its sag, 0.2 * 2^-U.
+// Latency 1, II 1: out_chords belongs to in_j of the clock before.
+// Model: codecs.spread_chords
 `default_nettype none
 module spread_chords #(
-    parameter S = 24,
-    parameter U = 16,
-    parameter D = 12
+    parameter S = 24,  // fraction bits of the word, 10 to 30: 24 resolve 0.014 degrees beside a border of a quadrant
+    parameter U = 16   // fraction bits of a root, 13 to 18: 16 keep 64 units of Q7.8 within an LSB
 ) (
-    input  wire         clk,
-    input  wire [S+1:0] in_j,
-    output reg  [U+2:0] out_wide_knot,
-    output reg  [U-6:0] out_wide_step,  // negative
-    output reg  [D-1:0] out_wide_offset,
-    output reg  [U+2:0] out_thin_knot,
-    output reg  [U-6:0] out_thin_step,
-    output reg  [D-1:0] out_thin_offset,
-    output reg          out_thin_n,
-    output reg          out_neg_c,
-    output reg          out_neg_n
+    input  wire            clk,
+    input  wire [S+1:0]    in_j,
+    output wire [4*U+22:0] out_chords
 );
+    localparam D = 12;  // bits of an offset
     localparam RANGES = S > 24 ? 5 : 4;
 
     // Knots of one function, sqrt(a d) with d = 2^-h, a = 0 to 512, in units of 2^-(U+3), each lifted to
@@ -49,22 +41,22 @@ module spread_chords #(
         end
     endfunction
     // A constant a range, not one of all: Icarus copies the whole constant for every entry
-    localparam [513*K-1:0] WIDE = knots(9), THIN0 = knots(10), THIN1 = knots(14), THIN2 = knots(19), THIN3 = knots(24);
-    localparam [513*K-1:0] THIN4 = RANGES > 4 ? knots(30) : {(513*K){1'b0}};
-    reg [2*U-3:0] thin [0:512*RANGES-1];  // {step, knot}
-    reg [2*U-3:0] wide [0:255];
+    localparam [513*K-1:0] MAJOR = knots(9), MINOR0 = knots(10), MINOR1 = knots(14);
+    localparam [513*K-1:0] MINOR2 = knots(19), MINOR3 = knots(24), MINOR4 = RANGES > 4 ? knots(30) : 0;
+    reg [2*U-3:0] minor [0:512*RANGES-1];  // {step, knot}
+    reg [2*U-3:0] major [0:255];
     integer       i;
     initial begin
         for (i = 0; i < 512; i = i + 1) begin
-            thin[i]        = {THIN0[K*(i+1) +: U-5] - THIN0[K*i +: U-5], THIN0[K*i +: K]};
-            thin[512 + i]  = {THIN1[K*(i+1) +: U-5] - THIN1[K*i +: U-5], THIN1[K*i +: K]};
-            thin[1024 + i] = {THIN2[K*(i+1) +: U-5] - THIN2[K*i +: U-5], THIN2[K*i +: K]};
-            thin[1536 + i] = {THIN3[K*(i+1) +: U-5] - THIN3[K*i +: U-5], THIN3[K*i +: K]};
+            minor[i]        = {MINOR0[K*(i+1) +: U-5] - MINOR0[K*i +: U-5], MINOR0[K*i +: K]};
+            minor[512 + i]  = {MINOR1[K*(i+1) +: U-5] - MINOR1[K*i +: U-5], MINOR1[K*i +: K]};
+            minor[1024 + i] = {MINOR2[K*(i+1) +: U-5] - MINOR2[K*i +: U-5], MINOR2[K*i +: K]};
+            minor[1536 + i] = {MINOR3[K*(i+1) +: U-5] - MINOR3[K*i +: U-5], MINOR3[K*i +: K]};
             if (RANGES > 4)
-                thin[512 * (RANGES - 1) + i] = {THIN4[K*(i+1) +: U-5] - THIN4[K*i +: U-5], THIN4[K*i +: K]};
+                minor[512 * (RANGES - 1) + i] = {MINOR4[K*(i+1) +: U-5] - MINOR4[K*i +: U-5], MINOR4[K*i +: K]};
         end
         for (i = 0; i < 256; i = i + 1)
-            wide[i] = {WIDE[K*(511-i) +: U-5] - WIDE[K*(512-i) +: U-5], WIDE[K*(512-i) +: K]};
+            major[i] = {MAJOR[K*(511-i) +: U-5] - MAJOR[K*(512-i) +: U-5], MAJOR[K*(512-i) +: K]};
     end
 
     localparam T = 34;  // 2 v left-aligned in a word that holds every S
@@ -82,14 +74,18 @@ module spread_chords #(
             3'd3: segment = {v[T-15:0], {(D-11){fold}}};
             default: segment = {v[T-21:0], {(D-5){fold}}};
         endcase
+    reg  [2*U-3:0] major_read, minor_read;
+    reg  [D-1:0]   major_offset, minor_offset;
+    reg            minor_n, neg_c, neg_n;
     always @(posedge clk) begin
-        {out_thin_step, out_thin_knot} <= thin[{range[(RANGES+3)/4:0], segment[8+D:D]}];
-        {out_wide_step, out_wide_knot} <= wide[v[T-1:T-8]];
-        out_thin_offset <= segment[D-1:0];
-        out_wide_offset <= v[T-9:T-8-D];
-        out_thin_n      <= fold == in_j[S];
-        out_neg_c       <= in_j[S+1] ^ in_j[S];
-        out_neg_n       <= in_j[S+1];
+        major_read   <= major[v[T-1:T-8]];
+        minor_read   <= minor[{range[(RANGES+3)/4:0], segment[8+D:D]}];
+        major_offset <= v[T-9:T-8-D];
+        minor_offset <= segment[D-1:0];
+        minor_n      <= fold == in_j[S];
+        neg_c        <= in_j[S+1] ^ in_j[S];
+        neg_n        <= in_j[S+1];
     end
+    assign out_chords = {minor_n, neg_c, neg_n, major_read, major_offset, minor_read, minor_offset};
 endmodule
 `default_nettype wire

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectoring unrolled: the arithmetic of cordic_aim_iter, bit for bit, in L + 1 stages: registers where CLOCKED.
-// Up to C a micro-rotation carries w = y or ~y, whichever is not negative:
+// Vectoring unrolled, bit for bit cordic_aim_iter. L + 1 stages, with registers where CLOCKED.
+// Up to step C the second word is w = y or ~y, whichever is not negative; after that it is y, and the step a division:
 //   x' = x + (w >> 2i),  u = w + ~x + (w is ~y),  w' = 2 u or ~2 u
-// three cells a bit instead of four: an exclusive or before an adder is a cell of its own. Then the division.
-// The signs wait, six at a time, for the look-up that adds their angles.
+// A bit costs three cells instead of four, since an exclusive or before an adder is a cell of its own.
+// Six signs at a time look up the sum of their angles.
 `default_nettype none
 module cordic_aim_array #(
-    parameter W         = 16,
-    parameter A         = 16,
-    parameter G         = 4,
-    parameter MAGNITUDE = 1,
-    parameter CLOCKED   = 1
+    parameter W         = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter A         = 16,  // bits of an angle, 4 to W, 2^A to the turn; 16, as sharp as the coordinates
+    parameter G         = 4,   // guard bits, 3 or more; 4 for a magnitude within 1 LSB, 3 for the angle alone
+    parameter MAGNITUDE = 1,   // 1: the length too, its gain taken out; 0: the angle alone, which takes fewer steps
+    parameter CLOCKED   = 1    // 1: a register behind every stage; 0: combinational
 ) (
-    input  wire         clk,
-    input  wire         in_enable,
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    output wire [W-1:0] out_magnitude,
-    output wire [A-1:0] out_angle
+    input  wire                clk,
+    input  wire                in_enable,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output wire        [W-1:0] out_magnitude,
+    output wire        [A-1:0] out_angle
 );
     localparam C = (W + 1) / 2;
     localparam U = MAGNITUDE ? C : (W + 1) / 3;

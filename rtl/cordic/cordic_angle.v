@@ -4,9 +4,9 @@
 // Up to six signs are the inputs of one cell a bit: a fifth of what the adders would take.
 `default_nettype none
 module cordic_angle #(
-    parameter I = 0,
-    parameter N = 1,
-    parameter Z = 21
+    parameter I = 0,  // first micro-rotation, 0 to 31; 0, the first of all
+    parameter N = 1,  // angles that are summed, 1 to 6, the inputs of a cell; 1: a constant
+    parameter Z = 21  // bits of the sum, a turn is 2^Z, 8 to 32; 21: A + 5 at A = 16
 ) (
     input  wire [N-1:0] in_minus,
     output wire [Z-1:0] out_sum

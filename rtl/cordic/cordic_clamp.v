@@ -2,13 +2,13 @@
 // Clamps two words of W + 1 bits to W bits, combinational. out_overflow: at least one did not fit.
 `default_nettype none
 module cordic_clamp #(
-    parameter W = 16
+    parameter W = 16  // bits of a coordinate, 8 to 16; 16 is the library's word
 ) (
-    input  wire [W:0]   in_x,
-    input  wire [W:0]   in_y,
-    output wire [W-1:0] out_x,
-    output wire [W-1:0] out_y,
-    output wire         out_overflow
+    input  wire signed [W:0]   in_x,
+    input  wire signed [W:0]   in_y,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire                out_overflow
 );
     wire over_x = in_x[W] != in_x[W-1];
     wire over_y = in_y[W] != in_y[W-1];

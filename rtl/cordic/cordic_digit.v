@@ -4,12 +4,12 @@
 // out_digit = {z is negative, |d| = 2, d is not 0}. The arithmetic of cordic_turn_iter, bit for bit.
 `default_nettype none
 module cordic_digit #(
-    parameter Z = 20,
-    parameter LOW = 6
+    parameter Z   = 20,  // bits of the residual angle, 8 or more; 20: W + 4 at W = 16
+    parameter LOW = 6    // low bits of the constant that are left out, below Z; 6: C - 2 at W = 16
 ) (
-    input  wire [Z-1:0] in_z,
-    output wire [2:0]   out_digit,
-    output wire [Z-1:0] out_z
+    input  wire signed [Z-1:0] in_z,
+    output wire        [2:0]   out_digit,
+    output wire signed [Z-1:0] out_z
 );
     wire         minus = in_z[Z-1];
     wire [2:0]   top = in_z[Z-2 -: 3] ^ {3{minus}};

@@ -4,13 +4,13 @@
 // and every minus a one's complement. Error of the constant: 9e-6 at N = 6.
 `default_nettype none
 module cordic_gain #(
-    parameter D = 22,
-    parameter N = 6
+    parameter D = 22,  // bits of the vector, guard bits included, 16 or more; 22: W + 6 at W = 16
+    parameter N = 6    // digits of the constant, 3 to 6; 6, what W = 16 needs
 ) (
     input  wire signed [D-1:0] in_v,
-    output wire        [D-1:0] out_coarse,
-    output wire        [D-7:0] out_middle,
-    output wire        [D-7:0] out_fine
+    output wire signed [D-1:0] out_coarse,
+    output wire signed [D-7:0] out_middle,
+    output wire signed [D-7:0] out_fine
 );
     wire signed [D-1:0] v3 = in_v >>> 3;
     wire signed [D-7:0] v6 = in_v[D-1:6];

@@ -2,8 +2,8 @@
 // A pipeline register where CLOCKED, a wire where not: one array serves the _comb and the _pipe form of a core.
 `default_nettype none
 module cordic_register #(
-    parameter WIDTH   = 16,
-    parameter CLOCKED = 1
+    parameter WIDTH   = 16,  // bits, 1 or more; 16 has no meaning: every user sets it
+    parameter CLOCKED = 1    // 1: a register, 0: a wire
 ) (
     input  wire             clk,
     input  wire             in_enable,

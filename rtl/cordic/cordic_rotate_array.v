@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Full-circle, gain-compensated rotation, unrolled: what cordic_rotate_comb and cordic_rotate_pipe are made of.
+// Full-circle, gain-compensated rotation, unrolled: the arithmetic of cordic_rotate_comb and cordic_rotate_pipe.
 // Quarter turns by exchange and sign, the gain (0.858785) as digits of the input, then cordic_turn_array.
 // 4 + C + T + (T+1)/2 registers where CLOCKED, none otherwise. Ports and arithmetic: cordic_rotate_iter.
 `default_nettype none
 module cordic_rotate_array #(
-    parameter W       = 16,
-    parameter A       = 16,
-    parameter CLOCKED = 1
+    parameter W       = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter A       = 16,  // bits of an angle, 5 to W + 3, 2^A to the turn; 16, as sharp as the coordinates
+    parameter CLOCKED = 1    // 1: a register behind every stage; 0: combinational
 ) (
-    input  wire         clk,
-    input  wire         in_enable,
-    input  wire [A-1:0] in_angle,
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    output wire [W-1:0] out_x,
-    output wire [W-1:0] out_y,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                in_enable,
+    input  wire        [A-1:0] in_angle,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire        [3:0]   out_status
 );
     localparam G = 5;
     localparam D = W + 1 + G;

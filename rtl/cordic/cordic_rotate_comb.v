@@ -6,15 +6,15 @@
 // Status: overflow. Model: cordic.rotate
 `default_nettype none
 module cordic_rotate_comb #(
-    parameter W = 16,
-    parameter A = 16
+    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter A = 16   // bits of an angle, 5 to W + 3, 2^A to the turn; 16, as sharp as the coordinates
 ) (
-    input  wire [A-1:0] in_angle,
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    output wire [W-1:0] out_x,
-    output wire [W-1:0] out_y,
-    output wire [3:0]   out_status
+    input  wire        [A-1:0] in_angle,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire        [3:0]   out_status
 );
     generate
         if (W < 8 || W > 16 || A < 5 || A > W + 3) begin : g_illegal

@@ -7,21 +7,21 @@
 // Status: overflow. Model: cordic.rotate
 `default_nettype none
 module cordic_rotate_iter #(
-    parameter W = 16,
-    parameter A = 16
+    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter A = 16   // bits of an angle, 5 to W + 3, 2^A to the turn; 16, as sharp as the coordinates
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [A-1:0] in_angle,
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    output reg          out_valid,
-    input  wire         out_ready,
-    output wire [W-1:0] out_x,
-    output wire [W-1:0] out_y,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire        [A-1:0] in_angle,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire        [3:0]   out_status
 );
     localparam G = 5;          // guard bits
     localparam D = W + 1 + G;  // sqrt(2) * 1.1645 < 2: one bit of growth

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Micro-rotation I of an unrolled CORDIC, combinational. It carries w = y or ~y, whichever is added to x:
+// Micro-rotation I of an unrolled CORDIC, combinational. Its second word w is y or ~y, whichever is added to x:
 //   x' = x + (w >> I),  u = w + ~(x >> I) + n,  w' = u or ~u,  z' = 2 (z -+ atan 2^-I),  n = w is ~y = z is positive
-// so that a bit costs three cells instead of four: an exclusive or before an adder is a cell of its own.
-// The arithmetic of cordic_turn_iter, bit for bit. LAST: w' is y', whatever the sign of z'.
+// A bit costs three cells instead of four, since an exclusive or before an adder is a cell of its own.
+// Bit for bit the arithmetic of cordic_turn_iter. LAST: w' is y', whatever the sign of z'.
 `default_nettype none
 module cordic_rotation #(
-    parameter I    = 1,
-    parameter D    = 22,
-    parameter Z    = 20,
-    parameter LAST = 0
+    parameter I    = 1,   // number of the micro-rotation, 1 to 8; 1, the first
+    parameter D    = 22,  // bits of the vector, guard bits included; 22: W + 6 at W = 16
+    parameter Z    = 20,  // bits of the residual angle; 20: W + 4 at W = 16
+    parameter LAST = 0    // 1: the last one, which gives y whatever the sign of the angle left
 ) (
     input  wire signed [D-1:0] in_x,
     input  wire signed [D-1:0] in_w,
     input  wire                in_n,
-    input  wire        [Z-1:0] in_z,
-    output wire        [D-1:0] out_x,
-    output wire        [D-1:0] out_w,
+    input  wire signed [Z-1:0] in_z,
+    output wire signed [D-1:0] out_x,
+    output wire signed [D-1:0] out_w,
     output wire                out_n,
-    output wire        [Z-1:0] out_z
+    output wire signed [Z-1:0] out_z
 );
     localparam LOW = I > 3 ? I - 3 : 0;
     wire [Z+I-1:0] angle;  // scaled by 2^I: between 0.125 and 0.16

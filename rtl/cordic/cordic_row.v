@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The row of one digit d of the residual angle in the linear rotation, combinational.
+// What one digit d of the residual angle adds to the vector, combinational.
 //   out_x = in_x - d (in_yf >> S),  out_y = in_y + d (in_xf >> S); minus is the one's complement
-// V bits hold the sums: those of the vector's P would only repeat the sign. in_digit: see cordic_digit.
+// The sums need V bits only: above them all bits repeat the sign. in_digit: see cordic_digit.
 `default_nettype none
 module cordic_row #(
-    parameter S = 2,
-    parameter P = 15,
-    parameter V = 15
+    parameter S = 2,   // the digit's shift below the vector >> C, 2 or more; 2: of the first row
+    parameter P = 15,  // bits of the vector that the row takes; 15: D - C + 1 at W = 16
+    parameter V = 15   // bits of the sums, up to P; 15, all of them
 ) (
     input  wire        [2:0]   in_digit,
-    input  wire        [V-1:0] in_x,
-    input  wire        [V-1:0] in_y,
+    input  wire signed [V-1:0] in_x,
+    input  wire signed [V-1:0] in_y,
     input  wire signed [P-1:0] in_xf,
     input  wire signed [P-1:0] in_yf,
-    output wire        [V-1:0] out_x,
-    output wire        [V-1:0] out_y
+    output wire signed [V-1:0] out_x,
+    output wire signed [V-1:0] out_y
 );
     wire         minus = in_digit[2], two = in_digit[1], some = in_digit[0];
     wire [P-1:0] xt = two ? in_xf >>> S - 1 : in_xf >>> S;

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotation unrolled: C micro-rotations, then T digits of the residual angle. What cordic_turn_iter does step by step,
-// bit for bit, in C + T + (T+1)/2 + 1 stages: registers where CLOCKED, none otherwise. The digits' rows, 2^-C of the
-// vector at most, are summed by themselves, the finest first, so that every adder is as narrow as its sum; R < 32 with
-// the first of them.
+// Rotation unrolled: C micro-rotations, then T digits of the residual angle. Bit for bit cordic_turn_iter.
+// C + T + (T+1)/2 + 1 stages, with registers where CLOCKED.
+// What the digits add is at most 2^-C of the vector. It is summed apart, the finest digit first, so that every adder is
+// as narrow as its sum. R, below 32, is added with the first of them.
 `default_nettype none
 module cordic_turn_array #(
-    parameter W       = 16,
-    parameter D       = 22,
-    parameter [7:0] R = 24,
-    parameter CLOCKED = 1
+    parameter W       = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter D       = 22,  // bits of the vector, guard bits included, W + 5 or more; 22: W + 6 at W = 16
+    parameter [7:0] R = 24,  // constant that is added last, in guard units; 24: half an LSB and the mean of the shifts
+    parameter CLOCKED = 1    // 1: a register behind every stage; 0: combinational
 ) (
-    input  wire         clk,
-    input  wire         in_enable,
-    input  wire [D-1:0] in_x,
-    input  wire [D-1:0] in_y,
-    input  wire [W+3:0] in_z,
-    output wire [D-1:0] out_x,
-    output wire [D-1:0] out_y
+    input  wire                clk,
+    input  wire                in_enable,
+    input  wire signed [D-1:0] in_x,
+    input  wire signed [D-1:0] in_y,
+    input  wire signed [W+3:0] in_z,
+    output wire signed [D-1:0] out_x,
+    output wire signed [D-1:0] out_y
 );
     localparam Z = W + 4;
     localparam C = (W + 1) / 2;

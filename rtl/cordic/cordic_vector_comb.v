@@ -7,14 +7,14 @@
 // Status: singular (x = y = 0: magnitude 0, the angle means nothing). Model: cordic.vector
 `default_nettype none
 module cordic_vector_comb #(
-    parameter W = 16,
-    parameter A = 16
+    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter A = 16   // bits of an angle, 4 to W, 2^A to the turn; 16, as sharp as the coordinates
 ) (
-    input  wire [W-1:0] in_x,
-    input  wire [W-1:0] in_y,
-    output wire [W-1:0] out_magnitude,
-    output wire [A-1:0] out_angle,
-    output wire [3:0]   out_status
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output wire        [W-1:0] out_magnitude,
+    output wire        [A-1:0] out_angle,
+    output wire        [3:0]   out_status
 );
     generate
         if (W < 8 || W > 16 || A < 4 || A > W) begin : g_illegal

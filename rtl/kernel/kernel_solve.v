@@ -117,7 +117,8 @@ module kernel_solve #(
         /* m/q' or m     */ {IDLE,  KEEP,            HOLD,    SAME,   FAR},
         /* (m/q')^2      */ {IDLE,  KEEP,            ANY,     ANY,    J1}};
     wire [33:0] op;
-    wire        idle, accept = in_valid && in_ready;
+    wire        idle;
+    wire        accept = in_valid && in_ready;
     generate
         if (JOINTS == 2) begin : g_plane
             schedule #(.LINES(15), .BITS(34), .TABLE({PLANE, SOLVE})) control (

@@ -3,32 +3,32 @@
 // B = L2 n2. rho keeps its sign: an arm that leans back over the yaw axis lands behind it.
 // Formats: in_j1..3 turn-spread u2.S; cfg_l1, cfg_l2 uQ(W-F).F; out_x..z sQ(W-F).F, nearest, saturated.
 // Error: z as rational_fk2; x, y 0.06 + 0.83 (L1 + L2) / 2^16 LSB more: 1.27 at L1 = L2 = 2^13, 0.93 measured.
-// Latency 9, II 9; the schedule stands in rational_chain.v.
+// Latency 9, II 9; the schedule is in kernel_chain.v.
 // Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 24-31 in vector form, with the sign of rho that squaring loses.
 // Model: rational.fk3
 `default_nettype none
 module rational_fk3 #(
-    parameter W = 16,
-    parameter F = 8,
-    parameter S = 24,
-    parameter U = 16
+    parameter W = 16,  // bits of a coordinate and of a length, 15 to 20: 16 are common in servo control
+    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
+    parameter S = 24,  // fraction bits of a turn-spread, 10 to 30: 24 resolve 0.014 degrees at worst
+    parameter U = 16   // fraction bits of a unit vector, 13 to 18: 16 are what a coordinate of 16 bits needs
 ) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire [W-1:0] cfg_l1,
-    input  wire [W-1:0] cfg_l2,
-    input  wire         in_valid,
-    output wire         in_ready,
-    input  wire [S+1:0] in_j1,
-    input  wire [S+1:0] in_j2,
-    input  wire [S+1:0] in_j3,
-    output wire         out_valid,
-    input  wire         out_ready,
-    output wire [W-1:0] out_x,
-    output wire [W-1:0] out_y,
-    output wire [W-1:0] out_z,
-    output wire [3:0]   out_status
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire [S+1:0]        in_j1,
+    input  wire [S+1:0]        in_j2,
+    input  wire [S+1:0]        in_j3,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire signed [W-1:0] out_z,
+    output wire [3:0]          out_status
 );
     generate
         if (W < 15 || W > 20 || F < 0 || F >= W || S < 10 || S > 30 || U < 13 || U > 18) begin : g_illegal
@@ -36,11 +36,15 @@ module rational_fk3 #(
         end
     endgenerate
 
-    assign out_status[3] = 1'b0;
-    assign out_status[1:0] = 2'b00;
-    rational_chain #(.JOINTS(3), .W(W), .S(S), .U(U)) chain (
-        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),
-        .in_j1(in_j1), .in_j2(in_j2), .in_j3(in_j3), .out_valid(out_valid), .out_ready(out_ready),
-        .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_overflow(out_status[2]));
+    reg  [S+1:0]    j1, j3;
+    wire [3:1]      want;
+    wire [4*U+22:0] chords;
+    wire            overflow;
+    assign          out_status = {1'b0, overflow, 2'b00};
+    always @(posedge clk) if (want[2]) {j1, j3} <= {in_j1, in_j3};
+    spread_chords #(.S(S), .U(U)) codec (.clk(clk), .in_j(want[1] ? j1 : want[3] ? j3 : in_j2), .out_chords(chords));
+    kernel_chain #(.JOINTS(3), .W(W), .U(U)) kernel (.clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),
+        .in_valid(in_valid), .in_ready(in_ready), .out_want(want), .in_chords(chords), .out_valid(out_valid),
+        .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_overflow(overflow));
 endmodule
 `default_nettype wire

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adds a shifted word, one of two start words or a constant, or its one's complement, combinational.
+// Adds a shifted word, one of two further words or a constant, or its one's complement, combinational.
 //   out_sum = in_a + (t ^ minus),  t = in_v >> n, n = 9 in_shift[4] + 3 in_shift[3:2] + in_shift[1:0], arithmetic
 //   in_shift[1:0] = 3: t = in_s1;  in_shift[3:2] = 3: t = in_s2;  in_shift[5]: t = in_round
-// The base-3 shifter of the CORDIC engines has a free input in each of its three multiplexers: they hold what else is
-// to be added, so that a vector needs no load multiplexer.
+// Shifts are in base 3, since a multiplexer of three words is one five-input cell: 18 shifts and the sign cost three
+// cells a bit. A fourth input of each multiplexer is free: it takes what else is to be added, so that the vector
+// registers need no load multiplexer.
 `default_nettype none
-module classic_term #(
-    parameter D = 23
+module cordic_term #(
+    parameter D = 23  // bits of the vector, guard bits included; 8 or more; W + 7 of two links at W = 16
 ) (
     input  wire signed [D-1:0] in_v,
     input  wire signed [D-1:0] in_s1,
@@ -14,8 +15,8 @@ module classic_term #(
     input  wire        [4:0]   in_round,
     input  wire        [5:0]   in_shift,
     input  wire                in_minus,
-    input  wire        [D-1:0] in_a,
-    output wire        [D-1:0] out_sum
+    input  wire signed [D-1:0] in_a,
+    output wire signed [D-1:0] out_sum
 );
     reg  signed [D-1:0] by1, by3, by9;
     wire signed [D-1:0] round = {{(D-5){1'b0}}, in_round};

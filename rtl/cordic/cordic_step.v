@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shift of a step of a sequential rotation, combinational: in the code of cordic_term, n = 9s, 3s and 1s.
+//   in_step = 0 .. C-1: n = in_step + 1, of the micro-rotations;  C + k: n = C + 1 + 2 k, of digit k
+//   in_two: n is one less, for a digit 2;  without in_turn 0
+`default_nettype none
+module cordic_step #(
+    parameter W = 16  // bits of a coordinate, 8 to 16, which sets the number of steps; 16 is the library's word
+) (
+    input  wire       in_turn,
+    input  wire [3:0] in_step,
+    input  wire       in_two,
+    output wire [5:0] out_shift
+);
+    localparam C = (W + 1) / 2;
+    localparam T = (W - C + 1) / 2 + 1;
+    function [5:0] code(input integer step, input integer two);
+        integer n;
+        begin
+            n = step < C ? step + 1 : step < C + T ? C + 1 + 2 * (step - C) - two : 0;
+            n = 16 * (n / 9) + 4 * (n % 9 / 3) + n % 3;
+            code = n[5:0];
+        end
+    endfunction
+    genvar b, i;
+    generate
+        for (b = 0; b < 6; b = b + 1) begin : g_bit
+            wire [31:0] column;
+            for (i = 0; i < 32; i = i + 1) begin : g_step
+                localparam [5:0] CODE = code(i % 16, i / 16);
+                assign column[i] = CODE[b];
+            end
+            assign out_shift[b] = in_turn && column[{in_two, in_step}];
+        end
+    endgenerate
+endmodule
+`default_nettype wire

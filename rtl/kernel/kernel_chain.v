@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forward kinematics of two or three joints, one after the other, on one table codec and two multipliers.
+//   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: z = y, then y = x n3, x = x c3
+// It knows no joint word: out_want names a joint, and in the next clock in_chords holds its chords, in the form of the
+// port of all table codecs (rtl/codec/README.md).
+// Formats: c, n odd words of 2^-(U+1) (so that ~word is -word and 1.0 needs no extra bit); A, B s(W+2+G) with F+G
+// fraction bits; every product is truncated to F+G fraction bits; outputs to nearest (ties upward), saturated.
+// Latency and II: lines of the table + 1. Overflow: a coordinate was saturated.
+// Models: rational.fk2, rational.fk3
+`default_nettype none
+module kernel_chain #(
+    parameter JOINTS = 2,  // 2 or 3: the third turns the plane of the first two about an upright axis
+    parameter W = 16,      // bits of a length and of a coordinate, 15 to 20; their fraction bits do not matter here
+    parameter U = 16       // fraction bits of a root, 13 to 18: 16 keep 2^14 LSB within an LSB
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    output wire [JOINTS:1]     out_want,  // one-hot: read this joint's word; out_want[2]: a sample is accepted
+    input  wire [4*U+22:0]     in_chords,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output reg  signed [W-1:0] out_y,
+    output reg  signed [W-1:0] out_z,
+    output wire                out_overflow
+);
+    localparam G = 5, D = 12, N = W + 2 + G;  // guard bits; bits of an offset; bits of A and B
+
+    // Schedule. start: chords <- in_j2
+    localparam [5:0]
+        CHORD = 6'b000001,  // major minor <- chords: complete both roots with the two multipliers
+        COS   = 6'b000010,  // - <- chords: with CHORD: cosine on the first multiplier, not the sine
+        PLACE = 6'b000100,  // a b chords <- major minor: (L2, 0) turned by joint 2 and moved by L1; reads joint 1
+        ROUND = 6'b001000,  // exact <- a b major minor: sum of the two products of a turn, to be rounded
+        YAW   = 6'b010000,  // a b z chords <- a b major minor exact: z is y; (x, 0) goes on; reads joint 3
+        LAST  = 6'b100000;  // y <- exact: y is rounded; x is in the clock after
+    //                   roots           turn
+    localparam [6*2-1:0] ELBOW = {
+        /* c2, n2       */ {CHORD | COS},
+        /* A, B         */ {PLACE}};
+    localparam [6*3-1:0] UPRIGHT = {
+        /* c1, n1       */ {CHORD},
+        /* z            */ {ROUND},
+        /* x goes on    */ {YAW}};
+    localparam [6*3-1:0] TIP = {
+        /* c, n         */ {CHORD},
+        /* y            */ {ROUND},
+        /* x            */ {ROUND | LAST}};
+    wire idle, decode, cosine, place, round, yaw, last;
+    wire accept = in_valid && in_ready;
+    generate
+        if (JOINTS == 2) begin : g_two
+            schedule #(.LINES(5), .BITS(6), .TABLE({ELBOW, TIP})) control (.clk(clk), .rst(rst), .in_start(accept),
+                .out_idle(idle), .out_op({last, yaw, round, place, cosine, decode}));
+        end else begin : g_three
+            schedule #(.LINES(8), .BITS(6), .TABLE({ELBOW, UPRIGHT, TIP})) control (.clk(clk), .rst(rst),
+                .in_start(accept), .out_idle(idle), .out_op({last, yaw, round, place, cosine, decode}));
+            assign out_want[JOINTS] = yaw;
+        end
+    endgenerate
+    assign out_want[2:1] = {accept, place};
+    assign in_ready = idle && (!out_valid || out_ready);
+
+    // First multiplier: major root, A, one product of a turn; second: minor root, B, the other product.
+    wire         minor_n, neg_c, neg_n;
+    wire [U+2:0] major_knot, minor_knot;
+    wire [U-6:0] major_step, minor_step;
+    wire [D-1:0] major_offset, minor_offset;
+    assign {minor_n, neg_c, neg_n, major_step, major_knot, major_offset, minor_step, minor_knot, minor_offset}
+        = in_chords;
+    reg  [N-1:0] a, b;
+    reg  [U:0]   major, minor;  // the roots with their signs, each without its last bit, which is always 1
+    reg          swap;          // the minor root is on the first multiplier
+    wire         turn = !decode && !place;
+    wire [N-1:0] right1 = {{(N-U-1){1'b0}}, major_offset, {(U+1-D){1'b0}}} & {N{decode}}
+                        | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | a & {N{turn}};
+    wire [N-1:0] right2 = {{(N-U-1){1'b0}}, minor_offset, {(U+1-D){1'b0}}} & {N{decode}}
+                        | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | b & {N{turn}};
+    wire [U+1:0] left1 = decode ? {7'h7f, major_step} : {swap ? minor : major, 1'b1};
+    wire [U+1:0] left2 = decode ? {7'd0, minor_step} : {swap ? major : minor, 1'b1};
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire signed [N+U+1:0] product1 = $signed(left1) * $signed(right1);
+    wire signed [N+U+1:0] product2 = $signed(left2) * $signed(right2);
+    /* verilator lint_on UNUSEDSIGNAL */
+    wire [N-1:0] cut1 = product1[N+U:U+1], cut2 = product2[N+U:U+1];
+    // Two adders, not one behind a multiplexer: the longest path is from the table through a multiplier to `sum`
+    wire [N-1:0] first = cut1 + (decode ? {{(N-U-3){1'b0}}, major_knot} : {2'd0, cfg_l1, {G{1'b0}}});
+    wire [N-1:0] sum = cut1 + cut2;
+
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [U+2:0] second = cut2[U+2:0] + minor_knot;
+    /* verilator lint_on UNUSEDSIGNAL */
+    wire         neg_major = minor_n ? neg_c : neg_n, neg_minor = minor_n ? neg_n : neg_c;
+
+    // Rounding and saturation stand behind a register, for the clock's sake: out_y and out_z move on, out_x stays
+    reg  [N-1:0] exact;
+    reg          over_before;
+    wire [W+1:0] nearest = exact[N-1:G] + {{(W+1){1'b0}}, exact[G-1]};
+    wire         over = nearest[W+1:W-1] != {3{nearest[W+1]}};
+    assign       out_x = over ? {nearest[W+1], {(W-1){!nearest[W+1]}}} : nearest[W-1:0];
+    assign       out_overflow = over || over_before;
+
+    always @(posedge clk) begin
+        swap <= decode ? minor_n != cosine : !swap;
+        if (decode || !swap)  // what the first multiplier took comes back negative to the second: (n, c), then (c, -n)
+            major <= decode ? {neg_major, first[U+2:3] ^ {U{neg_major}}} : ~major;
+        if (decode || swap)
+            minor <= decode ? {neg_minor, second[U+2:3] ^ {U{neg_minor}}} : ~minor;
+        if (place || yaw) begin
+            a <= yaw ? sum : first;
+            b <= yaw ? {N{1'b0}} : cut2;
+        end
+        if (round)
+            exact <= sum;
+        if (yaw)
+            out_z <= out_x;
+        if (last)
+            out_y <= out_x;
+        if (accept)
+            over_before <= 1'b0;
+        else if (yaw || last)
+            over_before <= out_overflow;
+        out_valid <= last || (out_valid && !out_ready);
+        if (rst)
+            out_valid <= 1'b0;
+    end
+endmodule
+`default_nettype wire

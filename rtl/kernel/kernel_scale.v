@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A length times cosine, then sine, each given as a product: x = +-L1 * w * slope / 2^34 of the cosine, y of the sine.
+// It knows no joint word: out_cos, out_sin name the value, in_w and in_negative belong to this clock, in_slope to the
+// next. L1 * w is formed while the table of slopes is read, so no path holds two products behind it.
+// Formats: cfg_l1 uW, in_w u19, in_slope u17; out_x, out_y sW, nearest (ties upward), saturated.
+// L1 * w is truncated 4 bits below the LSB of the coordinate; a constant 1 behind it centres that error and makes the
+// one's complement an exact negation: -(2 n + 1) = 2 ~n + 1. Error: 1/2 + 1/16 LSB beyond that of the value.
+// Latency 2, II 2: out_cos in the accepting clock, out_sin in the next; y waits behind the table until it is taken.
+// Overflow: a coordinate was saturated.
+// Model: rational.fk1
+`default_nettype none
+module kernel_scale #(
+    parameter W = 16  // bits of the length and of a coordinate, 4 to 18: 18 is the word of a multiplier block
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire                in_valid,
+    output wire                in_ready,
+    output wire                out_cos,  // the codec reads the cosine of the word at the input
+    output wire                out_sin,  // the codec reads the sine of that word
+    input  wire                in_negative,
+    input  wire [18:0]         in_w,
+    input  wire [16:0]         in_slope,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output reg  signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire                out_overflow
+);
+    reg    busy;  // x is formed, and the sine is read
+    assign in_ready = !busy && (!out_valid || out_ready);
+    assign out_cos = in_valid && in_ready;
+    assign out_sin = busy;
+
+    wire [13:0]  below_n;
+    wire [W+4:0] magnitude;
+    reg  [W+5:0] n;
+    assign {magnitude, below_n} = cfg_l1 * in_w;
+
+    wire [19:0]  below;
+    wire         half;
+    wire [2:0]   above;  // copies of the sign: |root| < 1 + 2^-15
+    wire [W:0]   floor;
+    assign {above, floor, half, below} = $signed({n, 1'b1}) * $signed({1'b0, in_slope});
+    wire [W:0]   nearest = floor + {{W{1'b0}}, half};
+    wire         over = nearest[W] ^ nearest[W-1];
+    wire         unused = &{1'b0, below_n, below, above};
+
+    reg over_x;
+    assign out_y = over ? {nearest[W], {(W-1){!nearest[W]}}} : nearest[W-1:0];
+    assign out_overflow = over_x || over;
+    always @(posedge clk) begin
+        if (out_cos || out_sin)
+            n <= {1'b0, magnitude} ^ {(W+6){in_negative}};
+        if (busy) begin
+            out_x  <= out_y;
+            over_x <= over;
+        end
+        busy      <= out_cos;
+        out_valid <= busy || (out_valid && !out_ready);
+        if (rst) begin
+            busy      <= 1'b0;
+            out_valid <= 1'b0;
+        end
+    end
+endmodule
+`default_nettype wire
