@@ -91,7 +91,7 @@ module kernel_solve_path #(
 
     // b becomes m where |a| > q' / 2, roughly
     wire [7:0]  a_size = left[21:14] ^ {8{left[22]}};
-    wire        steep = a_size > {1'b0, q_near[20:14]};
+    wire        steep = a_size[7] || a_size[6:0] > q_near[20:14];
     wire        outside;
     kernel_solve_scale #(.YAW(YAW)) scale (
         .clk(clk), .cfg_l2(cfg_l2), .cfg_r(cfg_r), .in_left(left_from), .in_right(right_from),
