@@ -56,7 +56,7 @@ class Verdict:
     target: str
     cells: dict[str, int] = field(default_factory=dict)
     results: dict[str, str] = field(default_factory=dict)
-    why: str = ""
+    why: list[str] = field(default_factory=list)
     seconds: float = 0.0
 
     def row(self) -> list[str]:
@@ -144,7 +144,7 @@ def judge(core_id: str, target: str, seed: int) -> Verdict:
         netlist = synthesise(core, target)
         verdict.cells = cells(netlist, target)
     except RuntimeError as error:
-        verdict.results, verdict.why = dict.fromkeys(TESTS, FAILED), str(error)
+        verdict.results, verdict.why = dict.fromkeys(TESTS, FAILED), [str(error)]
         return verdict
     begun = _used()
     for column, test in (TESTS if core.clocked else COMBINATIONAL).items():
@@ -153,13 +153,16 @@ def judge(core_id: str, target: str, seed: int) -> Verdict:
             with _limited(LIMIT - (_used() - begun)):
                 bench(core, netlist, target, test, seed)
         except SystemExit as error:
-            verdict.results[column], verdict.why = FAILED, f"{test}: {error}"
+            verdict.results[column] = FAILED
+            verdict.why.append(f"{test}: {error}")
         except RuntimeError as error:
-            late = f"error -{int(signal.SIGXCPU)}" in str(error)
-            verdict.results[column] = LATE if late else FAILED
-            verdict.why = f"{test}: " + (f"more than {LIMIT} s of Icarus" if late else str(error))
-            if late:
-                break
+            if f"error -{int(signal.SIGXCPU)}" not in str(error):
+                verdict.results[column] = FAILED
+                verdict.why.append(f"{test}: {error}")
+                continue
+            verdict.results[column] = LATE
+            verdict.why.append(f"{test}: more than {LIMIT} s of Icarus")
+            break
     verdict.seconds = time.monotonic() - start
     return verdict
 
@@ -188,8 +191,8 @@ def main() -> int:
     console.width = max(console.width, 100)
     console.print(table)
     for job in jobs:
-        if verdicts[job].why:
-            print(f"{verdicts[job].core} {verdicts[job].target}: {verdicts[job].why}")
+        for why in verdicts[job].why:
+            print(f"{verdicts[job].core} {verdicts[job].target}: {why}")
     return any(FAILED in verdict.results.values() for verdict in verdicts.values())
 
 

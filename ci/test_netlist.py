@@ -82,7 +82,7 @@ def test_a_slow_netlist_is_named(monkeypatch):
     monkeypatch.setattr(netlist, "LIMIT", 1)
     verdict = netlist.judge("classic_fk1_iter", "cyclonev", SEED)
     assert list(verdict.results.values())[-1] == LATE and FAILED not in verdict.results.values()
-    assert "more than 1 s of Icarus" in verdict.why
+    assert verdict.why[-1].endswith("more than 1 s of Icarus")
     assert set(list(verdict.results.values())[:-1]) <= {PASSED}
 
 
