@@ -48,8 +48,8 @@ CELLS = tools.ROOT / "tb" / "lib" / "cells" / "intel_alm.v"
 WORK = tools.BUILD / "netlist"
 # Yosys' intel_alm/common/dsp_map.v drops the signedness of a product, and MISTRAL_MUL* are signed by default: an
 # unsigned product whose operand fills its 9, 18 or 27 bits came out wrong, in the same cells (the block takes either).
-# An attribute that techmap hands on carries it past that file; the parameters are set from it behind the flow. A product
-# that is split over several blocks loses the attribute, and its bench would fail.
+# An attribute that techmap hands on carries it past that file; the parameters are set from it behind the flow. An
+# unsigned product that is split over several blocks would lose the attribute, and its bench would fail.
 BEFORE = {"cyclonev": "setattr -set unsigned 1 t:$mul r:A_SIGNED=0 %i r:B_SIGNED=0 %i"}
 AFTER = {"cyclonev": "setparam -set A_SIGNED 0 -set B_SIGNED 0 t:MISTRAL_MUL* a:unsigned=1 %i"}
 
