@@ -45,7 +45,7 @@ WORK = tools.BUILD / "mutants"
 PAGE = tools.ROOT / "reports" / "mutants.md"
 STORE = tools.BUILD / "mutants" / "verdicts.json"
 BENCH = ("tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py", "tb/lib/suite.py",
-         "tb/lib/bulk.py", "tb/lib/bulk.cpp")
+         "tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/program.cpp")
 
 
 @dataclass

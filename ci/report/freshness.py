@@ -17,7 +17,7 @@ from ci.cache import digest
 from ci.report import PLOTS, README, REPORTS, blocks, code, documents, figures
 from ci.report.rows import Row, name
 from ci.synth.flows import timed_ports
-from tb.lib import bulk, tools
+from tb.lib import program, tools
 
 FLOW = [tools.ROOT / "ci" / "synth" / name for name in ("__init__.py", "flows.py")]
 SIMULATION = [tools.ROOT / "ci" / "report" / "measure.py"]
@@ -50,7 +50,7 @@ def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
     arm = arms.load(arm_name)
     return {"cores": {core.id: _core(core, arm) for core in listed}, "arm": digest(arms.path_of(arm_name).read_text()),
             "flow": code.digests(FLOW), "rows": code.digests(ROWS),
-            "simulation": code.digests([*code.closure(SIMULATION), bulk.SOURCE])}
+            "simulation": code.digests([*code.closure(SIMULATION), *program.SOURCES])}
 
 
 def rows_digest(report: dict) -> str:

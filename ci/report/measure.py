@@ -11,7 +11,7 @@ from quadrance.arms import Arm
 from quadrance.cores import Core
 
 from ci import cache
-from tb.lib import bulk, stimulus, tools
+from tb.lib import bulk, program, stimulus, tools
 
 SAMPLES = 1000  # of the trajectory
 SWEEP = 4096  # random and border samples of all a core can be asked
@@ -24,7 +24,7 @@ MAP = 121  # points a side of the map of the workspace
 def stream(core: Core, inputs: dict, cfg: dict[str, int]) -> dict:
     """Outputs, latency and interval of the Verilog for these words, cached by everything they depend on."""
     words = {port: [int(word) for word in column] for port, column in inputs.items()}
-    texts = [path.read_text() for path in (*core.sources, bulk.SOURCE)]
+    texts = [path.read_text() for path in (*core.sources, *program.SOURCES)]
     ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
 
     def compute() -> dict:

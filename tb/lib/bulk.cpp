@@ -1,6 +1,6 @@
 // Streams a file of input words through a verilated core and writes its results to a file.
-// Words are uint64, one column a port, in the order of ports.inc (written by tb/lib/bulk.py).
-// usage: bulk CFG,CFG,... IN OUT COUNT [SEED]   (SEED 0: no idle cycles and no back-pressure)
+// Words are uint64, one column a port, in the order of ports.inc (written by tb/lib/program.py).
+// usage: core CFG,CFG,... IN OUT COUNT [SEED]   (SEED 0: no idle cycles and no back-pressure)
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -9,8 +9,6 @@
 
 #include "Vtop.h"
 #include "ports.inc"
-
-double sc_time_stamp() { return 0; }
 
 static uint64_t state;
 static unsigned random_bits() {  // xorshift64*: the seed decides every gap and stall
@@ -30,8 +28,8 @@ static int refuse(const char* why) {  // the core breaks its contract: a verdict
     return 3;
 }
 
-int main(int argc, char** argv) {
-    if (argc < 5) return fail("usage: bulk CFG IN OUT COUNT [SEED]");
+static int bulk_main(int argc, char** argv) {
+    if (argc < 5) return fail("usage: core CFG IN OUT COUNT [SEED]");
     const size_t count = std::strtoull(argv[4], nullptr, 10);
     state = argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 0;
     const bool gaps = state != 0;

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from quadrance.cores import Core, Port
+from quadrance.cores import Core
 from quadrance.fixed import Ints, wrap
 
 from tb.lib import tools
-from tb.lib.simulate import build_folder, cxx_flags, locked, runtime, verilate
+from tb.lib.program import build
 from tb.lib.stimulus import Vectors
 
-SOURCE = Path(__file__).with_name("bulk.cpp")
 REFUSED = 3  # its exit code where the core made up a result or gives none
 
 
@@ -35,40 +33,6 @@ class Result:
     def ii(self) -> int | None:
         steps = np.diff(self.accepted)
         return int(np.bincount(steps).argmax()) if steps.size else None
-
-
-def _accessors(core: Core) -> str:
-    def macro(name: str, ports: Sequence[Port], form: str) -> str:
-        body = " ".join(form.format(port=port.name, i=i) for i, port in enumerate(ports))
-        return f"#define {name}(top, word) do {{ (void)(word); {body} }} while (0)\n"
-
-    return (f"#define CLOCKED {int(core.clocked)}\n#define N_CFG {len(core.cfg)}u\n"
-            f"#define N_IN {len(core.inputs)}\n#define N_OUT {len(core.outputs)}\n"
-            + macro("SET_CFG", core.cfg, "(top).{port} = (word)[{i}];")
-            + macro("SET_IN", core.inputs, "(top).{port} = (word)[{i}];")
-            + macro("GET_OUT", core.outputs, "(word)[{i}] = (top).{port};"))
-
-
-def build(core: Core, label: str = "") -> Path:
-    """Compile the core and the harness, unless that was done for the same sources; the executable."""
-    wide = [port.name for port in (*core.cfg, *core.inputs, *core.outputs) if port.width > 64]
-    if wide:
-        raise ValueError(f"{core.id}: bulk runs carry words of at most 64 bits, {wide[0]} is wider")
-    accessors = _accessors(core)
-    with locked(build_folder(core, "bulk", label, SOURCE.read_text(), accessors)) as folder:
-        program = folder / "bulk"
-        if not program.exists():
-            _compile(core, folder, accessors, program)
-    return program
-
-
-def _compile(core: Core, folder: Path, accessors: str, program: Path) -> None:
-    parts = [*verilate(core, folder), SOURCE]  # one compilation: most of it is the headers they share
-    (folder / "ports.inc").write_text(accessors)
-    (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts))
-    partial = program.with_suffix(".partial")
-    tools.run("g++", *cxx_flags(), "-I.", "all.cpp", *runtime(), "-lpthread", "-o", partial, cwd=folder)
-    partial.rename(program)
 
 
 def stream(core: Core, inputs: Vectors, cfg: dict[str, int] | None = None, *, seed: int = 0,

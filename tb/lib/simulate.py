@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import fcntl
-import hashlib
 import logging
 import os
 import pickle
@@ -14,68 +12,24 @@ from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
-from cocotb_test.simulator import Icarus, Verilator
+from cocotb_test.simulator import Icarus, Simulator, Verilator
 from quadrance.cores import Core
 
-from tb.lib import tools
+from tb.lib import program, tools
 
-SIMULATORS = {"icarus": Icarus, "verilator": Verilator}
-OPTIMISE = "-O1"  # the build costs more than the runs it speeds up
+SIMULATORS = ("icarus", "verilator")
+
+
+class Built(Verilator):
+    """A program that stands already: nothing to build."""
+
+    def build_command(self) -> list[list[str]]:
+        return [[str(Path(self.sim_dir).parent / "core")]]
 
 
 def available(simulator: str) -> bool:
     """Icarus comes from the system and may be absent; Verilator is in the lock file."""
     return simulator != "icarus" or shutil.which("iverilog", path=tools.environment()["PATH"]) is not None
-
-
-def digest(*parts: object) -> str:
-    """Name of a build by all that it depends on."""
-    return hashlib.sha256(repr((tools.versions(), *parts)).encode()).hexdigest()[:16]
-
-
-def build_folder(core: Core, simulator: str, label: str = "", *parts: object) -> Path:
-    """A folder that no other sources, parameters, tools or `parts` share: nothing in it can be stale."""
-    texts = [source.read_text() for source in core.sources]
-    return tools.BUILD / "sim" / simulator / f"{core.id}{label}-{digest(texts, core.params, core.name, *parts)}"
-
-
-@contextlib.contextmanager
-def locked(folder: Path) -> Iterator[Path]:
-    """`folder`, made if need be, for this process alone: a second run in the same checkout waits."""
-    folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / "lock", "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        yield folder
-
-
-def cxx_flags() -> list[str]:
-    """How C++ that Verilator wrote is compiled."""
-    include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
-    return ["-std=gnu++17", OPTIMISE, f"-I{include}", f"-I{include}/vltstd", "-DVERILATOR=1", "-Wno-sign-compare",
-            *(f"-DVM_{name}=0" for name in ("COVERAGE", "SC", "TIMING", "TRACE", "TRACE_FST", "TRACE_VCD"))]
-
-
-def verilate(core: Core, folder: Path) -> list[Path]:
-    """C++ of the core as class `Vtop`, without the access from outside that cocotb needs: the files to compile."""
-    folder.mkdir(parents=True, exist_ok=True)
-    tools.run("verilator", "-cc", "-Mdir", folder, "--prefix", "Vtop", "--top-module", core.name, "-Wno-fatal",
-              "-Wno-lint", "-Wno-style", *(f"-G{name}={value}" for name, value in core.params.items()), *core.sources)
-    return sorted(folder.glob("Vtop*.cpp"))
-
-
-def runtime() -> list[Path]:
-    """Verilator's own run-time, compiled once and linked into every core: it is most of a build."""
-    include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
-    flags = cxx_flags()
-    objects = []
-    with locked(tools.BUILD / "verilator-runtime" / digest(flags)) as folder:
-        for name in ("verilated", "verilated_dpi", "verilated_vpi", "verilated_threads"):
-            objects.append(target := folder / f"{name}.o")
-            if not target.exists():
-                partial = target.with_suffix(".partial")
-                tools.run("g++", *flags, "-c", "-o", partial, include / f"{name}.cpp")
-                partial.rename(target)  # an interrupted compilation leaves nothing that could be linked
-    return objects
 
 
 def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests: str | None = None,
@@ -99,9 +53,23 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
     """
     if not available(simulator):
         tools.require("iverilog")
-    with locked(build_folder(core, simulator, label, waves, parameters)) as folder:
-        _run(core, simulator, folder, module, tests, seed, waves, compile_only, parameters)
+    if simulator == "verilator" and not waves:
+        runner = Built
+        folder = _built(core, label) / "bench"
+    else:
+        runner = Icarus if simulator == "icarus" else Verilator
+        folder = program.build_folder(core, simulator, label, waves, parameters)
+    with program.locked(folder):
+        _run(core, runner, folder, module, tests, seed, waves, compile_only, parameters)
     return folder
+
+
+def _built(core: Core, label: str) -> Path:
+    """Where the verilated program of `core` stands, made if need be."""
+    try:
+        return program.build(core, label).parent
+    except tools.ToolError as error:
+        raise RuntimeError(f"{core.id} in verilator: {error}") from None
 
 
 @contextlib.contextmanager
@@ -114,32 +82,28 @@ def _handlers_kept() -> Iterator[None]:
             signal.signal(number, handler)
 
 
-def _run(core: Core, simulator: str, folder: Path, module: str, tests: str | None, seed: int | None, waves: bool,
-         compile_only: bool, parameters: bool) -> None:
+def _run(core: Core, runner: type[Simulator], folder: Path, module: str, tests: str | None, seed: int | None,
+         waves: bool, compile_only: bool, parameters: bool) -> None:
     (folder / "core.pickle").write_bytes(pickle.dumps(core))
     previous = dict(os.environ)
     os.environ.update(tools.environment())
     os.environ.pop("COCOTB_RESULTS_FILE", None)
     logging.getLogger("cocotb").propagate = True
-    extra = {}
-    if simulator == "verilator":
-        extra["make_args"] = [f"OPT_FAST={OPTIMISE}", f"OPT_GLOBAL={OPTIMISE}"]
-        if not waves:
-            extra["make_args"] += ["VK_GLOBAL_OBJS=", f"LOADLIBES={' '.join(map(str, runtime()))}"]
     try:
         with _handlers_kept():
-            simulation = SIMULATORS[simulator](
+            simulation = runner(
                 toplevel=core.name, module=module, python_search=[str(tools.ROOT)],
                 verilog_sources=[str(source) for source in core.sources],
                 parameters=core.params if parameters else {}, sim_build=str(folder), timescale="1ns/1ps",
                 testcase=tests, seed=seed, waves=waves, compile_only=compile_only,
-                extra_env={"QUADRANCE_CORE": str(folder / "core.pickle")},
-                compile_args=[] if simulator == "icarus" else ["-Wno-fatal", "-Wno-lint", "-Wno-style"], **extra)
+                extra_env={"QUADRANCE_CORE": str(folder / "core.pickle"),
+                           "COCOTB_REWRITE_ASSERTION_FILES": ""},  # it would rewrite numpy too, at every start
+                compile_args=[] if runner is Icarus else ["-Wno-fatal", "-Wno-lint", "-Wno-style"])
         simulation.run()
     except (SystemExit, ElementTree.ParseError) as error:  # cocotb-test exits for every reason, and says which
         if str(error).startswith("FAILED"):
             raise
-        raise RuntimeError(f"{core.id} in {simulator}: {error}") from None
+        raise RuntimeError(f"{core.id} in {runner.__name__}: {error}") from None
     finally:
         os.environ.clear()
         os.environ.update(previous)

@@ -100,8 +100,9 @@ class Bench:
         """
         self.dut.rst.value = 1
         for _ in range(cycles):
-            self.dut.in_valid.value = int(offer())
-            for handle, port in self.inputs:
+            offered = offer()
+            self.dut.in_valid.value = int(offered)
+            for handle, port in self.inputs if offered else ():
                 handle.value = to_word(port, random.randint(port.low, port.high))
             await self.edge
         self.dut.rst.value = 0
