@@ -27,7 +27,7 @@ FIXED = CLOCKED and CORE.latency is not None
 LATENCY, II = CORE.latency or 8, CORE.ii or 1
 # Icarus knows unknown bits, and is slow: fewer words there, of the same kinds.
 SLOW = "icarus" in cocotb.SIM_NAME.lower()
-RESETS = 20 if SLOW and not CORE.first_set else 60  # control is the same in every set of a core
+RESETS = 60
 CLOCKS = 1_000 if SLOW else 20_000  # about as many for the corners of all configurations
 SAMPLES = 20 if SLOW else 40
 

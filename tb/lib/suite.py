@@ -17,7 +17,7 @@ from tb.lib.simulate import SIMULATORS, available, simulate
 
 SEED = int(os.environ.get("SEED", "2026"))
 EXHAUSTIVE_BITS = 16
-BULK_SAMPLES = 100_000
+BULK_SAMPLES = 50_000
 LONG_SAMPLES = 1_000_000
 STALLED, FEW = 8, 2000  # one sample in so many, but not fewer than that, goes through again with idle cycles and stalls
 
@@ -62,17 +62,22 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
     return total
 
 
+def _marks(core: Core, simulator: str, usable: list[str]) -> list[pytest.MarkDecorator]:
+    """Every core in both simulators; its further parameter sets under Verilator, in the long run in both."""
+    if simulator == "icarus" and not core.first_set:
+        return [pytest.mark.slow]
+    return [pytest.mark.full] + [pytest.mark.smoke] * (core.first_set and simulator == usable[0])
+
+
 def family(name: str):
     """The three tests of one family: cocotb bench in both simulators, bulk run, long bulk run."""
     usable = simulators()
     cores = [core for core in all_cores() if core.family == name]
     ids = [core.id for core in cores]
     smoke = [pytest.param(core, id=core.id, marks=[pytest.mark.smoke] * core.first_set) for core in cores]
-    benches = [pytest.param(simulator, core, id=f"{simulator}-{core.id}",
-                            marks=[pytest.mark.smoke] * (core.first_set and simulator == usable[0]))
+    benches = [pytest.param(simulator, core, id=f"{simulator}-{core.id}", marks=_marks(core, simulator, usable))
                for simulator in usable for core in cores]
 
-    @pytest.mark.full
     @pytest.mark.parametrize(("simulator", "core"), benches)
     def bench(core: Core, simulator: str) -> None:
         simulate(core, simulator, seed=SEED)
