@@ -15,7 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 RTL = ROOT / "rtl"
 STATUS_BITS = {"unreachable": 0, "singular": 1, "overflow": 2, "not_converged": 3}
-FAMILIES = ("arith", "codec", "cordic", "rational", "classic", "paper", "engine")
+FAMILIES = ("arith", "codec", "cordic", "vector", "table", "rational", "classic", "paper", "engine")
 TYPES = {"spread": 2, "angle": 0}  # of joint words: bits that a word has beside those of its parameter
 PORTS = ("cfg", "in", "out")
 FUNCTION_KEYS = {"model", *PORTS, "status"}
