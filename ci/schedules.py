@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,8 +19,10 @@ from quadrance.cores import ROOT, RTL, Core, all_cores
 
 OPERATION = re.compile(r"^\s*(?:localparam\s*\[[^\]]*\]\s*)?(\w+)\s*=\s*\d+'[bdh]\w+[,;]"
                        r"(?:[ \t]*//[ \t]*([^:\n]*?)<-([^:\n]*):[ \t]*(.+))?$", re.M)
+OPERATION_NAME = re.compile(r"^\s*(\w+)\s*=", re.M)
 START = re.compile(r"//\s*Schedule\. start:\s*(.*?)<-")
-TABLE = re.compile(r"((?:^[ \t]*//[^\n]*\n)?)^[ \t]*localparam\s*\[[^\]]*\]\s*(\w+)\s*=\s*\{\s*\n"
+GROUP = re.compile(r"^[ \t]*localparam\s*\[[^\]]*\][ \t]*(?://[ \t]*(.+))?\n((?:\s*\w+\s*=\s*\d+'[bdh].*\n)+)", re.M)
+TABLE = re.compile(r"^[ \t]*localparam\s*\[[^\]]*\]\s*(\w+)\s*=\s*\{\s*\n"
                    r"((?:\s*/\*.*\n)+)", re.M)
 LINE = re.compile(r"/\*\s*(.*?)\s*\*/\s*(.*?)\s*(?:\};?)?,?\s*$")
 INSTANCE = re.compile(r"^\s*schedule\s*#\([^;]*?\.TABLE\(\s*\{?([\w\s,]+?)\}?\s*\)", re.M)
@@ -50,9 +53,8 @@ class Line:
 
 @dataclass(frozen=True)
 class Table:
-    """A table: titles of its columns and its lines."""
+    """A table: its lines."""
 
-    titles: tuple[str, ...]
     lines: tuple[Line, ...]
 
 
@@ -62,6 +64,7 @@ class Schedules:
 
     start: frozenset[str]
     operations: dict[str, Operation]
+    groups: dict[str, str]  # operation -> what the group of operations decides, the title of its column
     tables: dict[str, Table]
     instances: tuple[tuple[str, ...], ...]
 
@@ -83,12 +86,12 @@ def read(text: str) -> Schedules:
     """The schedules of a Verilog text."""
     operations = {name: Operation(_registers(writes), _registers(reads), what.strip())
                   for name, writes, reads, what in OPERATION.findall(text)}
-    tables = {name: Table(tuple(re.split(r"\s{2,}", title.strip().removeprefix("//").strip())) if title else (),
-                          tuple(_line(line) for line in lines.splitlines() if line.strip()))
-              for title, name, lines in TABLE.findall(text)}
+    groups = {name: title for title, lines in GROUP.findall(text) for name in OPERATION_NAME.findall(lines)}
+    tables = {name: Table(tuple(_line(line) for line in lines.splitlines() if line.strip()))
+              for name, lines in TABLE.findall(text)}
     played = tuple(tuple(re.findall(r"\w+", names)) for names in INSTANCE.findall(text))
     start = frozenset().union(*(_registers(words) for words in START.findall(text)))
-    return Schedules(start, operations, tables, played)
+    return Schedules(start, operations, groups, tables, played)
 
 
 def problems(schedules: Schedules, where: str) -> list[str]:
@@ -110,13 +113,23 @@ def problems(schedules: Schedules, where: str) -> list[str]:
     return list(dict.fromkeys(wrong))
 
 
+def _titles(schedules: Schedules) -> list[str]:
+    """What each column decides: the comment of the group that most of its operations stand in."""
+    lines = [line for table in schedules.tables.values() for line in table.lines]
+    titles = []
+    for column in range(max(len(line.columns) for line in lines)):
+        cells = " ".join(cell for line in lines for cell in line.columns[column:column + 1])
+        names = set(re.findall(r"\w+", cells))
+        titles += Counter(schedules.groups.get(name) or "operations" for name in sorted(names)).most_common(1)
+    return [title for title, _ in titles]
+
+
 def markdown(schedules: Schedules) -> str:
     """The tables and their operations, for a page."""
-    lines = []
+    lines, titles = [], _titles(schedules)
     for name, table in schedules.tables.items():
         width = max(len(line.columns) for line in table.lines)
-        titles = table.titles if len(table.titles) == width else ("operations",) + ("",) * (width - 1)
-        lines += [f"| {name} | " + " | ".join(titles) + " |", "|---" * (width + 1) + "|"]
+        lines += [f"| {name} | " + " | ".join(titles[:width]) + " |", "|---" * (width + 1) + "|"]
         for line in table.lines:
             times = "" if line.times == "1" else f" ({line.times} x)"
             cells = [" + ".join(re.findall(r"\w+", column)) for column in line.columns]

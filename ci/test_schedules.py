@@ -8,9 +8,10 @@ from ci import schedules
 
 SOURCE = """
     // Schedule. start: x y <- in_x in_y
-    localparam [1:0]
+    localparam [1:0]   // the sum
         NONE = 2'b00,
-        ADD  = 2'b01,  // sum <- x y: adds
+        ADD  = 2'b01;  // sum <- x y: adds
+    localparam [1:0]
         KEEP = 2'b10;  // z <- sum: moves on
     //                  left   right
     localparam [2*4-1:0] HEAD = {
@@ -32,7 +33,7 @@ def test_a_correct_table_is_read_and_printed() -> None:
     one = schedules.read(SOURCE)
     assert one.instances == (("HEAD", "TAIL"),) and one.start == {"x", "y"}
     printed = schedules.markdown(one)
-    assert "| HEAD | left | right |" in printed
+    assert "| HEAD | the sum | operations |" in printed
     assert "| some more (M x) | ADD | KEEP |" in printed
     assert "| last | KEEP + ADD | NONE |" in printed
     assert "| KEEP | z | sum | moves on |" in printed
