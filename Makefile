@@ -1,7 +1,6 @@
 # Quadrance: every command a user or CI needs. `make help` lists them.
 PYTHON ?= python3
 ARM    ?= cobra600
-SEED   ?= 2026
 CORE   ?= rational_fk1
 N      ?= auto
 
@@ -47,8 +46,8 @@ netlist: setup ## every core's bench on its iCE40 and Cyclone V netlist
 waves: setup ## a waveform of CORE's bench and the command to open it
 	@$(PY) -m ci.waves $(CORE)
 
-mutants: setup ## break every core in 30 ways; the benches must notice
-	@$(PY) -m ci.mutants
+mutants: setup ## break every core in 100 ways; the benches must notice
+	@$(PY) -m ci.mutants $(if $(FRESH),--fresh)
 
 exhaustive: setup ## 10^6 random vectors a core, and every input where it has at most 16 bits
 	@$(PY) -m pytest -q -n $(N) --dist worksteal -m slow --durations 10

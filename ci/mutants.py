@@ -4,30 +4,29 @@ Yosys' `mutate` makes the mutants (inverted, stuck, swapped or shifted bits, spr
 the flattened netlist, its cells split by use and the dead ones removed. Each goes through the cocotb bench
 of its core under Icarus and, when it lives, through the bulk run of its core: the two tests of `make smoke`.
 A survivor is proved equivalent (no input sequence after a reset tells it from the core) or it counts against
-the bench. Writes reports/mutants.md; a core whose sources and
-bench did not change since the last run in this clone is not broken again.
+the bench. The seed is the day's, or SEED. Writes reports/mutants.json and, from it, reports/mutants.md; a core whose
+sources, bench and tools are still those of its verdict there is not broken again (--fresh: it is).
 """
 
 from __future__ import annotations
 
 import argparse
 import contextlib
-import hashlib
+import datetime
 import json
 import os
 import random
 import re
 import shutil
 import sys
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from quadrance.cores import Core, all_cores, find
 from rich.console import Console
-from rich.progress import Progress
 from rich.table import Table
 
+from ci import cache, pool
 from tb.lib import suite, tools
 from tb.lib.simulate import simulate
 
@@ -40,10 +39,10 @@ PROOF = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap;
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
          "opt_clean -purge; abc -dff -g AND -script +strash;scorr; opt; opt_clean; "
          f"sat -verify -prove bad 0 -timeout {PROOF_SECONDS // 4} miter")
-COLUMNS = ("core", "killed", "by bulk alone", "equivalent", "survived", "rate")
+COLUMNS = ("core", "killed", "by bulk alone", "equivalent", "survived", "rate", "seed")
 WORK = tools.BUILD / "mutants"
 PAGE = tools.ROOT / "reports" / "mutants.md"
-STORE = tools.BUILD / "mutants" / "verdicts.json"
+STORE = tools.ROOT / "reports" / "mutants.json"
 BENCH = ("tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py", "tb/lib/suite.py",
          "tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/program.cpp")
 
@@ -53,6 +52,8 @@ class Verdict:
     """What became of the mutants of one core; survivors by the mutation that made them."""
 
     core: str
+    digest: str = ""
+    seed: int = 0
     killed: int = 0
     equivalent: int = 0
     bulk: list[str] = field(default_factory=list)
@@ -99,7 +100,7 @@ def killed(core: Core, mutant: Path, seed: int) -> bool:
     """True when a cocotb test of `core` fails on the mutant; RuntimeError when none could be run."""
     with open(os.devnull, "w") as sink, contextlib.redirect_stdout(sink), contextlib.redirect_stderr(sink):
         try:
-            simulate(replace(core, sources=(mutant,)), "icarus", seed=seed, parameters=False, label=LABEL)
+            simulate(replace(core, sources=(mutant,)), "icarus", seed=seed, parameters=False, label=LABEL, failures=1)
         except SystemExit:
             return True
     return False
@@ -172,7 +173,7 @@ def equivalent(core: Core, mutant: Path) -> bool:
 
 def judge(core: Core, count: int, seed: int) -> Verdict:
     """Make, run and judge the mutants of one core."""
-    verdict = Verdict(core.id)
+    verdict = Verdict(core.id, digest(core, count), seed)
     mutants = make(core, count, seed)
     gold = WORK / core.id / "gold.v"
     if killed(core, gold, seed) or killed_in_bulk(core, gold, seed):
@@ -190,26 +191,36 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
     return verdict
 
 
-def digest(core: Core, count: int, seed: int) -> str:
-    """Of all that a verdict follows from: sources, bench, how mutants are made and proved equal, tools."""
+def digest(core: Core, count: int) -> str:
+    """Of all that a verdict follows from but the seed: sources, bench, how mutants are made and proved equal, tools."""
     bench = [tools.ROOT / name for name in (*BENCH, f"tb/{core.family}/stimulus.py")]
     texts = [path.read_text() for path in (*core.sources, *bench)]
-    return hashlib.sha256(json.dumps([texts, _prepare(core), PROOF, tools.versions(), core.params, count, seed],
-                                     sort_keys=True).encode()).hexdigest()[:16]
+    return cache.digest([texts, _prepare(core), PROOF, tools.versions(), core.params, count])
+
+
+def judged(core: str, count: int, seed: int) -> dict:
+    """The verdict on one core as a dict, kept in build/cache: what is done stays done when the run is cut."""
+    one = find(core)
+    return cache.cached([digest(one, count), seed], lambda: asdict(judge(one, count, seed)))
+
+
+def today() -> int:
+    """The seed of the day, so that each day's mutants are others."""
+    return int(datetime.datetime.now(datetime.UTC).strftime("%Y%m%d"))
 
 
 def row(v: Verdict) -> list[str]:
     """One line of `COLUMNS`."""
-    return [v.core, *map(str, (v.killed, len(v.bulk), v.equivalent, len(v.survivors))), f"{v.rate:.0%}"]
+    return [v.core, *map(str, (v.killed, len(v.bulk), v.equivalent, len(v.survivors))), f"{v.rate:.1%}", str(v.seed)]
 
 
-def page(verdicts: list[Verdict], seed: int) -> str:
+def page(verdicts: list[Verdict]) -> str:
     """The committed result."""
     def listed(name: str) -> list[str]:
         return [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in getattr(v, name)] or ["none"]
 
     lines = ["# Mutation run", "",
-             f"`make mutants`, seed {seed}: mutants of every core killed by its cocotb bench under Icarus, killed by",
+             "`make mutants`: mutants of every core killed by its cocotb bench under Icarus, killed by",
              "its bulk run alone, proved equivalent, and surviving. The rate is over those that differ in function; a",
              "survivor that nothing proved equal counts against the bench.", "",
              f"| {' | '.join(COLUMNS)} |", "|---|" + "---:|" * (len(COLUMNS) - 1)]
@@ -220,26 +231,27 @@ def page(verdicts: list[Verdict], seed: int) -> str:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("core", nargs="*", help="cores to break; all by default, and then the page is written")
+    parser.add_argument("core", nargs="*", help="cores to break; all by default")
     parser.add_argument("--count", type=int, default=MUTANTS)
+    parser.add_argument("--fresh", action="store_true", help="break those again whose verdict still stands")
     args = parser.parse_args()
-    seed = int(os.environ.get("SEED", "2026"))
-    cores = [find(name) for name in args.core] or [core for core in all_cores() if core.first_set]
-    store = json.loads(STORE.read_text()) if STORE.exists() and not args.core else {}
-    fresh = {core.id: digest(core, args.count, seed) for core in cores}
-    known = {core: Verdict(**one["verdict"]) for core, one in store.items() if one["digest"] == fresh.get(core)}
-    with Progress() as progress, ProcessPoolExecutor(os.cpu_count()) as pool:
-        task = progress.add_task("mutants", total=len(cores))
-        jobs = {pool.submit(judge, core, args.count, seed) for core in cores if core.id not in known}
-        progress.update(task, advance=len(known))
-        for job in as_completed(jobs):
-            known[job.result().core] = job.result()
-            progress.update(task, advance=1, description=job.result().core)
-            if not args.core:  # what is done stays done when the run is cut
-                STORE.parent.mkdir(parents=True, exist_ok=True)
-                STORE.write_text(json.dumps({core: {"digest": fresh[core], "verdict": asdict(verdict)}
-                                             for core, verdict in known.items()}, indent=1) + "\n")
-    verdicts = [known[core.id] for core in cores]
+    seed = int(os.environ.get("SEED") or today())
+    every = [core for core in all_cores() if core.first_set]
+    cores = [find(name) for name in args.core] or every
+    known = {one["core"]: Verdict(**one) for one in (json.loads(STORE.read_text()) if STORE.exists() else [])}
+    jobs = [(core.id, args.count, seed) for core in cores
+            if args.fresh or core.id not in known or known[core.id].digest != digest(core, args.count)]
+    failure = None
+    try:
+        found = pool.run(judged, jobs, name="mutants")
+    except RuntimeError as error:  # those that were judged stand in the cache
+        found, failure = {}, error
+    if failure is None:
+        known |= {core: Verdict(**one) for (core, *_), one in found.items()}
+        standing = [known[core.id] for core in every if core.id in known]
+        STORE.write_text(json.dumps([asdict(one) for one in standing], indent=1) + "\n")
+        PAGE.write_text(page(standing))
+    verdicts = [known[core.id] for core in cores if core.id in known]
     table = Table(*COLUMNS)
     for v in verdicts:
         table.add_row(*row(v), style="" if v.rate >= THRESHOLD else "red")
@@ -247,10 +259,9 @@ def main() -> int:
     for v in verdicts:
         for mutation in v.survivors:
             print(f"survivor: {v.core}: {mutation}")
-    if not args.core:
-        PAGE.parent.mkdir(exist_ok=True)
-        PAGE.write_text(page(verdicts, seed))
-    return any(v.rate < THRESHOLD for v in verdicts)
+    if failure is not None:
+        print(failure, file=sys.stderr)
+    return failure is not None or any(v.rate < THRESHOLD for v in verdicts)
 
 
 if __name__ == "__main__":

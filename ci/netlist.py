@@ -180,7 +180,7 @@ def main() -> int:
     parser.add_argument("core", nargs="*", help="cores to synthesise and simulate; all by default")
     parser.add_argument("--target", choices=TARGETS, action="append", help="one flow; both by default")
     args = parser.parse_args()
-    seed = int(os.environ.get("SEED", "2026"))
+    seed = int(os.environ.get("SEED") or 2026)
     cores = [find(name) for name in args.core] or [core for core in all_cores() if core.first_set]
     for target in args.target or TARGETS:
         models(target)  # before the workers, which would all write it

@@ -34,7 +34,7 @@ def available(simulator: str) -> bool:
 
 def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests: str | None = None,
              seed: int | None = None, waves: bool = False, label: str = "", compile_only: bool = False,
-             parameters: bool = True) -> Path:
+             parameters: bool = True, failures: int | None = None) -> Path:
     """Build `core` and run the cocotb tests of `module` on it.
 
     Raises SystemExit when a test fails, RuntimeError when the core cannot be built or the simulator ends early.
@@ -46,6 +46,7 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
     tests : regular expression of the cocotb tests to run; all by default.
     seed : of every random choice; printed by the bench.
     parameters : False for a netlist, whose parameters are folded in.
+    failures : after so many failed tests the others are left out; None runs them all.
 
     Returns
     -------
@@ -60,7 +61,11 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
         runner = Icarus if simulator == "icarus" else Verilator
         folder = program.build_folder(core, simulator, label, waves, parameters)
     with program.locked(folder):
-        _run(core, runner, folder, module, tests, seed, waves, compile_only, parameters)
+        extra = {"QUADRANCE_CORE": str(folder / "core.pickle"),
+                 "COCOTB_REWRITE_ASSERTION_FILES": ""}  # it would rewrite numpy too, at every start
+        if failures is not None:
+            extra["COCOTB_MAX_FAILURES"] = str(failures)
+        _run(core, runner, folder, module, tests, seed, waves, compile_only, parameters, extra)
     return folder
 
 
@@ -83,7 +88,7 @@ def _handlers_kept() -> Iterator[None]:
 
 
 def _run(core: Core, runner: type[Simulator], folder: Path, module: str, tests: str | None, seed: int | None,
-         waves: bool, compile_only: bool, parameters: bool) -> None:
+         waves: bool, compile_only: bool, parameters: bool, extra: dict[str, str]) -> None:
     (folder / "core.pickle").write_bytes(pickle.dumps(core))
     previous = dict(os.environ)
     os.environ.update(tools.environment())
@@ -96,8 +101,7 @@ def _run(core: Core, runner: type[Simulator], folder: Path, module: str, tests: 
                 verilog_sources=[str(source) for source in core.sources],
                 parameters=core.params if parameters else {}, sim_build=str(folder), timescale="1ns/1ps",
                 testcase=tests, seed=seed, waves=waves, compile_only=compile_only,
-                extra_env={"QUADRANCE_CORE": str(folder / "core.pickle"),
-                           "COCOTB_REWRITE_ASSERTION_FILES": ""},  # it would rewrite numpy too, at every start
+                extra_env=extra,
                 compile_args=[] if runner is Icarus else ["-Wno-fatal", "-Wno-lint", "-Wno-style"])
         simulation.run()
     except (SystemExit, ElementTree.ParseError) as error:  # cocotb-test exits for every reason, and says which

@@ -15,7 +15,7 @@ from quadrance.cores import Core, all_cores
 from tb.lib import bulk, stimulus
 from tb.lib.simulate import SIMULATORS, available, simulate
 
-SEED = int(os.environ.get("SEED", "2026"))
+SEED = int(os.environ.get("SEED") or 2026)
 EXHAUSTIVE_BITS = 16
 BULK_SAMPLES = 50_000
 LONG_SAMPLES = 1_000_000
