@@ -10,7 +10,7 @@ export SEED
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report report-check formal netlist waves mutants exhaustive clean
+.PHONY: help setup lint test smoke report report-check formal netlist coverage waves mutants exhaustive clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
@@ -42,6 +42,9 @@ formal: setup ## proofs of the arithmetic primitives and the handshakes
 
 netlist: setup ## every core's bench on its iCE40 and Cyclone V netlist
 	@$(PY) -m ci.netlist
+
+coverage: setup ## lines and bits of every core that its benches reach
+	@$(PY) -m ci.coverage
 
 waves: setup ## a waveform of CORE's bench and the command to open it
 	@$(PY) -m ci.waves $(CORE)

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 #include "Vtop.h"
@@ -92,6 +93,10 @@ static int bulk_main(int argc, char** argv) {
         top.eval();
         GET_OUT(top, (&out[i * (N_OUT + 2)]));
     }
+#endif
+#if VM_COVERAGE
+    const std::string counts = std::string(std::getenv("QUADRANCE_COVERAGE")) + "/" + std::to_string(getpid()) + ".dat";
+    context.coveragep()->write(counts.c_str());
 #endif
     file = std::fopen(argv[3], "wb");
     if (!file || std::fwrite(out.data(), 8 * (N_OUT + 2), count, file) != count) return fail("cannot write the output file");

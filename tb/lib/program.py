@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import fcntl
 import hashlib
+import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -17,6 +18,7 @@ from tb.lib import tools
 OPTIMISE = "-O1"  # the build costs more than the runs it speeds up
 SOURCES = [Path(__file__).with_name(name) for name in ("program.cpp", "bulk.cpp")]
 COCOTB = Path(cocotb.__file__).parent
+RUNTIME = ("verilated", "verilated_cov", "verilated_dpi", "verilated_vpi", "verilated_threads")
 HEADERS = ("verilated.h", "verilated_vpi.h", "verilated_dpi.h", "cstdint", "cstdio", "cstdlib", "memory", "string",
            "vector")
 
@@ -41,11 +43,17 @@ def locked(folder: Path) -> Iterator[Path]:
         yield folder
 
 
+def _coverage() -> bool:
+    """Whether programs count the lines and bits that they reach: QUADRANCE_COVERAGE names the folder for the counts."""
+    return "QUADRANCE_COVERAGE" in os.environ
+
+
 def _flags() -> list[str]:
     """How C++ that Verilator wrote is compiled."""
     include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
     return ["-std=gnu++17", OPTIMISE, f"-I{include}", f"-I{include}/vltstd", "-DVERILATOR=1", "-Wno-sign-compare",
-            *(f"-DVM_{name}=0" for name in ("COVERAGE", "SC", "TIMING", "TRACE", "TRACE_FST", "TRACE_VCD"))]
+            f"-DVM_COVERAGE={int(_coverage())}",
+            *(f"-DVM_{name}=0" for name in ("SC", "TIMING", "TRACE", "TRACE_FST", "TRACE_VCD"))]
 
 
 def _runtime() -> tuple[Path, list[Path]]:
@@ -57,7 +65,7 @@ def _runtime() -> tuple[Path, list[Path]]:
         header.write_text("".join(f"#include <{name}>\n" for name in HEADERS))
         jobs = {folder / "headers.h.gch": ["-x", "c++-header", header]}
         jobs |= {folder / f"{name}.o": ["-c", include / f"{name}.cpp"]
-                 for name in ("verilated", "verilated_dpi", "verilated_vpi", "verilated_threads")}
+                 for name in RUNTIME}
 
         def compile(target: Path) -> None:
             if not target.exists():
@@ -89,7 +97,7 @@ def build(core: Core, label: str = "") -> Path:
         raise ValueError(f"{core.id}: bulk runs carry words of at most 64 bits, {wide[0]} is wider")
     accessors = _accessors(core)
     texts = [source.read_text() for source in SOURCES]
-    with locked(build_folder(core, "verilator", label, texts, accessors)) as folder:
+    with locked(build_folder(core, "verilator", label, texts, accessors, _coverage())) as folder:
         program = folder / "core"
         if not program.exists():
             _compile(core, folder, accessors, program)
@@ -98,10 +106,11 @@ def build(core: Core, label: str = "") -> Path:
 
 def _compile(core: Core, folder: Path, accessors: str, program: Path) -> None:
     """cocotb sees the ports of the top module alone: nothing below it is kept from being optimised."""
+    counters = ["--coverage-line", "--coverage-toggle"] if _coverage() else []
     ports = folder / "ports.vlt"
     ports.write_text(f'`verilator_config\npublic_flat_rw -module "{core.name}" -var "*"\n')
     tools.run("verilator", "-cc", "-Mdir", folder, "--prefix", "Vtop", "--top-module", core.name, "--vpi",
-              "--timescale", "1ns/1ps", "-Wno-fatal", "-Wno-lint", "-Wno-style",
+              "--timescale", "1ns/1ps", *counters, "-Wno-fatal", "-Wno-lint", "-Wno-style",
               *(f"-G{name}={value}" for name, value in core.params.items()), ports, *core.sources)
     parts = [*sorted(folder.glob("Vtop*.cpp")), SOURCES[0]]  # one compilation: most of it is what they share
     (folder / "ports.inc").write_text(accessors)

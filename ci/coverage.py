@@ -1,0 +1,125 @@
+"""`make coverage`: the lines and bits of every core that its cocotb bench and its bulk run reach under Verilator.
+
+Writes reports/coverage.md: a line for each parameter set, and every line and branch that none of them reaches: what one
+set leaves out (the third joint of a kernel, a table's last range) another must reach. Left out are constant functions, which run when a core is elaborated, and status bits that a core does not have.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import sys
+from collections import Counter
+from pathlib import Path
+
+from quadrance.cores import RTL, STATUS_BITS, Core, all_cores, find
+
+from ci import pool
+from tb.lib import suite, tools
+from tb.lib.simulate import simulate
+
+WORK = tools.BUILD / "coverage"
+PAGE = tools.ROOT / "reports" / "coverage.md"
+POINT = re.compile(r"^C '(.*)' (\d+)$", re.M)
+FIELD = re.compile("\x01([^\x02]+)\x02([^\x01']*)")
+Point = tuple[str, int, str, str]  # file below rtl/, line, "line" or "toggle", what of it
+
+
+def points(text: str) -> Counter[Point]:
+    """How often each point of one coverage.dat was reached, over all instances of its module."""
+    found: Counter[Point] = Counter()
+    for key, count in POINT.findall(text):
+        fields = dict(FIELD.findall(key))
+        file = fields["f"].rpartition("/rtl/")[2]
+        kind, _, _ = fields["page"].removeprefix("v_").partition("/")
+        found[file, int(fields["l"]), kind, fields["o"]] += int(count)
+    return found
+
+
+def measure(core_id: str) -> Counter[Point]:
+    """The points of one core after its bench and its bulk run."""
+    core = find(core_id)
+    folder = WORK / core.id
+    folder.mkdir(parents=True, exist_ok=True)
+    for old in folder.glob("*.dat"):
+        old.unlink()
+    os.environ["QUADRANCE_COVERAGE"] = str(folder)
+    with open(os.devnull, "w") as sink, contextlib.redirect_stdout(sink), contextlib.redirect_stderr(sink):
+        bench = simulate(core, "verilator", seed=suite.SEED)
+    suite.bulk_run(core, suite.BULK_SAMPLES, suite.SEED)
+    total = points((bench / "coverage.dat").read_text())
+    for file in folder.glob("*.dat"):
+        total.update(points(file.read_text()))
+    return counted(core, total)
+
+
+def _constant(total: Counter[Point]) -> set[tuple[str, int]]:
+    """File and line of every function that no clock ever calls."""
+    found = set()
+    for file in {point[0] for point in total}:
+        text = (RTL / file).read_text()
+        for body in re.finditer(r"\bfunction\b.*?\bendfunction\b", text, re.S):
+            first = text.count("\n", 0, body.start()) + 1
+            lines = {(file, line) for line in range(first, first + body[0].count("\n") + 1)}
+            if not any(count for point, count in total.items() if point[:2] in lines):
+                found |= lines
+    return found
+
+
+def counted(core: Core, total: Counter[Point]) -> Counter[Point]:
+    """Those of the points that a run can reach."""
+    constant = _constant(total)
+    absent = {f"out_status[{bit}]" for name, bit in STATUS_BITS.items() if name not in (core.status or ())}
+    return Counter({point: count for point, count in total.items()
+                    if point[:2] not in constant and point[3].partition(":")[0] not in absent})
+
+
+def share(total: Counter[Point], *kinds: str) -> str:
+    """Reached points of these kinds, of all."""
+    counts = [count for point, count in total.items() if point[2] in kinds]
+    return f"{sum(map(bool, counts))} of {len(counts)}"
+
+
+def holes(total: Counter[Point], *kinds: str) -> list[str]:
+    """What of these kinds is never reached, a line for each line of the source."""
+    missed: dict[tuple[str, int], list[str]] = {}
+    for (file, line, kind, what), count in sorted(total.items()):
+        if not count and kind in kinds:
+            missed.setdefault((file, line), []).append(what)
+    return [f"{file}:{line} {', '.join(what)}" for (file, line), what in missed.items()]
+
+
+def page(found: dict[str, Counter[Point]]) -> str:
+    """The committed result."""
+    lines = ["# Coverage of the benches", "",
+             "`make coverage`: what the cocotb bench and the bulk run of each core and parameter set reach in its",
+             "Verilog under Verilator: lines, branches, and each bit of a signal, seen to rise and to fall. Left out:",
+             "constant functions, which run when a core is elaborated, and status bits that a core does not have.", "",
+             "| core | lines and branches | toggles |", "|---|---:|---:|"]
+    lines += [f"| {core} | {share(total, 'line', 'branch')} | {share(total, 'toggle')} |"
+              for core, total in found.items()]
+    for core, total in found.items():
+        (WORK / core / "holes").write_text("\n".join(holes(total, "line", "branch", "toggle")) + "\n")
+    every = sum(found.values(), Counter())
+    every.update(dict.fromkeys((point for total in found.values() for point in total), 0))
+    lines += ["", "## Lines and branches that no core reaches", "",
+              "What one core leaves out, bits included (most are constant by construction), is in build/coverage/CORE/holes.",
+              "", *(f"- `{hole}`" for hole in holes(every, "line", "branch"))]
+    return "\n".join(lines) + "\n"
+
+
+def main() -> int:
+    cores: list[Core] = [find(name) for name in sys.argv[1:]] or list(all_cores())
+    answers = pool.run(measure, [(core.id,) for core in cores], name="coverage")
+    text = page({core.id: answers[core.id,] for core in cores})
+    if len(sys.argv) > 1:
+        print(text)
+    else:
+        PAGE.write_text(text)
+        print(Path(PAGE).relative_to(tools.ROOT))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
