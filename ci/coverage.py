@@ -1,7 +1,8 @@
 """`make coverage`: the lines and bits of every core that its cocotb bench and its bulk run reach under Verilator.
 
 Writes reports/coverage.md: a line for each parameter set, and every line and branch that none of them reaches: what one
-set leaves out (the third joint of a kernel, a table's last range) another must reach. Left out are constant functions, which run when a core is elaborated, and status bits that a core does not have.
+set leaves out (the third joint of a kernel, a table's last range) another must reach. Left out are constant
+functions, which run when a core is elaborated, and status bits that a core does not have.
 """
 
 from __future__ import annotations
@@ -104,7 +105,7 @@ def page(found: dict[str, Counter[Point]]) -> str:
     every = sum(found.values(), Counter())
     every.update(dict.fromkeys((point for total in found.values() for point in total), 0))
     lines += ["", "## Lines and branches that no core reaches", "",
-              "What one core leaves out, bits included (most are constant by construction), is in build/coverage/CORE/holes.",
+              "What one core leaves out, bits included (most are constant by construction): build/coverage/CORE/holes.",
               "", *(f"- `{hole}`" for hole in holes(every, "line", "branch"))]
     return "\n".join(lines) + "\n"
 
