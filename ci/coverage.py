@@ -100,8 +100,6 @@ def page(found: dict[str, Counter[Point]]) -> str:
              "| core | lines and branches | toggles |", "|---|---:|---:|"]
     lines += [f"| {core} | {share(total, 'line', 'branch')} | {share(total, 'toggle')} |"
               for core, total in found.items()]
-    for core, total in found.items():
-        (WORK / core / "holes").write_text("\n".join(holes(total, "line", "branch", "toggle")) + "\n")
     every = sum(found.values(), Counter())
     every.update(dict.fromkeys((point for total in found.values() for point in total), 0))
     lines += ["", "## Lines and branches that no core reaches", "",
@@ -113,7 +111,10 @@ def page(found: dict[str, Counter[Point]]) -> str:
 def main() -> int:
     cores: list[Core] = [find(name) for name in sys.argv[1:]] or list(all_cores())
     answers = pool.run(measure, [(core.id,) for core in cores], name="coverage")
-    text = page({core.id: answers[core.id,] for core in cores})
+    found = {core.id: answers[core.id,] for core in cores}
+    for core, total in found.items():
+        (WORK / core / "holes").write_text("\n".join(holes(total, "line", "branch", "toggle")) + "\n")
+    text = page(found)
     if len(sys.argv) > 1:
         print(text)
     else:

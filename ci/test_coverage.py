@@ -1,0 +1,37 @@
+"""The coverage page names what nothing reaches, and only that."""
+
+from collections import Counter
+
+from quadrance.cores import find
+
+from ci import coverage
+
+
+def record(file: str, line: int, kind: str, what: str, count: int) -> str:
+    """A line of coverage.dat as Verilator writes it."""
+    fields = {"f": f"/somewhere/rtl/{file}", "l": line, "n": 9, "t": kind, "page": f"v_{kind}/x", "o": what}
+    return "C '" + "".join(f"\x01{key}\x02{value}" for key, value in fields.items()) + f"' {count}\n"
+
+
+def test_points_of_two_instances_add_up() -> None:
+    text = "# SystemC::Coverage-3\n" + "".join(record("arith/a.v", 7, "branch", "if", count) for count in (0, 3))
+    assert coverage.points(text) == Counter({("arith/a.v", 7, "branch", "if"): 3})
+
+
+def test_what_one_core_reaches_is_no_hole_of_the_other() -> None:
+    one, two = ("arith/a.v", 7, "branch", "if"), ("arith/a.v", 9, "line", "block")
+    page = coverage.page({"a": Counter({one: 0, two: 0}), "b": Counter({one: 5, two: 0})})
+    assert "| a | 0 of 2 | 0 of 0 |" in page and "| b | 1 of 2 | 0 of 0 |" in page
+    assert "- `arith/a.v:9 block`" in page and "a.v:7" not in page
+
+
+def test_absent_status_bits_and_constant_functions_are_left_out() -> None:
+    core = find("rational_fk1")
+    file = "arith/root_product.v"
+    lines = (coverage.RTL / file).read_text().splitlines()
+    inside = next(i for i, line in enumerate(lines, 1) if "function" in line) + 1
+    points = Counter({("rational/rational_fk1.v", 25, "toggle", "out_status[0]:0->1"): 0,
+                      ("rational/rational_fk1.v", 25, "toggle", "out_status[2]:0->1"): 0,
+                      (file, inside, "line", "block"): 0, (file, 1, "line", "block"): 0})
+    left = set(coverage.counted(core, points))
+    assert left == {("rational/rational_fk1.v", 25, "toggle", "out_status[2]:0->1"), (file, 1, "line", "block")}
