@@ -97,9 +97,14 @@ def observed(core: Core, names: dict[str, int], work: Path) -> dict[str, dict[in
             continue
         for name, value in zip(names, values):
             seen[name].setdefault(int(age, 2), set()).add(value)
-    return {name: {age: next(iter(values)) for age, values in table.items()} for name, table in seen.items()
-            if all(len(values) == 1 for values in table.values()) and len(set(map(str, table.values()))) > 1
-            and "x" not in "".join(map(str, table.values()))}
+    known = {}
+    for name, table in seen.items():
+        if len(table.get(0, ())) > 1 and core.ii > 1:  # what the last sample left stands until the next one comes
+            del table[0]
+        if all(len(values) == 1 for values in table.values()) and len(set(map(str, table.values()))) > 1 \
+                and "x" not in "".join(map(str, table.values())):
+            known[name] = {age: next(iter(values)) for age, values in table.items()}
+    return known
 
 
 def write(core: Core, work: Path) -> Path:
@@ -140,5 +145,5 @@ def job(core: Core, work: Path) -> str:
         "[options]", "mode prove", "depth 2", "timeout 900", "[engines]", "smtbmc --stbv z3 -- --noincr",
         "[script]", "read_verilog -sv -formal -icells cut.v", "design -stash cut", f"read_verilog -defer {names}",
         "read -formal top.sv contract.sv", "hierarchy -check -top top", "proc", "flatten", "memory_collect",
-        "opt_clean", "techmap -autoproc -map %cut", "prep -flatten -top top",
+        "opt_expr", "wreduce", "opt_clean", "techmap -autoproc -map %cut", "prep -flatten -top top",
         "[files]", *map(str, (*core.sources, top, HERE / "contract.sv", HERE / "cut.v")), ""])

@@ -1,10 +1,13 @@
-// What a contract does not depend on: a product or a memory word is any value, the same as long as its inputs stay.
-(* techmap_celltype = "$mul" *)
-module cut_mul (A, B, Y);
+// What a contract does not depend on: a product, a wide sum or a memory word is any value, the same as long as its
+// inputs stay. Counters are sums too, but short.
+(* techmap_celltype = "$mul $add $sub" *)
+module cut_arith (A, B, Y);
+    parameter _TECHMAP_CELLTYPE_ = "";
     parameter A_SIGNED = 0, B_SIGNED = 0, A_WIDTH = 1, B_WIDTH = 1, Y_WIDTH = 1;
     input [A_WIDTH-1:0] A;
     input [B_WIDTH-1:0] B;
     output [Y_WIDTH-1:0] Y;
+    wire _TECHMAP_FAIL_ = _TECHMAP_CELLTYPE_ != "$mul" && Y_WIDTH < 12;
     (* anyseq *) wire [Y_WIDTH-1:0] any;
     (* gclk *) reg gclk;
     reg started = 0;
