@@ -143,66 +143,134 @@ def rational_chain(p: Params, joints: int, l1: float, l2: float) -> float:
     return bound if joints == 2 else bound + spread_chord(p["U"]) / 2 ** p["U"] * (l1 + l2) + 2 / 32
 
 
+def _aligned(p: Params, *lengths: ArrayLike) -> tuple[Floats, ...]:
+    """Lengths in LSB of a 16-bit coordinate, in which the inverse cores work."""
+    return tuple(floats(length) * 2.0 ** (16 - p["W"]) for length in lengths)
+
+
 def rational_gap(p: Params, l1: int, l2: int) -> float:
-    """Error of the quadrance (LSB^2) that cos theta2 of rational_ik2 and rational_ik3 stands for.
+    """Error of the quadrance (LSB^2 of a coordinate) that cos theta2 of rational_ik2 and rational_ik3 stands for.
 
     The bits of the gap q - Q1 - Q2 that are shifted out and their half, 2 * 64 for long links; the rounding of cfg_r;
-    the cut of c2 to 20 bits, both times 2 L1 L2.
+    the cut of c2 to 20 bits, both times 2 L1 L2. All of lengths aligned to 16 bits.
     """
-    words, double = rational.config(p, cfg_l1=l1, cfg_l2=l2), 2 * l1 * l2
-    return (128 if words["cfg_e"] == 0 else 0) + double / words["cfg_r"] + double / 2**20
+    words, scale = rational.config(p, cfg_l1=l1, cfg_l2=l2), 4.0 ** (16 - p["W"])
+    double = 2 * l1 * l2 * scale
+    return ((128 if words["cfg_e"] == 0 else 0) + double / words["cfg_r"] + double / 2**20) / scale
 
 
-def rational_aim(rho: ArrayLike) -> Floats:
-    """Tip error by the direction at distance `rho`: a and b to 2^-20 of q' >= 1/4, and u; 1/q' to 2^-17, with the cut
-    of q' half more, times tan <= 2."""
-    return floats(rho) * (1.5 * 2**-17 + 2 * 1.5 * 2**-17)
+def rational_aim(rho: ArrayLike, joints: int = 2) -> Floats:
+    """Tip error by the direction at distance `rho`.
+
+    a and b to 2^-20 of q' >= 1/4, and u: 1.5 / 2^17; 1/q' to 2^-17 for q' <= 2, with the cut of q' half more, times
+    tan <= 2: 3 / 2^17. In space q' reaches 3, where 1/q' has 2.3 / 2^17, and tan <= 3^(1/2): 4.9 / 2^17.
+    """
+    return floats(rho) * ((1.5 + (3.0 if joints == 2 else 4.9)) * 2**-17)
 
 
-def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+def _bend(p: Params, l1: int, l2: int, rho: Floats) -> tuple[Floats, Floats]:
+    """Of the elbow that the core computes for a tip in reach at `rho`: least |sin theta2|, and most it is off (rad).
+
+    c2 is off by at most gap / (2 L1 L2) either way, and is a multiple of 2^-20: where it is not 1, the sine is at least
+    2^-9.5.
+    """
+    double = max(2 * l1 * l2, 1e-9)
+    off = rational_gap(p, l1, l2) / double
+    c2 = np.clip((rho * rho - l1 * l1 - l2 * l2) / double, -1, 1)
+    theta = np.arccos(c2)
+    most = np.maximum(*(np.abs(np.arccos(np.clip(c2 + sign * off, -1, 1)) - theta) for sign in (-1, 1)))
+    return np.sqrt(np.maximum(1 - c2 * c2 - 2 * off, 2.0**-19)), most
+
+
+def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, joints: int = 2) -> Floats:
     """Tip of rational_ik2 for a target in reach.
 
     Parameters
     ----------
     p, l1, l2
-        W = 16; links in LSB.
-    rho, n2 : float arrays
-        Distance of the target from the shoulder, LSB; |sin theta2|.
+        Links in LSB.
+    rho : float array
+        Distance of the target from the shoulder, LSB.
+    joints : int
+        3: the target is (rho, z) of rational_ik3.
 
     Notes
     -----
+    The core computes an elbow theta2' that is off, and joint 1 of this elbow. Both together put the tip within e:
+
     * The gap moves the tip by gap / (2 rho) along rho, and as much across: an error e of (k1, k2) turns the tip by e
       across and, since the spread takes the length of k for that of the tip, by tan <= 3^(1/2) times e along: 2 e
       together. Below rho^2 = 4 gap, near the shoulder, the direction is lost: the tip is within
       2 rho + gap^(1/2).
-    * The root: twice `root_product` at 20 bits times L2; near the circles 1 - c2^2 has 24 bits for k2, and half a unit
-      of joint 2's word no longer fits joint 1: at most L2 2^-11.5.
+    * The root: twice `root_product` at 20 bits times L2; and c2^2 is cut to 24 bits, which moves the sine by at most
+      2^-24 over itself, twice.
     * k1 and k2 have 3 fraction bits and a constant half behind them, and a one's complement, all of it twice.
     * `rational_aim`.
+
+    "Beyond the rounding of the words" takes from the cell of each word the angle nearest to the exact one, for each
+    joint by itself. With a, b what joints 1 and 2 are off, and s, t in [0, 1] the shares of them that are left, the tip
+    is off by s (J1 a + J2 b) + (t - s) J2 b: at most e, and as J1 a = -J2 b within e, |t - s| L2 |b|. So:
+
+    * Near the circles, where b is large, L2 |b| more, |b| <= (gap / (L1 L2))^(1/2); and (1 + |b|) for what is not
+      linear. But (1 - t) b is no more than one side of a cell, (1 - s) a no more than both sides, and a cell's side is
+      at most h = asin 2^(-(S + 1) / 2): never more than max(L2, 2 rho) h. At S = 24 h is the less, at S <= 20 b is.
     """
-    rho, gap = floats(rho), rational_gap(p, l1, l2)
-    answered = np.sqrt(np.maximum(floats(n2) ** 2 - gap / (l1 * l2), 1e-18))
-    root = l2 * (2 * root_product(20) + np.minimum(2**-11.5, 2**-24 / answered))
+    (l1a, l2a, r), half_word = _aligned(p, l1, l2, rho), math.asin(2.0 ** (-(p["S"] + 1) / 2))
+    p16 = p | {"W": 16}
+    gap = rational_gap(p16, int(l1a), int(l2a))
+    sine, off = _bend(p16, int(l1a), int(l2a), r)
+    root = 2 * l2a * (root_product(20) + 2**-24 / sine)
     cut = 2 * (2**0.5 / 16 + 1 / 16)
-    return np.where(rho**2 < 4 * gap, 2 * rho + math.sqrt(gap), gap / rho) + root + cut + rational_aim(rho)
+    together = np.where(r**2 < 4 * gap, 2 * r + math.sqrt(gap), gap / np.maximum(r, 1e-9)) + root + cut
+    together = together + rational_aim(r, joints)
+    apart = np.minimum(l2a * off * (1 + off), np.maximum(l2a, 2 * r) * half_word)
+    return (together + apart) * 2.0 ** (p["W"] - 16)
 
 
-def rational_ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats:
-    """Tip of rational_ik3 for targets (3, N) in reach: `rational_ik2` in the plane of the arm, rho and the yaw.
+def _rational_rho(p: Params, target: ArrayLike) -> tuple[Floats, Floats]:
+    """Error of rho of rational_ik3, LSB: with all its bits, and what its cut to one fraction bit after the shift adds.
 
-    rho: the chord of v <= 1/2, the cut of v to 24 bits, of rho to 3 fraction bits about a half, and to one after the
-    shift by the target's redundant sign bits; it turns (rho, z) and stretches it, so it counts twice.
+    The chord of v <= 1/2 (of any v below rho = 4096, there 2^-4 of it), the cut of v to 24 bits, of rho to 3 fraction
+    bits about a half; then, by the target's redundant sign bits, the cut to a word.
     """
-    x, y, z = floats(target)
+    x, y, z = _aligned(p, *floats(target))
     rho, longest = np.hypot(x, y), np.max(np.abs([x, y, z]), axis=0)
     large = rho >= 4096
-    off = 0.26 * np.where(large, 2, 1 / 8) + np.where(large, 1 / 32, 0) + 1 / 16
-    off += 2.0 ** (np.ceil(np.log2(longest + 1)) - 16)
-    return rational_ik2(p, l1, l2, np.sqrt(rho * rho + z * z), n2) + 2 * off + rational_aim(rho)
+    fine = np.where(large, 0.52 + 1 / 32, 0.31 / 8) + 1 / 16
+    unit = 2.0 ** (p["W"] - 16)
+    return fine * unit, 2.0 ** (np.ceil(np.log2(longest + 1)) - 16) * unit
 
 
-RATIONAL_NEAREST = 1.2 / 2**14
-"""Tip of rational_ik2 from the nearest point of a target out of reach, by L1 + L2: the direction alone."""
+def rational_ik3(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
+    """Tip of rational_ik3 for targets (3, N) in reach: `rational_ik2` in the plane of the arm, rho and the yaw.
+
+    An error of rho turns (rho, z) and stretches it, so it counts twice.
+    """
+    x, y, z = floats(target)
+    rho = np.hypot(x, y)
+    off = sum(_rational_rho(p, target))
+    return rational_ik2(p, l1, l2, np.sqrt(rho * rho + z * z), 3) + 2 * off + rational_aim(rho)
+
+
+def rational_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
+    """Tip of rational_ik2 or rational_ik3 from the nearest point, for targets (2 or 3, N) that are flagged unreachable.
+
+    Both elbows are then stretched or folded exactly, and the tip has the radius R = L1 + L2 or |L1 - L2| exactly: the
+    direction alone errs. `rational_aim` at R; elbow 1 has -2^-20 of k1 for k2 = 0, a one's complement. In space the
+    plane's point (rho, z) is off by the error d of rho, seen from the base at the distance r of the target: an angle
+    asin(d / r), a chord 2 R sin(asin(d / r) / 2). In the hole this is the greater the shorter the target is, by
+    R / r: an LSB beside the base it may be a tenth of R. Once more the last cut of rho, which q' has in one of its
+    factors only. The yaw's own error is `rational_aim` at R.
+    """
+    target = floats(target)
+    r = np.sqrt((target * target).sum(axis=0))
+    radius = np.where(r > (l1 + l2 + abs(l1 - l2)) / 2, l1 + l2, abs(l1 - l2))
+    aim = rational_aim(radius, len(target)) + radius * 2**-19
+    if len(target) == 2:
+        return aim
+    fine, cut = _rational_rho(p, target)
+    turned = np.arcsin(np.minimum((fine + 2 * cut) / np.maximum(r, 1e-9), 1))
+    return aim + 2 * radius * np.sin(turned / 2) + rational_aim(radius)
 
 
 # cordic
