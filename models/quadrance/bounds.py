@@ -48,7 +48,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
     if family == "paper" and joints == 1:
         return math.sqrt(0.5) if forward else 0.0
     if family == "paper":
-        return paper_forward(p, joints, l1, l2) if forward else paper_inverse(p, l1, l2)
+        return paper_forward(p, joints, l1, l2) if forward else paper_inverse(p, joints, l1, l2)
     if joints == 1:
         if forward:
             return 1.0 if family == "rational" else classic_fk1(p, l1)
@@ -463,22 +463,52 @@ def paper_share(p: Params) -> int:
     return p["R"] * -(-(p["S"] + 3) // p["R"])
 
 
-def paper_inverse(p: Params, l1: float, l2: float) -> float:
-    """Tip of paper_ik2 and paper_ik3; shown at S = 8 and 24 of Q7.8.
+def _turned(spread: ArrayLike) -> Floats:
+    """How far a spread that is off by `spread` moves the end of a unit length: the chord of asin sqrt(spread)."""
+    return 2 * np.sin(np.arcsin(np.sqrt(np.minimum(spread, 1))) / 2)
 
-    By the rule of `paper_forward`: sa and s' are truncated by 2^-D, cos theta2 by 2^-D and so s2 by 2^(1-D), which
-    turns joint 2 and beta alike; d as in the forward cores. Quadrances are cut to G bits (exact where G = 2F), Q2 to
-    one DSP factor for its product.
+
+def _paper_words(p: Params) -> tuple[int, int, int, int, float]:
+    """D, N, the digits of a base angle's spread and of a tip's, and u, LSB, by which a quadrance moves a side."""
+    i, d = p["W"] - 1 - p["F"], paper_share(p)
+    g = min(p["S"], 2 * p["F"])
+    unit = 0.0 if g == 2 * p["F"] else 2.0 ** (p["F"] - g / 2)
+    return d, min(d, 26), min(2 * i + g, 27), max(d, p["W"]), unit
+
+
+def paper_inverse(p: Params, joints: int, l1: float, l2: float) -> float:
+    """Tip of paper_ik2 and paper_ik3 for a target in reach whose direction is defined, LSB; any W, F, S, R.
+
+    By the rule of `paper_forward`, r = L1 + L2:
+
+    * sa and s' are truncated by 2^-D, at the distance of the target: 2 r 2^(-D/2).
+    * cos theta2 is truncated by 2^-D, or by 2^-26 where D is 27, so s2 by 2^(1-N); the square of it by 2^-right more.
+      Either turns joint 2 and, as s' = s2 Q2 / q3, beta at the distance sqrt(q3): L2 each.
+    * d is the difference of two roots, each cut by less than 2^-N; d^2 is off by 2^(1-N) (1 + 2^-N): r.
+    * Q2 is cut to one DSP factor of `left` bits, 4^I 2^-left, and its product with s2 by 2^-G: over q3 and at sqrt(q3)
+      the root of their sum. (The chord of a spread e of 1 is sqrt(2 e): the factor for a target no longer than that.)
+    * Where G < 2F every quadrance is cut by u^2. A target of n coordinates is seen off by sqrt(n) u, which turns sa, and
+      as much by q3 below s'; c and 2 L1 L2 are off by (n + 1) u^2 together, so s2 by that over L1 L2, which turns joint
+      2 and beta at L2; and which side of 90 degrees beta is on is known to (n + 1) u^2 / L1 across. No tip is farther
+      off than 2 r.
     """
     i = p["W"] - 1 - p["F"]
-    g, d = min(p["S"], 2 * p["F"]), paper_share(p)
-    n, left = min(d, 26), min(2 * i + g, 27)
-    cut = 0.0 if g == 2 * p["F"] else 2.0 ** (-g / 2)
-    reach = l1 + l2
-    spreads = (2 * reach + 2 * math.sqrt(2) * l2) * 2.0 ** (-d / 2) + math.sqrt(3) * reach * 2.0 ** (-n / 2)
-    return spreads + 2.0 ** p["F"] * ((2 + 4 * math.sqrt(l2 / l1)) * cut + 2.0 ** ((2 * i - left) / 2))
+    d, n, left, right, u = _paper_words(p)
+    reach, lost = l1 + l2, 2.0 ** (1 - n)
+    spreads = reach * (2 * _turned(2.0**-d) + _turned(lost * (1 + 2.0**-n))) \
+        + l2 * (_turned(lost) + _turned(lost + 2.0**-right))
+    sides = 2.0 ** p["F"] * math.sqrt(2 * (4.0**i * 2.0**-left + 2.0 ** -min(p["S"], 2 * p["F"])))
+    if u and l1:
+        sides += 2 * math.sqrt(2 * joints) * u + 2 * math.sqrt(2 * (joints + 1) * l2 / l1) * u + (joints + 1) * u * u / l1
+    return 2 * reach if u and not l1 else min(float(spreads + sides), 2 * reach)
 
 
-def paper_nearest(p: Params) -> float:
-    """Angle (rad) of joint 1 from the nearest point's, of a target out of reach: both shares and d by 2^-D or less."""
-    return 4 * 2.0 ** (-paper_share(p) / 2)
+def paper_nearest(p: Params, joints: int, r: ArrayLike) -> Floats:
+    """Angle (rad) of joint 1 from the nearest point's, of a target out of reach at distance r (LSB).
+
+    s' is 0, or its complement, off by 2^-left; sa is off by 2^-D and d^2 by 2^(1-N), as in `paper_inverse`; and where
+    G < 2F the target is seen off by sqrt(n) u, which turns it by asin of that over r.
+    """
+    d, n, left, _, u = _paper_words(p)
+    shares = sum(math.asin(math.sqrt(spread)) for spread in (2.0**-d, 2.0**-left, 2.0 ** (1 - n) * (1 + 2.0**-n)))
+    return shares + np.arcsin(np.minimum(math.sqrt(joints) * u / np.maximum(r, 1e-9), 1))
