@@ -487,10 +487,10 @@ def paper_inverse(p: Params, joints: int, l1: float, l2: float) -> float:
     * d is the difference of two roots, each cut by less than 2^-N; d^2 is off by 2^(1-N) (1 + 2^-N): r.
     * Q2 is cut to one DSP factor of `left` bits, 4^I 2^-left, and its product with s2 by 2^-G: over q3 and at sqrt(q3)
       the root of their sum. (The chord of a spread e of 1 is sqrt(2 e): the factor for a target no longer than that.)
-    * Where G < 2F every quadrance is cut by u^2. A target of n coordinates is seen off by sqrt(n) u, which turns sa, and
-      as much by q3 below s'; c and 2 L1 L2 are off by (n + 1) u^2 together, so s2 by that over L1 L2, which turns joint
-      2 and beta at L2; and which side of 90 degrees beta is on is known to (n + 1) u^2 / L1 across. No tip is farther
-      off than 2 r.
+    * Where G < 2F every quadrance is cut by u^2. A target of n coordinates is seen off by sqrt(n) u, which turns sa,
+      and as much by q3 below s'; c and 2 L1 L2 are off by (n + 1) u^2 together, so s2 by that over L1 L2, which turns
+      joint 2 and beta at L2; and which side of 90 degrees beta is on is known to (n + 1) u^2 / L1 across. No tip is
+      farther off than 2 r.
     """
     i = p["W"] - 1 - p["F"]
     d, n, left, right, u = _paper_words(p)
@@ -499,7 +499,7 @@ def paper_inverse(p: Params, joints: int, l1: float, l2: float) -> float:
         + l2 * (_turned(lost) + _turned(lost + 2.0**-right))
     sides = 2.0 ** p["F"] * math.sqrt(2 * (4.0**i * 2.0**-left + 2.0 ** -min(p["S"], 2 * p["F"])))
     if u and l1:
-        sides += 2 * math.sqrt(2 * joints) * u + 2 * math.sqrt(2 * (joints + 1) * l2 / l1) * u + (joints + 1) * u * u / l1
+        sides += 2 * u * (math.sqrt(2 * joints) + math.sqrt(2 * (joints + 1) * l2 / l1)) + (joints + 1) * u * u / l1
     return 2 * reach if u and not l1 else min(float(spreads + sides), 2 * reach)
 
 

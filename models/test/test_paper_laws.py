@@ -1,4 +1,4 @@
-"""The laws of the paper's inverse cores at every word: any S, W and F, short and unequal links, the hole, both cores."""
+"""The laws of the paper's inverse cores at every word: any S, W and F, short and unequal links, the hole."""
 
 from __future__ import annotations
 
