@@ -400,19 +400,38 @@ def classic_chain(p: Params, joints: int, l1: float, l2: float) -> float:
     return float(plane + off * (l1 + l2) + unit * (spread + flat.max()) + 0.5)
 
 
-def _classic_passes(p: Params, grows: int, r: Floats, l1: int, l2: int) -> Floats:
-    """Tip by the passes of the solver on a target at distance `r`, words included; see `classic_ik`."""
+CORDIC_GAIN = 1.646760
+"""What vectoring lengthens a vector by."""
+
+
+def _classic_pass(p: Params, grows: int) -> tuple[float, float]:
+    """Angle of one pass of the solver: (rad, rad LSB), the error being the first + the second / length of the vector.
+
+    The first: residual angle, the constants' rounding, the early end of the growth. The second as of `cordic_angle`.
+    """
     turn = 2 ** p["A"] / (2 * math.pi)
     last, half, unit = p["W"] + 1, (p["W"] + 1) // 2, 2.0**-classic.SOLVE_ANGLE_GUARD
     bits = p["A"] + classic.SOLVE_ANGLE_GUARD
     angle = sum(abs((cordic.angle(i, bits) >> i) + 0.5 - math.atan(2.0**-i) * turn / unit) for i in range(last + 1))
     fixed = 2.0**-last + (angle + 1) * unit / turn + sum(8.0**-i for i in range(grows + 1, last + 1))
-    slope = 2.5 * 2.0**-classic.SOLVE_GUARD + 2 * 2.0 ** (half // 2 - half) / 1.6468
-    legs = slope + 2.0**-classic.SOLVE_GUARD
-    at = np.clip(r, abs(l1 - l2), l1 + l2)
-    stretch = (l1 + l2) / (2 * math.sqrt(l1 * l2))
-    words = (0.5 / turn) * (at + l2)
-    return words + fixed * (3 * at + 2 * l2) + slope * at / r + legs * (stretch + (at + 2 * l2) / (l1 + l2) * stretch)
+    return fixed, 2.5 * 2.0**-classic.SOLVE_GUARD + 2 * 2.0 ** (half // 2 - half) / CORDIC_GAIN
+
+
+def _classic_grows(p: Params, joints: int) -> int:
+    return (p["W"] + 1) // 3 + 1 if joints == 2 else (p["W"] + 1) // 2
+
+
+def classic_elbow(p: Params, joints: int, l1: int, l2: int) -> float:
+    """Joint 2 of classic_ik2 or classic_ik3, LSB of its word; links in LSB, neither 0.
+
+    It is 2 h, h the direction of the legs (b, a), whose length is 2 sqrt(L1 L2) LSB whatever the target: a pass on this
+    length, the roots' unit each low, sqrt(2) 2^-4 across, and half an LSB. So the word may be this much on the wrong
+    side of the stretched or the folded arm, and is on the side of the elbow asked for where it is farther from both.
+    At W = A = 16 this is 1.3 for links of 32 units each, 76 for 50 and 40 LSB, 3344 for 1 and 1 (found: 0, 16, 505).
+    """
+    fixed, slope = _classic_pass(p, _classic_grows(p, joints))
+    legs = slope + math.sqrt(2) * 2.0**-classic.SOLVE_GUARD
+    return 0.5 + 2 ** p["A"] / (2 * math.pi) * 2 * (fixed + legs / (2 * math.sqrt(l1 * l2)))
 
 
 def classic_ik(p: Params, joints: int, l1: int, l2: int, r: ArrayLike) -> Floats:
@@ -423,20 +442,36 @@ def classic_ik(p: Params, joints: int, l1: int, l2: int, r: ArrayLike) -> Floats
     p, joints, l1, l2
         2 or 3 joints; links in LSB, neither 0.
     r : float array
-        Distance of the target, > 0, reachable or not, LSB.
+        Distance of the target, > 0, reachable or not, LSB; the nearest point has the distance R.
 
     Notes
     -----
     Every pass: residual angle, constants, early end of the growth, and rounding weighed by 1 / length, as in ik1. Half
-    an LSB of a word acts at the tip by the distance (j1) and L2 (j2). phi and the yaw have the length of the target, h
-    has 2 sqrt(L1 L2), d that times r / (L1 + L2); the roots are 1 unit low, which acts as a rounding does. Three
-    joints: rounding of rho and K z, and the yaw's own pass and word.
+    an LSB of a word acts at the tip by the distance (j1) and L2 (j2). phi has the length of the target, so that in the
+    hole its rounding is magnified by R / r; h has 2 sqrt(L1 L2), d that times R / (L1 + L2) or more: with
+    s = (L1 + L2) / (2 sqrt(L1 L2)), which is 64 for links of 1 and 16383 LSB, both are magnified by it. The roots are 1
+    unit low, which acts as a rounding does.
+
+    Three joints: the yaw is a pass on rho and a word at no more than R. phi is that of (K rho, K z):
+
+    * K rho is low by a unit of 2^-4 LSB for the mirror and for each of the growing steps, and follows y, whose minuses
+      are 4 units at most; K z is low by 1. A point that is off by this over K turns the arm by asin of it over r.
+    * x stops growing early: 2/3 4^-grows of rho; K is cut to W + 2 bits. Of what rho and z differ in, half turns.
     """
-    r, half = floats(r), (p["W"] + 1) // 2
+    r, grows = floats(r), _classic_grows(p, joints)
+    turn = 2 ** p["A"] / (2 * math.pi)
+    fixed, slope = _classic_pass(p, grows)
+    legs = slope + 2.0**-classic.SOLVE_GUARD
+    at = np.clip(r, abs(l1 - l2), l1 + l2)
+    stretch = (l1 + l2) / (2 * math.sqrt(l1 * l2))
+    plane = (0.5 / turn) * (at + l2) + fixed * (3 * at + 2 * l2) + slope * at / r
+    plane = plane + legs * (stretch + (at + 2 * l2) / (l1 + l2) * stretch)
     if joints == 2:
-        return _classic_passes(p, (p["W"] + 1) // 3 + 1, r, l1, l2)
-    far = l1 + l2
-    return _classic_passes(p, half, r, l1, l2) + _classic_passes(p, half, r, far // 2, far - far // 2) / 2 + 0.5
+        return plane
+    yaw = (0.5 / turn + fixed) * at + slope * at / r
+    off = math.hypot(grows + 6, 1) * 2.0**-classic.SOLVE_GUARD / CORDIC_GAIN
+    lack = 2 / 3 * 4.0**-grows + 2.0 ** -(p["W"] + 2) / CORDIC_GAIN
+    return plane + yaw + at * (2 * np.sin(np.arcsin(np.minimum(off / r, 1)) / 2) + lack / 2)
 
 
 # paper
