@@ -477,6 +477,17 @@ def classic_ik(p: Params, joints: int, l1: int, l2: int, r: ArrayLike) -> Floats
 # paper
 
 
+def paper_reach(p: Params) -> float:
+    """Distance of the tip of paper_fk2 and paper_fk3 where it is near 2^I units, LSB, by which overflow is told.
+
+    b is truncated by 2^(I-N) units and the sign of its term is a one's complement, half of that; Q2 and acc^2 and the
+    two products by 2^-G each, of a quadrance: over twice the distance.
+    """
+    i = p["W"] - 1 - p["F"]
+    n, g = max(p["S"] + 1, p["W"] - 1), min(p["S"], 27 - 2 * i)
+    return 2.0 ** p["F"] * (1.5 * 2.0 ** (i - n) + 4 * 2.0**-g / 2 ** (i + 1))
+
+
 def paper_forward(p: Params, joints: int, l1: float, l2: float) -> float:
     """Tip of paper_fk2 and paper_fk3, as a distance; shown at S = 8 and 24 of Q7.8.
 
@@ -526,6 +537,7 @@ def paper_inverse(p: Params, joints: int, l1: float, l2: float) -> float:
       and as much by q3 below s'; c and 2 L1 L2 are off by (n + 1) u^2 together, so s2 by that over L1 L2, which turns
       joint 2 and beta at L2; and which side of 90 degrees beta is on is known to (n + 1) u^2 / L1 across. No tip is
       farther off than 2 r.
+    * Three joints: the yaw is a share too, r 2^(-D/2), of two coordinates, sqrt(2) sqrt(2) u.
     """
     i = p["W"] - 1 - p["F"]
     d, n, left, right, u = _paper_words(p)
@@ -535,6 +547,8 @@ def paper_inverse(p: Params, joints: int, l1: float, l2: float) -> float:
     sides = 2.0 ** p["F"] * math.sqrt(2 * (4.0**i * 2.0**-left + 2.0 ** -min(p["S"], 2 * p["F"])))
     if u and l1:
         sides += 2 * u * (math.sqrt(2 * joints) + math.sqrt(2 * (joints + 1) * l2 / l1)) + (joints + 1) * u * u / l1
+    if joints == 3:
+        spreads, sides = spreads + reach * _turned(2.0**-d), sides + 2 * u
     return 2 * reach if u and not l1 else min(float(spreads + sides), 2 * reach)
 
 

@@ -16,7 +16,7 @@ UNREACHABLE, SINGULAR = 1, 2
 
 def _targets(joints: int, l1: int, l2: int, full: int) -> tuple[np.ndarray, ...]:
     """Targets (joints, N): anywhere in reach, crowded at both circles, in the hole to its middle, beyond; the elbow."""
-    rng, n = np.random.default_rng(5), 2500
+    rng, n = np.random.default_rng(5), 1500
     near, far = abs(l1 - l2), l1 + l2
     crowd = (far - near) * 2.0 ** -rng.uniform(0, 24, n)
     r = np.concatenate([rng.uniform(near, far, n), near + crowd, far - crowd, near * 2.0 ** -rng.uniform(0, 24, n),
@@ -51,4 +51,4 @@ def test_the_tip_in_reach_and_the_nearest_point_beyond(p, joints, share):
     off = np.abs(truth.difference(codecs.within_cell(joint, out["out_j1"], theta), theta))
     assert np.all((off <= bounds.paper_nearest(p, joints, r))[beyond])
     if p["S"] == 24 or p["S"] == 2 * p["F"]:
-        assert beyond.sum() > 400 or share[0] == share[1] or min(share) < 1e-4
+        assert beyond.sum() > 250 or share[0] == share[1] or min(share) < 1e-4
