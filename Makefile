@@ -4,6 +4,8 @@ ARM    ?= cobra600
 CORE   ?= rational_fk1
 N      ?= auto
 
+# the long run takes the date where no seed is given
+LONG_SEED := $(if $(filter file,$(origin SEED)),$(shell date -u +%Y%m%d),$(SEED))
 VENV := .venv
 PY   := $(VENV)/bin/python
 export SEED
@@ -52,8 +54,9 @@ waves: setup ## a waveform of CORE's bench and the command to open it
 mutants: setup ## break every core in 100 ways; the benches must notice
 	@$(PY) -m ci.mutants $(if $(FRESH),--fresh)
 
-exhaustive: setup ## 10^6 random vectors a core, and every input where it has at most 16 bits
-	@$(PY) -m pytest -q -n $(N) --dist worksteal -m slow --durations 10
+exhaustive: setup ## the long run, a new seed every day: 10^6 vectors a core, pairs of cores, random parameters
+	@echo "SEED=$(LONG_SEED) make exhaustive: repeats this run"
+	@SEED=$(LONG_SEED) $(PY) -m pytest -q -n $(N) --dist worksteal -m slow --durations 10
 
 clean: ## remove what the tools made; .venv stays
 	rm -rf build

@@ -8,6 +8,7 @@ from quadrance import cores
 
 from tb.lib import tools
 from tb.lib.simulate import available, simulate
+from tb.lib.suite import SEED
 
 
 def main() -> None:
@@ -17,10 +18,10 @@ def main() -> None:
         raise SystemExit(f"waves: {error.args[0]}") from None
     simulator = "icarus" if available("icarus") else "verilator"
     tests = "corners_back|latency_and" if core.clocked else "corners_and"
-    folder = simulate(core, simulator, tests=tests, waves=True, label="-waves")
+    folder = simulate(core, simulator, tests=tests, seed=SEED, waves=True, label="-waves")
     wave = max((p for p in folder.iterdir() if p.suffix in (".fst", ".vcd")), key=lambda p: p.stat().st_mtime)
     name = wave.relative_to(tools.ROOT)
-    print(f"waves: {name}\nopen it with: gtkwave {name}   (or: surfer {name})")
+    print(f"waves: {name} (SEED={SEED})\nopen it with: gtkwave {name}   (or: surfer {name})")
 
 
 if __name__ == "__main__":

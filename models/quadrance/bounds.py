@@ -48,7 +48,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
     if family == "paper" and joints == 1:
         return math.sqrt(0.5) if forward else 0.0
     if family == "paper":
-        return paper_forward(p, joints, l1, l2) if forward else paper_inverse(p, l1, l2)
+        return paper_forward(p, joints, l1, l2) if forward else paper_inverse(p, joints, l1, l2)
     if joints == 1:
         if forward:
             return 1.0 if family == "rational" else classic_fk1(p, l1)
@@ -143,66 +143,134 @@ def rational_chain(p: Params, joints: int, l1: float, l2: float) -> float:
     return bound if joints == 2 else bound + spread_chord(p["U"]) / 2 ** p["U"] * (l1 + l2) + 2 / 32
 
 
+def _aligned(p: Params, *lengths: ArrayLike) -> tuple[Floats, ...]:
+    """Lengths in LSB of a 16-bit coordinate, in which the inverse cores work."""
+    return tuple(floats(length) * 2.0 ** (16 - p["W"]) for length in lengths)
+
+
 def rational_gap(p: Params, l1: int, l2: int) -> float:
-    """Error of the quadrance (LSB^2) that cos theta2 of rational_ik2 and rational_ik3 stands for.
+    """Error of the quadrance (LSB^2 of a coordinate) that cos theta2 of rational_ik2 and rational_ik3 stands for.
 
     The bits of the gap q - Q1 - Q2 that are shifted out and their half, 2 * 64 for long links; the rounding of cfg_r;
-    the cut of c2 to 20 bits, both times 2 L1 L2.
+    the cut of c2 to 20 bits, both times 2 L1 L2. All of lengths aligned to 16 bits.
     """
-    words, double = rational.config(p, cfg_l1=l1, cfg_l2=l2), 2 * l1 * l2
-    return (128 if words["cfg_e"] == 0 else 0) + double / words["cfg_r"] + double / 2**20
+    words, scale = rational.config(p, cfg_l1=l1, cfg_l2=l2), 4.0 ** (16 - p["W"])
+    double = 2 * l1 * l2 * scale
+    return ((128 if words["cfg_e"] == 0 else 0) + double / words["cfg_r"] + double / 2**20) / scale
 
 
-def rational_aim(rho: ArrayLike) -> Floats:
-    """Tip error by the direction at distance `rho`: a and b to 2^-20 of q' >= 1/4, and u; 1/q' to 2^-17, with the cut
-    of q' half more, times tan <= 2."""
-    return floats(rho) * (1.5 * 2**-17 + 2 * 1.5 * 2**-17)
+def rational_aim(rho: ArrayLike, joints: int = 2) -> Floats:
+    """Tip error by the direction at distance `rho`.
+
+    a and b to 2^-20 of q' >= 1/4, and u: 1.5 / 2^17; 1/q' to 2^-17 for q' <= 2, with the cut of q' half more, times
+    tan <= 2: 3 / 2^17. In space q' reaches 3, where 1/q' has 2.3 / 2^17, and tan <= 3^(1/2): 4.9 / 2^17.
+    """
+    return floats(rho) * ((1.5 + (3.0 if joints == 2 else 4.9)) * 2**-17)
 
 
-def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+def _bend(p: Params, l1: int, l2: int, rho: Floats) -> tuple[Floats, Floats]:
+    """Of the elbow that the core computes for a tip in reach at `rho`: least |sin theta2|, and most it is off (rad).
+
+    c2 is off by at most gap / (2 L1 L2) either way, and is a multiple of 2^-20: where it is not 1, the sine is at least
+    2^-9.5.
+    """
+    double = max(2 * l1 * l2, 1e-9)
+    off = rational_gap(p, l1, l2) / double
+    c2 = np.clip((rho * rho - l1 * l1 - l2 * l2) / double, -1, 1)
+    theta = np.arccos(c2)
+    most = np.maximum(*(np.abs(np.arccos(np.clip(c2 + sign * off, -1, 1)) - theta) for sign in (-1, 1)))
+    return np.sqrt(np.maximum(1 - c2 * c2 - 2 * off, 2.0**-19)), most
+
+
+def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, joints: int = 2) -> Floats:
     """Tip of rational_ik2 for a target in reach.
 
     Parameters
     ----------
     p, l1, l2
-        W = 16; links in LSB.
-    rho, n2 : float arrays
-        Distance of the target from the shoulder, LSB; |sin theta2|.
+        Links in LSB.
+    rho : float array
+        Distance of the target from the shoulder, LSB.
+    joints : int
+        3: the target is (rho, z) of rational_ik3.
 
     Notes
     -----
+    The core computes an elbow theta2' that is off, and joint 1 of this elbow. Both together put the tip within e:
+
     * The gap moves the tip by gap / (2 rho) along rho, and as much across: an error e of (k1, k2) turns the tip by e
       across and, since the spread takes the length of k for that of the tip, by tan <= 3^(1/2) times e along: 2 e
       together. Below rho^2 = 4 gap, near the shoulder, the direction is lost: the tip is within
       2 rho + gap^(1/2).
-    * The root: twice `root_product` at 20 bits times L2; near the circles 1 - c2^2 has 24 bits for k2, and half a unit
-      of joint 2's word no longer fits joint 1: at most L2 2^-11.5.
+    * The root: twice `root_product` at 20 bits times L2; and c2^2 is cut to 24 bits, which moves the sine by at most
+      2^-24 over itself, twice.
     * k1 and k2 have 3 fraction bits and a constant half behind them, and a one's complement, all of it twice.
     * `rational_aim`.
+
+    "Beyond the rounding of the words" takes from the cell of each word the angle nearest to the exact one, for each
+    joint by itself. With a, b what joints 1 and 2 are off, and s, t in [0, 1] the shares of them that are left, the tip
+    is off by s (J1 a + J2 b) + (t - s) J2 b: at most e, and as J1 a = -J2 b within e, |t - s| L2 |b|. So:
+
+    * Near the circles, where b is large, L2 |b| more, |b| <= (gap / (L1 L2))^(1/2); and (1 + |b|) for what is not
+      linear. But (1 - t) b is no more than one side of a cell, (1 - s) a no more than both sides, and a cell's side is
+      at most h = asin 2^(-(S + 1) / 2): never more than max(L2, 2 rho) h. At S = 24 h is the less, at S <= 20 b is.
     """
-    rho, gap = floats(rho), rational_gap(p, l1, l2)
-    answered = np.sqrt(np.maximum(floats(n2) ** 2 - gap / (l1 * l2), 1e-18))
-    root = l2 * (2 * root_product(20) + np.minimum(2**-11.5, 2**-24 / answered))
+    (l1a, l2a, r), half_word = _aligned(p, l1, l2, rho), math.asin(2.0 ** (-(p["S"] + 1) / 2))
+    p16 = p | {"W": 16}
+    gap = rational_gap(p16, int(l1a), int(l2a))
+    sine, off = _bend(p16, int(l1a), int(l2a), r)
+    root = 2 * l2a * (root_product(20) + 2**-24 / sine)
     cut = 2 * (2**0.5 / 16 + 1 / 16)
-    return np.where(rho**2 < 4 * gap, 2 * rho + math.sqrt(gap), gap / rho) + root + cut + rational_aim(rho)
+    together = np.where(r**2 < 4 * gap, 2 * r + math.sqrt(gap), gap / np.maximum(r, 1e-9)) + root + cut
+    together = together + rational_aim(r, joints)
+    apart = np.minimum(l2a * off * (1 + off), np.maximum(l2a, 2 * r) * half_word)
+    return (together + apart) * 2.0 ** (p["W"] - 16)
 
 
-def rational_ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats:
-    """Tip of rational_ik3 for targets (3, N) in reach: `rational_ik2` in the plane of the arm, rho and the yaw.
+def _rational_rho(p: Params, target: ArrayLike) -> tuple[Floats, Floats]:
+    """Error of rho of rational_ik3, LSB: with all its bits, and what its cut to one fraction bit after the shift adds.
 
-    rho: the chord of v <= 1/2, the cut of v to 24 bits, of rho to 3 fraction bits about a half, and to one after the
-    shift by the target's redundant sign bits; it turns (rho, z) and stretches it, so it counts twice.
+    The chord of v <= 1/2 (of any v below rho = 4096, there 2^-4 of it), the cut of v to 24 bits, of rho to 3 fraction
+    bits about a half; then, by the target's redundant sign bits, the cut to a word.
     """
-    x, y, z = floats(target)
+    x, y, z = _aligned(p, *floats(target))
     rho, longest = np.hypot(x, y), np.max(np.abs([x, y, z]), axis=0)
     large = rho >= 4096
-    off = 0.26 * np.where(large, 2, 1 / 8) + np.where(large, 1 / 32, 0) + 1 / 16
-    off += 2.0 ** (np.ceil(np.log2(longest + 1)) - 16)
-    return rational_ik2(p, l1, l2, np.sqrt(rho * rho + z * z), n2) + 2 * off + rational_aim(rho)
+    fine = np.where(large, 0.52 + 1 / 32, 0.31 / 8) + 1 / 16
+    unit = 2.0 ** (p["W"] - 16)
+    return fine * unit, 2.0 ** (np.ceil(np.log2(longest + 1)) - 16) * unit
 
 
-RATIONAL_NEAREST = 1.2 / 2**14
-"""Tip of rational_ik2 from the nearest point of a target out of reach, by L1 + L2: the direction alone."""
+def rational_ik3(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
+    """Tip of rational_ik3 for targets (3, N) in reach: `rational_ik2` in the plane of the arm, rho and the yaw.
+
+    An error of rho turns (rho, z) and stretches it, so it counts twice.
+    """
+    x, y, z = floats(target)
+    rho = np.hypot(x, y)
+    off = sum(_rational_rho(p, target))
+    return rational_ik2(p, l1, l2, np.sqrt(rho * rho + z * z), 3) + 2 * off + rational_aim(rho)
+
+
+def rational_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
+    """Tip of rational_ik2 or rational_ik3 from the nearest point, for targets (2 or 3, N) that are flagged unreachable.
+
+    Both elbows are then stretched or folded exactly, and the tip has the radius R = L1 + L2 or |L1 - L2| exactly: the
+    direction alone errs. `rational_aim` at R; elbow 1 has -2^-20 of k1 for k2 = 0, a one's complement. In space the
+    plane's point (rho, z) is off by the error d of rho, seen from the base at the distance r of the target: an angle
+    asin(d / r), a chord 2 R sin(asin(d / r) / 2). In the hole this is the greater the shorter the target is, by
+    R / r: an LSB beside the base it may be a tenth of R. Once more the last cut of rho, which q' has in one of its
+    factors only. The yaw's own error is `rational_aim` at R.
+    """
+    target = floats(target)
+    r = np.sqrt((target * target).sum(axis=0))
+    radius = np.where(r > (l1 + l2 + abs(l1 - l2)) / 2, l1 + l2, abs(l1 - l2))
+    aim = rational_aim(radius, len(target)) + radius * 2**-19
+    if len(target) == 2:
+        return aim
+    fine, cut = _rational_rho(p, target)
+    turned = np.arcsin(np.minimum((fine + 2 * cut) / np.maximum(r, 1e-9), 1))
+    return aim + 2 * radius * np.sin(turned / 2) + rational_aim(radius)
 
 
 # cordic
@@ -332,19 +400,38 @@ def classic_chain(p: Params, joints: int, l1: float, l2: float) -> float:
     return float(plane + off * (l1 + l2) + unit * (spread + flat.max()) + 0.5)
 
 
-def _classic_passes(p: Params, grows: int, r: Floats, l1: int, l2: int) -> Floats:
-    """Tip by the passes of the solver on a target at distance `r`, words included; see `classic_ik`."""
+CORDIC_GAIN = 1.646760
+"""What vectoring lengthens a vector by."""
+
+
+def _classic_pass(p: Params, grows: int) -> tuple[float, float]:
+    """Angle of one pass of the solver: (rad, rad LSB), the error being the first + the second / length of the vector.
+
+    The first: residual angle, the constants' rounding, the early end of the growth. The second as of `cordic_angle`.
+    """
     turn = 2 ** p["A"] / (2 * math.pi)
     last, half, unit = p["W"] + 1, (p["W"] + 1) // 2, 2.0**-classic.SOLVE_ANGLE_GUARD
     bits = p["A"] + classic.SOLVE_ANGLE_GUARD
     angle = sum(abs((cordic.angle(i, bits) >> i) + 0.5 - math.atan(2.0**-i) * turn / unit) for i in range(last + 1))
     fixed = 2.0**-last + (angle + 1) * unit / turn + sum(8.0**-i for i in range(grows + 1, last + 1))
-    slope = 2.5 * 2.0**-classic.SOLVE_GUARD + 2 * 2.0 ** (half // 2 - half) / 1.6468
-    legs = slope + 2.0**-classic.SOLVE_GUARD
-    at = np.clip(r, abs(l1 - l2), l1 + l2)
-    stretch = (l1 + l2) / (2 * math.sqrt(l1 * l2))
-    words = (0.5 / turn) * (at + l2)
-    return words + fixed * (3 * at + 2 * l2) + slope * at / r + legs * (stretch + (at + 2 * l2) / (l1 + l2) * stretch)
+    return fixed, 2.5 * 2.0**-classic.SOLVE_GUARD + 2 * 2.0 ** (half // 2 - half) / CORDIC_GAIN
+
+
+def _classic_grows(p: Params, joints: int) -> int:
+    return (p["W"] + 1) // 3 + 1 if joints == 2 else (p["W"] + 1) // 2
+
+
+def classic_elbow(p: Params, joints: int, l1: int, l2: int) -> float:
+    """Joint 2 of classic_ik2 or classic_ik3, LSB of its word; links in LSB, neither 0.
+
+    It is 2 h, h the direction of the legs (b, a), whose length is 2 sqrt(L1 L2) LSB whatever the target: a pass on this
+    length, the roots' unit each low, sqrt(2) 2^-4 across, and half an LSB. So the word may be this much on the wrong
+    side of the stretched or the folded arm, and is on the side of the elbow asked for where it is farther from both.
+    At W = A = 16 this is 1.3 for links of 32 units each, 76 for 50 and 40 LSB, 3344 for 1 and 1 (found: 0, 16, 505).
+    """
+    fixed, slope = _classic_pass(p, _classic_grows(p, joints))
+    legs = slope + math.sqrt(2) * 2.0**-classic.SOLVE_GUARD
+    return 0.5 + 2 ** p["A"] / (2 * math.pi) * 2 * (fixed + legs / (2 * math.sqrt(l1 * l2)))
 
 
 def classic_ik(p: Params, joints: int, l1: int, l2: int, r: ArrayLike) -> Floats:
@@ -355,23 +442,50 @@ def classic_ik(p: Params, joints: int, l1: int, l2: int, r: ArrayLike) -> Floats
     p, joints, l1, l2
         2 or 3 joints; links in LSB, neither 0.
     r : float array
-        Distance of the target, > 0, reachable or not, LSB.
+        Distance of the target, > 0, reachable or not, LSB; the nearest point has the distance R.
 
     Notes
     -----
     Every pass: residual angle, constants, early end of the growth, and rounding weighed by 1 / length, as in ik1. Half
-    an LSB of a word acts at the tip by the distance (j1) and L2 (j2). phi and the yaw have the length of the target, h
-    has 2 sqrt(L1 L2), d that times r / (L1 + L2); the roots are 1 unit low, which acts as a rounding does. Three
-    joints: rounding of rho and K z, and the yaw's own pass and word.
+    an LSB of a word acts at the tip by the distance (j1) and L2 (j2). phi has the length of the target, so that in the
+    hole its rounding is magnified by R / r; h has 2 sqrt(L1 L2), d that times R / (L1 + L2) or more: with
+    s = (L1 + L2) / (2 sqrt(L1 L2)), which is 64 for links of 1 and 16383 LSB, both are magnified by it. The roots are 1
+    unit low, which acts as a rounding does.
+
+    Three joints: the yaw is a pass on rho and a word at no more than R. phi is that of (K rho, K z):
+
+    * K rho is low by a unit of 2^-4 LSB for the mirror and for each of the growing steps, and follows y, whose minuses
+      are 4 units at most; K z is low by 1. A point that is off by this over K turns the arm by asin of it over r.
+    * x stops growing early: 2/3 4^-grows of rho; K is cut to W + 2 bits. Of what rho and z differ in, half turns.
     """
-    r, half = floats(r), (p["W"] + 1) // 2
+    r, grows = floats(r), _classic_grows(p, joints)
+    turn = 2 ** p["A"] / (2 * math.pi)
+    fixed, slope = _classic_pass(p, grows)
+    legs = slope + 2.0**-classic.SOLVE_GUARD
+    at = np.clip(r, abs(l1 - l2), l1 + l2)
+    stretch = (l1 + l2) / (2 * math.sqrt(l1 * l2))
+    plane = (0.5 / turn) * (at + l2) + fixed * (3 * at + 2 * l2) + slope * at / r
+    plane = plane + legs * (stretch + (at + 2 * l2) / (l1 + l2) * stretch)
     if joints == 2:
-        return _classic_passes(p, (p["W"] + 1) // 3 + 1, r, l1, l2)
-    far = l1 + l2
-    return _classic_passes(p, half, r, l1, l2) + _classic_passes(p, half, r, far // 2, far - far // 2) / 2 + 0.5
+        return plane
+    yaw = (0.5 / turn + fixed) * at + slope * at / r
+    off = math.hypot(grows + 6, 1) * 2.0**-classic.SOLVE_GUARD / CORDIC_GAIN
+    lack = 2 / 3 * 4.0**-grows + 2.0 ** -(p["W"] + 2) / CORDIC_GAIN
+    return plane + yaw + at * (2 * np.sin(np.arcsin(np.minimum(off / r, 1)) / 2) + lack / 2)
 
 
 # paper
+
+
+def paper_reach(p: Params) -> float:
+    """Distance of the tip of paper_fk2 and paper_fk3 where it is near 2^I units, LSB, by which overflow is told.
+
+    b is truncated by 2^(I-N) units and the sign of its term is a one's complement, half of that; Q2 and acc^2 and the
+    two products by 2^-G each, of a quadrance: over twice the distance.
+    """
+    i = p["W"] - 1 - p["F"]
+    n, g = max(p["S"] + 1, p["W"] - 1), min(p["S"], 27 - 2 * i)
+    return 2.0 ** p["F"] * (1.5 * 2.0 ** (i - n) + 4 * 2.0**-g / 2 ** (i + 1))
 
 
 def paper_forward(p: Params, joints: int, l1: float, l2: float) -> float:
@@ -395,22 +509,55 @@ def paper_share(p: Params) -> int:
     return p["R"] * -(-(p["S"] + 3) // p["R"])
 
 
-def paper_inverse(p: Params, l1: float, l2: float) -> float:
-    """Tip of paper_ik2 and paper_ik3; shown at S = 8 and 24 of Q7.8.
+def _turned(spread: ArrayLike) -> Floats:
+    """How far a spread that is off by `spread` moves the end of a unit length: the chord of asin sqrt(spread)."""
+    return 2 * np.sin(np.arcsin(np.sqrt(np.minimum(spread, 1))) / 2)
 
-    By the rule of `paper_forward`: sa and s' are truncated by 2^-D, cos theta2 by 2^-D and so s2 by 2^(1-D), which
-    turns joint 2 and beta alike; d as in the forward cores. Quadrances are cut to G bits (exact where G = 2F), Q2 to
-    one DSP factor for its product.
+
+def _paper_words(p: Params) -> tuple[int, int, int, int, float]:
+    """D, N, the digits of a base angle's spread and of a tip's, and u, LSB, by which a quadrance moves a side."""
+    i, d = p["W"] - 1 - p["F"], paper_share(p)
+    g = min(p["S"], 2 * p["F"])
+    unit = 0.0 if g == 2 * p["F"] else 2.0 ** (p["F"] - g / 2)
+    return d, min(d, 26), min(2 * i + g, 27), max(d, p["W"]), unit
+
+
+def paper_inverse(p: Params, joints: int, l1: float, l2: float) -> float:
+    """Tip of paper_ik2 and paper_ik3 for a target in reach whose direction is defined, LSB; any W, F, S, R.
+
+    By the rule of `paper_forward`, r = L1 + L2:
+
+    * sa and s' are truncated by 2^-D, at the distance of the target: 2 r 2^(-D/2).
+    * cos theta2 is truncated by 2^-D, or by 2^-26 where D is 27, so s2 by 2^(1-N); the square of it by 2^-right more.
+      Either turns joint 2 and, as s' = s2 Q2 / q3, beta at the distance sqrt(q3): L2 each.
+    * d is the difference of two roots, each cut by less than 2^-N; d^2 is off by 2^(1-N) (1 + 2^-N): r.
+    * Q2 is cut to one DSP factor of `left` bits, 4^I 2^-left, and its product with s2 by 2^-G: over q3 and at sqrt(q3)
+      the root of their sum. (The chord of a spread e of 1 is sqrt(2 e): the factor for a target no longer than that.)
+    * Where G < 2F every quadrance is cut by u^2. A target of n coordinates is seen off by sqrt(n) u, which turns sa,
+      and as much by q3 below s'; c and 2 L1 L2 are off by (n + 1) u^2 together, so s2 by that over L1 L2, which turns
+      joint 2 and beta at L2; and which side of 90 degrees beta is on is known to (n + 1) u^2 / L1 across. No tip is
+      farther off than 2 r.
+    * Three joints: the yaw is a share too, r 2^(-D/2), of two coordinates, sqrt(2) sqrt(2) u.
     """
     i = p["W"] - 1 - p["F"]
-    g, d = min(p["S"], 2 * p["F"]), paper_share(p)
-    n, left = min(d, 26), min(2 * i + g, 27)
-    cut = 0.0 if g == 2 * p["F"] else 2.0 ** (-g / 2)
-    reach = l1 + l2
-    spreads = (2 * reach + 2 * math.sqrt(2) * l2) * 2.0 ** (-d / 2) + math.sqrt(3) * reach * 2.0 ** (-n / 2)
-    return spreads + 2.0 ** p["F"] * ((2 + 4 * math.sqrt(l2 / l1)) * cut + 2.0 ** ((2 * i - left) / 2))
+    d, n, left, right, u = _paper_words(p)
+    reach, lost = l1 + l2, 2.0 ** (1 - n)
+    spreads = reach * (2 * _turned(2.0**-d) + _turned(lost * (1 + 2.0**-n))) \
+        + l2 * (_turned(lost) + _turned(lost + 2.0**-right))
+    sides = 2.0 ** p["F"] * math.sqrt(2 * (4.0**i * 2.0**-left + 2.0 ** -min(p["S"], 2 * p["F"])))
+    if u and l1:
+        sides += 2 * u * (math.sqrt(2 * joints) + math.sqrt(2 * (joints + 1) * l2 / l1)) + (joints + 1) * u * u / l1
+    if joints == 3:
+        spreads, sides = spreads + reach * _turned(2.0**-d), sides + 2 * u
+    return 2 * reach if u and not l1 else min(float(spreads + sides), 2 * reach)
 
 
-def paper_nearest(p: Params) -> float:
-    """Angle (rad) of joint 1 from the nearest point's, of a target out of reach: both shares and d by 2^-D or less."""
-    return 4 * 2.0 ** (-paper_share(p) / 2)
+def paper_nearest(p: Params, joints: int, r: ArrayLike) -> Floats:
+    """Angle (rad) of joint 1 from the nearest point's, of a target out of reach at distance r (LSB).
+
+    s' is 0, or its complement, off by 2^-left; sa is off by 2^-D and d^2 by 2^(1-N), as in `paper_inverse`; and where
+    G < 2F the target is seen off by sqrt(n) u, which turns it by asin of that over r.
+    """
+    d, n, left, _, u = _paper_words(p)
+    shares = sum(math.asin(math.sqrt(spread)) for spread in (2.0**-d, 2.0**-left, 2.0 ** (1 - n) * (1 + 2.0**-n)))
+    return shares + np.arcsin(np.minimum(math.sqrt(joints) * u / np.maximum(r, 1e-9), 1))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from claims import CLAIMS
 from quadrance import accuracy, bounds, codecs, truth
 from quadrance.cores import Core, all_cores
 
@@ -128,9 +129,8 @@ def test_paths_through_every_border_and_past_the_singular_points(forward: Core, 
             status, reached = words["out_status"], tip_of(angles(inverse, words), l1, l2)
             radius = np.linalg.norm(tip, axis=-1)
             beyond = radius > 256 * (l1 + l2)
-            margin = 256 * (0.5 if inverse.params.get("S") == 8 else 0.01)  # of a quadrance cut to its word
-            assert np.all((status & UNREACHABLE > 0)[radius > 256 * (l1 + l2) + margin])
-            assert not np.any((status & UNREACHABLE)[radius < 256 * (l1 + l2) - margin])
+            must, may = CLAIMS[inverse.family](inverse, round(256 * l1), round(256 * l2)).unreachable(tip.T)
+            assert np.all((status & UNREACHABLE > 0)[must]) and not np.any((status & UNREACHABLE > 0)[~may])
             nearest = tip * np.where(beyond, 256 * (l1 + l2) / np.maximum(radius, 1), 1.0)[:, None]
             undefined = status & SINGULAR > 0
             assert np.all(undefined[radius == 0])

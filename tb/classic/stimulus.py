@@ -6,6 +6,7 @@ import numpy as np
 from quadrance import classic
 from quadrance.cores import Core
 
+from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
 
@@ -20,7 +21,8 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
                  *(tuple(map(int, rng.integers(1, half, 2))) for _ in range(2))]
         derived = [classic.config(core.params, cfg_l1=l1, cfg_l2=l2) for l1, l2 in pairs]
         return [{port.name: words[port.name] for port in core.cfg} for words in derived]
-    lengths = (2 * half - 1, half - 1, int(rng.integers(half // 16, half)), int(rng.integers(half, 2 * half)), 1, 0)
+    lengths = (2 * half - 1, 5 * half // 4, half - 1, int(rng.integers(half // 16, half)),
+               int(rng.integers(half, 2 * half)), 1, 0)
     return [{"cfg_c1": classic.config(core.params, cfg_l1=length)["cfg_c1"]} for length in lengths]
 
 
@@ -63,12 +65,13 @@ def _targets(core: Core, cfg: dict[str, int]) -> Vectors:
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
     if core.function == "fk1":
-        return {"in_j1": _angles(core)}
+        return stimulus.joined({"in_j1": _angles(core)}, stimulus.saturation(core, cfg))
     if core.function in ("fk2", "fk3"):
         order = np.random.default_rng(1)
         joints = np.stack(np.meshgrid(_angles(core), _angles(core)), axis=-1).reshape(-1, 2)
         joints = np.column_stack([joints, order.permutation(np.resize(_angles(core), len(joints)))])
-        return {port.name: joints[:, i] for i, port in enumerate(core.inputs)}
+        eighths = {port.name: joints[:, i] for i, port in enumerate(core.inputs)}
+        return stimulus.joined(eighths, stimulus.saturation(core, cfg))
     if core.function in ("ik2", "ik3"):
         return _targets(core, cfg)
     x, y = (grid.ravel() for grid in np.meshgrid(_coordinates(core), _coordinates(core)))

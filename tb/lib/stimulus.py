@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import importlib
 import itertools
+from functools import cache
 from importlib.util import find_spec
 from types import ModuleType
 
 import numpy as np
 from quadrance.cores import Core, Port
+from quadrance.fixed import wrap
 
 Vectors = dict[str, np.ndarray]
 
@@ -45,13 +47,70 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
 
 
 def uniform(core: Core, rng: np.random.Generator, count: int) -> Vectors:
-    """Random words, and one in four of random length, so that small values occur too."""
+    """Random words, and one in four of random length, so that small values occur too.
+
+    Joint words are short from a border of a quadrant: log-uniform on all eight sides of the four.
+    """
     vectors = {}
     for port in core.inputs:
         words = rng.integers(port.low, port.high, count, endpoint=True, dtype=np.int64)
-        short = words >> rng.integers(0, port.width, count)
+        if port.type:
+            quadrant, length = words >> port.width - 2, rng.integers(0, port.width - 1, count)
+            off = (words & (1 << port.width - 2) - 1) >> length
+            side = -(words & 1)  # -1: below the border, counted from the word before it
+            short = wrap((quadrant << port.width - 2) + (off ^ side), port.width, port.signed)
+        else:
+            short = words >> rng.integers(0, port.width, count)
         vectors[port.name] = np.where(rng.random(count) < 0.25, short, words)
     return vectors
+
+
+def saturation(core: Core, cfg: dict[str, int]) -> Vectors:
+    """Inputs of a forward core at the edge of overflow: the last word inside and the first outside, and the next ones.
+
+    Along joint 1, and along joint 2 where there is one, with the others at random, in eighths of a turn or next to
+    them; no samples where nothing saturates. Both signs of every axis where the links are long enough.
+    """
+    return {name: np.array(words, dtype=np.int64)
+            for name, words in zip((port.name for port in core.inputs), _edges(core, tuple(sorted(cfg.items()))))}
+
+
+@cache
+def _edges(core: Core, cfg: tuple[tuple[str, int], ...]) -> tuple[tuple[int, ...], ...]:
+    """Columns of `saturation`."""
+    lines, steps = 16, 32
+    rng, names = np.random.default_rng(1), [port.name for port in core.inputs]
+
+    def over(rows: np.ndarray) -> np.ndarray:
+        answer = core.model(core.params, **dict(zip(names, rows)), **dict(cfg))
+        return np.broadcast_to(answer["out_status"] & 4 > 0, rows.shape[1:])
+
+    found = []
+    for index, port in list(enumerate(core.inputs))[:2]:
+        bits = port.width
+        still = rng.integers(0, 1 << bits, (len(names), lines))
+        still[:, ::2] = (rng.integers(0, 8, still[:, ::2].shape) << bits - 3) + rng.integers(-2, 3, still[:, ::2].shape)
+        rows = np.repeat(still & (1 << bits) - 1, steps, axis=1)
+        rows[index] = np.tile((np.arange(steps) << bits) // steps, lines) + int(rng.integers(0, (1 << bits) // steps))
+        state = over(rows)
+        toggles = np.flatnonzero((state[:-1] != state[1:]) & (np.arange(1, state.size) % steps != 0))
+        if not toggles.size:
+            continue
+        low, high, first = rows[index, toggles], rows[index, toggles + 1], state[toggles]
+        at = rows[:, toggles]
+        while np.any(high - low > 1):
+            at[index] = low + high >> 1
+            same = over(at) == first
+            low, high = np.where(same, at[index], low), np.where(same, high, at[index])
+        for step in (-1, 0, 1, 2):
+            at[index] = low + step & (1 << bits) - 1
+            found.append(at.copy())
+    return tuple(tuple(column.tolist()) for column in np.concatenate(found, axis=1)) if found else ((),) * len(names)
+
+
+def joined(first: Vectors, second: Vectors) -> Vectors:
+    """The samples of one after those of the other."""
+    return {name: np.concatenate([words, second[name]]) for name, words in first.items()}
 
 
 def exhaustive(core: Core) -> Vectors:

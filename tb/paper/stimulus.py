@@ -19,10 +19,11 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
         near = int(rng.integers(half // 64, half // 32))  # the paper's range, (L1 + L2)^2 < 128; ours is half a word
         unit = 1 << core.params["F"]  # quadrances of a few units: their last bits decide quotients
         pairs = [(half // 2 - 1, half // 2), (3 * near, 2 * near), (near, near), (half - 1, half - 1),
-                 (2 * half - 1, near), (near, 0), (0, near), (2 * unit, 3 * unit // 2)]
+                 (2 * half - 1, near), (near, 2 * half - 1), (half, near), (near, half), (half - 1, near),
+                 (near, half - 1), (near, 0), (0, near), (2 * unit, 3 * unit // 2)]
         return [{"cfg_l1": first, "cfg_l2": second} for first, second in pairs]
     some, long = int(rng.integers(half // 16, half)), int(rng.integers(half, 2 * half))
-    return [{"cfg_l1": length} for length in (2 * half - 1, half, half - 1, some, long, 1, 0)]
+    return [{"cfg_l1": length} for length in (2 * half - 1, 5 * half // 4, half, half - 1, some, long, 1, 0)]
 
 
 def coordinates(core: Core) -> list[int]:
@@ -63,9 +64,10 @@ def targets(core: Core, cfg: dict[str, int]) -> Vectors:
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
     if core.function == "fk1":
-        return {"in_j1": codecs.border_words(core.inputs[0])}
+        return stimulus.joined({"in_j1": codecs.border_words(core.inputs[0])}, stimulus.saturation(core, cfg))
     if core.function in ("fk2", "fk3"):
-        return dict(zip((port.name for port in core.inputs), cells(core)))
+        inside = dict(zip((port.name for port in core.inputs), cells(core)))
+        return stimulus.joined(inside, stimulus.saturation(core, cfg))
     if core.function in ("ik2", "ik3"):
         return targets(core, cfg)
     if core.function in ("root", "quotient", "sign"):

@@ -6,6 +6,7 @@ import numpy as np
 from quadrance import codecs, rational
 from quadrance.cores import Core
 
+from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
 
@@ -69,7 +70,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
-        return {port.name: rng.permutation(codecs.border_words(port)) for port in core.inputs}
+        borders = {port.name: rng.permutation(codecs.border_words(port)) for port in core.inputs}
+        return stimulus.joined(borders, stimulus.saturation(core, cfg))
     if core.function in ("ik2", "ik3"):
         return targets(core, cfg, rng)
     x, y = points(core.params["W"])

@@ -1,0 +1,166 @@
+"""What a kinematic core claims, by family: the bound of every answer, and the exact integers behind its flags.
+
+No tests here. A new family is one more class in `CLAIMS`; `test_truth_of_cores.py` holds every core of rtl/cores.toml
+to it at every parameter set. Targets and tips are (axes, N), lengths and errors in LSB of a coordinate.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from quadrance import bounds, codecs
+from quadrance.cores import Core
+from quadrance.fixed import Ints
+from quadrance.truth import Floats
+
+
+class Claim:
+    """A core at one pair of links."""
+
+    symmetric = False  # saturates at +-(2^(W-1) - 1)
+    words_in_law = False  # the bound of a tip holds for the words, not for the nearest angles that round to them
+
+    def __init__(self, core: Core, l1: int, l2: int) -> None:
+        self.core, self.p, self.l1, self.l2 = core, core.params, l1, l2
+        self.joints = int(core.function[-1])
+
+    # Integers
+
+    def quadrances(self, target: Ints) -> Ints:
+        """Squared coordinates as the core sees them."""
+        return target * target
+
+    def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
+        """Where the flag must be, and where it may be."""
+        q = self.quadrances(target).sum(axis=0)
+        out = (q > (self.l1 + self.l2) ** 2) | (q < (self.l1 - self.l2) ** 2)
+        return out, out
+
+    # Bounds
+
+    def coordinate(self) -> float:
+        """Error of a forward core in one coordinate."""
+        raise NotImplementedError
+
+    def overflow(self, tip: Floats) -> tuple[Ints, Ints]:
+        """Where the flag must be, and where it may be: the rounded coordinate is off by what is not rounding."""
+        high, band = (1 << self.p["W"] - 1) - 1, self.coordinate() - 0.5
+        low = -high if self.symmetric else -high - 1
+        beyond = np.max(np.maximum(tip - (high + 0.5), low - 0.5 - tip), axis=0)
+        return beyond > band, beyond >= -band
+
+    def direction(self, r: Floats) -> Floats:
+        """Angle of ik1 at distance r, rad."""
+        raise NotImplementedError
+
+    def reached(self, target: Ints) -> Floats:
+        """Tip of ik2 and ik3 in reach."""
+        raise NotImplementedError
+
+    def nearest(self, target: Ints) -> Floats:
+        """Tip from the nearest point, where flagged."""
+        raise NotImplementedError
+
+    def folded(self) -> float:
+        """Joint 2 of a target out of reach, LSB from straight or folded."""
+        return 0.0
+
+
+class Rational(Claim):
+    """rtl/rational."""
+
+    def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
+        """Never flagged in reach; always where the quadrance is out by more than `rational_gap`."""
+        q, gap = self.quadrances(target).sum(axis=0), bounds.rational_gap(self.p, self.l1, self.l2)
+        far, near = (self.l1 + self.l2) ** 2, (self.l1 - self.l2) ** 2
+        return (q > far + gap) | (q < near - gap), (q > far) | (q < near)
+
+    def coordinate(self) -> float:
+        if self.joints == 1:
+            return bounds.rational_fk1(self.l1)
+        return bounds.rational_chain(self.p, self.joints, self.l1, self.l2)
+
+    def direction(self, r: Floats) -> Floats:
+        return bounds.RATIONAL_DIRECTION + 0 * r
+
+    def reached(self, target: Ints) -> Floats:
+        if self.joints == 2:
+            return bounds.rational_ik2(self.p, self.l1, self.l2, np.hypot(*target))
+        return bounds.rational_ik3(self.p, self.l1, self.l2, target)
+
+    def nearest(self, target: Ints) -> Floats:
+        return bounds.rational_nearest(self.p, self.l1, self.l2, target)
+
+
+class Classic(Claim):
+    """rtl/classic."""
+
+    words_in_law = True
+
+    def coordinate(self) -> float:
+        if self.joints == 1:
+            return bounds.classic_fk1(self.p, self.l1)
+        return bounds.classic_chain(self.p, self.joints, self.l1, self.l2)
+
+    def direction(self, r: Floats) -> Floats:
+        fixed, slope = bounds.cordic_angle(self.p, 3, False)
+        return (fixed + slope / r) * (2 * np.pi / 2 ** self.p["A"])
+
+    def reached(self, target: Ints) -> Floats:
+        r = np.sqrt((target.astype(float) ** 2).sum(axis=0))
+        return bounds.classic_ik(self.p, self.joints, self.l1, self.l2, r)
+
+    nearest = reached
+
+    def folded(self) -> float:
+        return bounds.classic_elbow(self.p, self.joints, self.l1, self.l2)
+
+
+class Paper(Claim):
+    """rtl/paper."""
+
+    symmetric = True
+
+    def quadrances(self, target: Ints) -> Ints:
+        return target * target >> max(2 * self.p["F"] - self.p["S"], 0)
+
+    def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
+        """|q3 - Q1 - Q2| > 2 L1 L2, each of them cut to G bits: exactly there."""
+        q, (q1, q2) = self.quadrances(target).sum(axis=0), self.quadrances(np.array([self.l1, self.l2]))
+        out = np.abs(q - q1 - q2) > 2 * self.l1 * self.l2 >> max(2 * self.p["F"] - self.p["S"], 0)
+        return out, out
+
+    def coordinate(self) -> float:
+        return 0.5 if self.joints == 1 else bounds.paper_forward(self.p, self.joints, self.l1, self.l2)
+
+    def overflow(self, tip: Floats) -> tuple[Ints, Ints]:
+        """One joint: where the coordinate rounds out of the word. More: where the tip is at 2^I units or beyond."""
+        if self.joints == 1:
+            return super().overflow(tip)
+        full, band = 1 << self.p["W"] - 1, bounds.paper_reach(self.p)
+        reach = np.sqrt((tip * tip).sum(axis=0))
+        return reach > full + band, reach >= full - 0.5 - band
+
+    def direction(self, r: Floats) -> Floats:
+        return 1e-9 + 0 * r  # float64, at a border of a quadrant
+
+    def reached(self, target: Ints) -> Floats:
+        return bounds.paper_inverse(self.p, self.joints, self.l1, self.l2) + np.zeros(target.shape[1])
+
+    def nearest(self, target: Ints) -> Floats:
+        r = np.sqrt((target.astype(float) ** 2).sum(axis=0))
+        radius = np.where(r > self.l1 + self.l2, self.l1 + self.l2, abs(self.l1 - self.l2))
+        u = 2.0 ** (self.p["F"] - min(self.p["S"], 2 * self.p["F"]) / 2)
+        far = np.hypot(*target[:2].astype(float))
+        yaw = bounds._turned(2.0 ** -bounds.paper_share(self.p)) + 2 * u / np.maximum(far, 1) if self.joints == 3 else 0
+        return np.minimum(radius * (bounds.paper_nearest(self.p, self.joints, r) + yaw), 2 * radius) + 1e-6
+
+
+CLAIMS: dict[str, type[Claim]] = {"rational": Rational, "classic": Classic, "paper": Paper}
+
+
+def angles(claim: Claim, answer: dict[str, Ints], exact: list[Floats]) -> list[Floats]:
+    """Joint angles that the bound is about: of the words, or the nearest to the exact ones that round to them."""
+    ports = [port for port in claim.core.outputs if port.type]
+    if claim.words_in_law:
+        return [codecs.decode(port, answer[port.name]) for port in ports]
+    return [codecs.within_cell(port, answer[port.name], np.nan_to_num(theta)) for port, theta in zip(ports, exact)]
