@@ -1,12 +1,14 @@
-"""Joint words: what a word of each port type means, and the bit-true models of rtl/codec.
+"""Joint words: what the words of each port type mean, and the bit-true models of rtl/codec.
 
-A joint port has a type (`rtl/cores.toml`). Encoding, decoding and the error of rounding to a word follow the type, here
-and nowhere else: a new type is one more pair of functions in `CODINGS`.
+A joint has one port, or two: cosine and sine of a vector. Its type (`rtl/cores.toml`) says how its words are encoded
+and decoded and what rounding to them costs, here and nowhere else. Words go in and out by the names of the ports, as
+they do in the models of the cores.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping
 from functools import cache
 from math import isqrt
 
@@ -14,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance import fixed, truth
-from quadrance.cores import Port
+from quadrance.cores import Joint
 from quadrance.fixed import Ints, ints
 from quadrance.truth import Floats, floats
 
@@ -22,73 +24,145 @@ Params = dict[str, int]
 
 # Joint words by port type: what a word stands for, in float64
 
+QUARTER = truth.TURN / 4
+
+
+def _vector_place(theta: Floats, width: int) -> Floats:
+    border = np.rint(theta / QUARTER)
+    return 2.0 ** (width - 1) * border + 2.0 ** (width - 2) * np.tan(theta - border * QUARTER)
+
+
+def _vector_at(place: Floats, width: int) -> Floats:
+    border = np.rint(place / 2.0 ** (width - 1))
+    off = np.arctan((place - 2.0 ** (width - 1) * border) / 2.0 ** (width - 2))
+    return np.mod(border * QUARTER + off, truth.TURN)
+
+
 Coding = tuple[Callable[[Floats, int], Floats], Callable[[Floats, int], Floats]]
-# type: (word of an angle as a real number of LSB, angle of such a number); both take the width of the port
+# type: (place of an angle, angle of a place); both take the width of the port. A place is a real number that grows with
+# the angle. Of a type of one word it is the word before rounding; of a vector it is where the direction leaves the
+# square |c|, |n| <= 1, in LSB along its sides, from (1, 0) on: n beside the x axis, -c beside the y axis.
 CODINGS: dict[str, Coding] = {
     "spread": (lambda theta, width: truth.angle_to_spread(theta, width - 2),
                lambda word, width: truth.spread_word_to_angle(word, width - 2)),
     "angle": (lambda theta, width: theta * (2.0**width / truth.TURN), truth.binary_word_to_angle),
+    "vector": (_vector_place, _vector_at),
 }
 
 
-def _coding(port: Port) -> Coding:
-    if port.type not in CODINGS:
+def _coding(joint: Joint) -> Coding:
+    if (port := joint[0]).type not in CODINGS:
         raise ValueError(f"{port.name}: a port of type {port.type} is no joint word; types are {', '.join(CODINGS)}")
     return CODINGS[port.type]
 
 
-def exact(port: Port, theta: ArrayLike) -> Floats:
-    """Joint words of angles (radians) before rounding: real numbers of LSB, modulo a full turn."""
-    word, _ = _coding(port)
-    return word(floats(theta), port.width)
+def place(joint: Joint, theta: ArrayLike) -> Floats:
+    """Places of angles (radians), real numbers modulo four `quadrant`; of a type of one word, the word unrounded."""
+    return _coding(joint)[0](floats(theta), joint[0].width)
 
 
-def encode(port: Port, theta: ArrayLike) -> Ints:
+def at(joint: Joint, place: ArrayLike) -> Floats:
+    """Angles (radians, in [0, 2 pi)) of places; the shape is kept."""
+    return _coding(joint)[1](floats(place), joint[0].width)
+
+
+def quadrant(joint: Joint) -> int:
+    """Places from one quadrant border to the next."""
+    return 1 << joint[0].width - (1 if len(joint) == 2 else 2)
+
+
+def encode(joint: Joint, theta: ArrayLike) -> dict[str, Ints]:
     """Joint words nearest to angles.
 
     Parameters
     ----------
-    port : Port
-        Of a joint type; a full turn is 2^width words in every type, a quadrant border every 2^(width - 2).
+    joint : Joint
     theta : float array
         Radians, any turn.
 
     Returns
     -------
-    int64 array of that shape
-        Words of the port, signed where it is; error at most `half_step` radians.
+    int64 arrays of that shape by port name
+        Words of the ports, signed where they are; error at most `half_step` radians.
     """
-    return fixed.wrap(np.floor(exact(port, theta) + 0.5), port.width, port.signed)
+    if len(joint) == 1:
+        return words_at(joint, np.floor(place(joint, theta) + 0.5))
+    one = 2.0 ** (joint[0].width - 2)
+    return {port.name: np.floor(one * part + 0.5).astype(np.int64) for port, part in zip(joint, truth.unit(theta))}
 
 
-def decode(port: Port, word: ArrayLike) -> Floats:
-    """Angles (radians, in [0, 2 pi)) of joint words, or of real numbers of their LSB; the shape is kept."""
-    _, angle = _coding(port)
-    return angle(floats(word), port.width)
+def words_at(joint: Joint, place: ArrayLike) -> dict[str, Ints]:
+    """Joint words nearest to whole places, by port name."""
+    if len(joint) == 2:
+        return encode(joint, at(joint, place))
+    return {port.name: fixed.wrap(place, port.width, port.signed) for port in joint}
 
 
-def within_cell(port: Port, word: ArrayLike, theta: ArrayLike) -> Floats:
-    """The angle nearest to `theta` (in words) among those that round to `word`: what of an answer is not rounding."""
-    turn = 2.0**port.width
-    off = np.mod(exact(port, theta) - word + turn / 2, turn) - turn / 2
-    return decode(port, word + np.clip(off, -0.5, 0.5))
+def decode(joint: Joint, words: Mapping[str, ArrayLike]) -> Floats:
+    """Angles (radians, in [0, 2 pi)) of joint words by port name, or of real numbers of their LSB; the shape is kept.
 
-
-def half_step(port: Port) -> float:
-    """The most that rounding to a word of this port turns a joint, in radians.
-
-    Half an LSB beside a quadrant border, where each type is as coarse as it gets: asin 2^(-(S + 1) / 2) of a
-    turn-spread, whose sin^2 is flat there (0.0099 degrees at S = 24), pi / 2^A of a binary angle, everywhere.
+    A vector may have any length.
     """
-    return float(decode(port, 0.5))
+    if len(joint) == 1:
+        return at(joint, words[joint[0].name])
+    c, n = (floats(words[port.name]) for port in joint)
+    return np.mod(np.arctan2(n, c), truth.TURN)
 
 
-def border_words(port: Port) -> Ints:
+def within_cell(joint: Joint, words: Mapping[str, ArrayLike], theta: ArrayLike) -> Floats:
+    """The angle nearest to `theta` (in words) among those that round to these words: what of an answer is not rounding.
+
+    A vector rounds half an LSB in each coordinate, whatever its length: it stands for all directions of its cell.
+    """
+    if len(joint) == 1:
+        turn, word = 4.0 * quadrant(joint), floats(words[joint[0].name])
+        off = np.mod(place(joint, theta) - word + turn / 2, turn) - turn / 2
+        return at(joint, word + np.clip(off, -0.5, 0.5))
+    c, n = (floats(words[port.name]) for port in joint)
+    centre = np.arctan2(n, c)
+    corners = [truth.difference(np.arctan2(n + dn, c + dc), centre) for dc in (-0.5, 0.5) for dn in (-0.5, 0.5)]
+    off = np.clip(truth.difference(theta, centre), np.min(corners, axis=0), np.max(corners, axis=0))
+    return np.mod(centre + off, truth.TURN)
+
+
+def half_step(joint: Joint) -> float:
+    """The most that rounding to words of this joint turns it, in radians.
+
+    Half an LSB beside a quadrant border, where a type of one word is as coarse as it gets: asin 2^(-(S + 1) / 2) of a
+    turn-spread, whose sin^2 is flat there (0.0099 degrees at S = 24), pi / 2^A of a binary angle, everywhere. A vector
+    loses half an LSB of both coordinates on the diagonals: asin (sqrt(1/2) 2^-U), 0.0006 degrees at U = 16.
+    """
+    return math.asin(math.sqrt(0.5) / 2.0 ** (joint[0].width - 2)) if len(joint) == 2 else float(at(joint, 0.5))
+
+
+def coarsest(joint: Joint, off: Floats) -> Floats:
+    """Places `off` of an LSB before and behind those words whose rounding turns the joint most; off < 1/2.
+
+    Every quadrant border; of a vector beside each diagonal a word (a, b) of nearly unit length, (a + off, b - off) and
+    (a - off, b + off).
+    """
+    if len(joint) == 1:
+        borders = (np.arange(4.0) * quadrant(joint))[:, None]
+        return np.concatenate([borders - off, borders + off], axis=None)
+    one = 2.0 ** (joint[0].width - 2)
+    a = np.rint(one * math.sqrt(0.5)) + np.arange(-int(one) // 16, int(one) // 16 + 1)
+    b = np.rint(np.sqrt(one**2 - (a + 0.5) ** 2) + 0.5)
+    gap = np.abs(np.hypot(a + 0.5, b - 0.5) - one)
+    best = np.argmin(gap)
+    off = np.minimum(off, 0.5 - gap[best])
+    clockwise = np.arctan2(b[best] - off, a[best] + off)
+    turns = (np.arange(4) * QUARTER)[:, None]
+    return np.mod(place(joint, np.concatenate([turns + clockwise, turns + QUARTER - clockwise], axis=None)),
+                  4.0 * quadrant(joint))
+
+
+def border_words(joint: Joint) -> dict[str, Ints]:
     """Words at every quadrant border, every power of two before and behind it, and two neighbours either way."""
-    steps = np.array([0, *(1 << i for i in range(port.width - 1))])
+    border = quadrant(joint)
+    steps = np.array([0, *(1 << i for i in range(border.bit_length()))])
     near = np.concatenate([steps, -steps])[:, None] + np.arange(-2, 3)
-    words = (np.arange(4)[:, None] << port.width - 2) + near.ravel()
-    return np.unique(fixed.wrap(words, port.width, port.signed))
+    places = np.unique((np.arange(4)[:, None] * border + near.ravel()) % (4 * border))
+    return words_at(joint, places)
 
 
 # Bit-true models of rtl/codec

@@ -16,7 +16,8 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 RTL = ROOT / "rtl"
 STATUS_BITS = {"unreachable": 0, "singular": 1, "overflow": 2, "not_converged": 3}
 FAMILIES = ("arith", "codec", "cordic", "vector", "table", "rational", "classic", "paper", "engine")
-TYPES = {"spread": 2, "angle": 0}  # of joint words: bits that a word has beside those of its parameter
+# Joint words by type: the letters of their ports, bits of a word beside those of its parameter, two's complement or not
+TYPES = {"spread": ("j", 2, False), "angle": ("j", 0, False), "vector": ("cn", 2, True)}
 PORTS = ("cfg", "in", "out")
 FUNCTION_KEYS = {"model", *PORTS, "status"}
 CORE_KEYS = {"architecture", "latency", "ii", "illegal", "sets"}
@@ -26,7 +27,8 @@ CORE_KEYS = {"architecture", "latency", "ii", "illegal", "sets"}
 class Port:
     """One data port: its Verilog name, width in bits, whether it is two's complement, and the type of a joint word.
 
-    type : "spread" (turn-spread), "angle" (binary angle), or None for a plain word; `quadrance.codecs` reads them.
+    type : "spread" (turn-spread), "angle" (binary angle), "vector" (cosine or sine of a unit vector), or None for a
+    plain word; `quadrance.codecs` reads them.
     """
 
     name: str
@@ -43,6 +45,9 @@ class Port:
     def high(self) -> int:
         """Largest value the port can carry."""
         return (1 << self.width - self.signed) - 1
+
+
+Joint = tuple[Port, ...]  # the ports of one joint word: one, or the cosine's and the sine's of a vector
 
 
 @dataclass(frozen=True)
@@ -144,19 +149,36 @@ def formula(text: str | int, params: dict[str, int], where: str) -> int:
 # Entries
 
 
-def _port(kind: str, name: str, spec: str, params: dict[str, int], where: str) -> Port:
-    """The port that `spec` describes: ``sW`` or ``u2*W+2`` (plain), ``spread S`` or ``angle A`` (joint words)."""
+def _ports(kind: str, name: str, spec: str, params: dict[str, int], where: str) -> Joint:
+    """The ports that `spec` describes: ``sW`` or ``u2*W+2`` (plain), ``spread S``, ``angle A``, ``vector U`` (joints).
+
+    A vector takes two ports, a letter each in place of the j of its name: c1 and n1 for j1.
+    """
     where = f"{where}: {kind}.{name}"
     plain, joint = re.fullmatch(r"([us])(\S.*)", spec), re.fullmatch(r"(\w+) +(\S.*)", spec)
+    names = [name]
     if joint and joint[1] in TYPES:
-        width, signed, of = formula(joint[2], params, where) + TYPES[joint[1]], False, joint[1]
+        letters, more, signed = TYPES[joint[1]]
+        width, of = formula(joint[2], params, where) + more, joint[1]
+        if len(letters) > 1:
+            if name[0] != "j":
+                raise ValueError(f"{where}: the name of a joint of two ports begins with j")
+            names = [letter + name[1:] for letter in letters]
     elif plain:
         width, signed, of = formula(plain[2], params, where), plain[1] == "s", None
     else:
         raise ValueError(f"{where}: '{spec}' is neither u or s and a width nor one of {', '.join(TYPES)} and its bits")
     if width < 1:
         raise ValueError(f"{where}: the width of '{spec}' is {width} at {params}")
-    return Port(f"{kind}_{name}", width, signed, of)
+    return tuple(Port(f"{kind}_{one}", width, signed, of) for one in names)
+
+
+def joints(ports: tuple[Port, ...]) -> tuple[Joint, ...]:
+    """The joints among `ports`, in their order; the ports of one joint stand side by side."""
+    words, found = iter([port for port in ports if port.type]), []
+    for port in words:
+        found.append((port, *(next(words) for _ in TYPES[port.type][0][1:])))
+    return tuple(found)
 
 
 def _check_keys(where: str, entry: dict, known: set[str], wanted: set[str]) -> None:
@@ -198,8 +220,8 @@ def expand(family: str, function: str, shared: dict, name: str, own: dict,
         raise ValueError(f"{where}: status: unknown bit {sorted(unknown)[0]}")
     cores = []
     for set_id, params in own["sets"].items():
-        ports = {kind: tuple(_port(kind, key, spec, params, where) for key, spec in shared.get(kind, {}).items())
-                 for kind in PORTS}
+        ports = {kind: tuple(port for key, spec in shared.get(kind, {}).items()
+                             for port in _ports(kind, key, spec, params, where)) for kind in PORTS}
         if status is not None:
             ports["out"] += (Port("out_status", 4, False),)
         latency = formula(own["latency"], params, f"{where}: latency")

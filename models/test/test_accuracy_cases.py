@@ -52,7 +52,7 @@ def test_the_worst_word_of_rational_fk2_is_found():
     """Both joints half a word from a border of the stretched arm: asin 2^-12.5 of 60 and of 27.5 units, 0.151 mm."""
     one = cores.find("rational_fk2-S24")
     found = worst(one)
-    half = codecs.half_step(one.inputs[0])
+    half = codecs.half_step(one.inputs[:1])
     assert half == pytest.approx(2**-12.5, rel=1e-6)
     assert 3.8 < found.quantisation.max() < 4.0
     assert found.quantisation.max() == pytest.approx(256 * half * (60 + 27.5), rel=1e-3)
@@ -85,32 +85,32 @@ def test_the_workspace_is_within_the_limits_and_rounding_never_beyond_half_a_wor
         arm = arms.load(name)
         case = accuracy.workspace_case(one, arm, 3000, np.random.default_rng(2))
         assert case.angles.shape == (3000, accuracy.JOINTS[function]) and case.tip.shape == (3000, 3)
-        for theta, limit, port in zip(case.angles.T, (*arm.limits, (-180, 180)), joint_ports(one)):
+        for theta, limit, joint in zip(case.angles.T, (*arm.limits, (-180, 180)), joint_ports(one)):
             low, high = np.radians(limit)
             assert theta.min() >= low and theta.max() <= high and np.ptp(theta) > 0.8 * min(high - low, truth.TURN)
-            off = np.abs(truth.difference(codecs.decode(port, codecs.encode(port, theta)), theta))
-            assert off.max() <= codecs.half_step(port) * (1 + 1e-6)
+            off = np.abs(truth.difference(codecs.decode(joint, codecs.encode(joint, theta)), theta))
+            assert off.max() <= codecs.half_step(joint) * (1 + 1e-6)
         found = accuracy.errors(one, arm, case, ideal(one, case))
         if function.startswith("fk"):  # every joint half a word off, on the longest lever
             l1, l2 = (256 * length for length in arm.links)
             lever = {"fk1": l1, "fk2": l1 + 2 * l2, "fk3": 2 * l1 + 3 * l2}[function]
-            assert found.quantisation.max() <= codecs.half_step(port) * lever + 0.5 * accuracy.JOINTS[function]
+            assert found.quantisation.max() <= codecs.half_step(joint) * lever + 0.5 * accuracy.JOINTS[function]
 
 
 @pytest.mark.parametrize("joint", JOINT)
 def test_the_workspace_reaches_every_border_at_every_scale_on_both_sides(joint):
     one = core("fk3", joint)
     case = accuracy.workspace_case(one, arms.load("ur5"), 20_000, np.random.default_rng(3))
-    for i, port in enumerate(one.inputs):
-        quadrant = 2.0 ** (port.width - 2)
-        word = codecs.exact(port, case.angles[:, i])
-        border = np.rint(word / quadrant)
-        off = word - border * quadrant
+    for i, word in enumerate(joint_ports(one)):
+        quadrant = codecs.quadrant(word)
+        place = codecs.place(word, case.angles[:, i])
+        border = np.rint(place / quadrant)
+        off = place - border * quadrant
         for k in range(4):
             for side in (-1, 1):
                 scales = np.log2(np.maximum(off * side, 2.0**-5))[border % 4 == k]
                 seen = set(np.floor(scales[scales > -5]).astype(int).tolist())
-                assert set(range(-4, port.width - 3)) <= seen, (joint, i, k, side)
+                assert set(range(-4, quadrant.bit_length() - 2)) <= seen, (joint, i, k, side)
     elbow = np.abs(np.sin(case.angles[:, 1]))
     assert np.mean(elbow < 1e-3) > 0.05 and np.mean(elbow > 0.1) > 0.2
 
@@ -118,7 +118,8 @@ def test_the_workspace_reaches_every_border_at_every_scale_on_both_sides(joint):
 def test_the_workspace_starts_with_every_combination_of_border_cells():
     one = core("fk2")
     case = accuracy.workspace_case(one, arms.load("ur5"), 1000, np.random.default_rng(4))
-    words = np.stack([codecs.exact(port, theta) for port, theta in zip(one.inputs, case.angles.T)], axis=-1)[:64]
+    words = [codecs.place(joint, theta) for joint, theta in zip(joint_ports(one), case.angles.T)]
+    words = np.stack(words, axis=-1)[:64]
     near = np.rint(np.mod(words, 1 << 26) * 4)  # quarters of an LSB
     assert len({tuple(row) for row in near.tolist()}) == 64
     assert {float(off) for off in np.abs(np.mod(words + (1 << 23), 1 << 24) - (1 << 23)).ravel().round(2)} == {0.5}

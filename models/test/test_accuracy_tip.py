@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from quadrance import accuracy, arms, codecs
 from quadrance.accuracy.cases import case_of
-from quadrance.cores import Core
+from quadrance.cores import Core, joints
 
 from models.test.specimen import JOINT, PORTS, core, ideal
 
@@ -40,9 +40,8 @@ def test_errors_are_what_was_put_in(function, joint):
         answer["out_y"] = answer["out_y"] + 7
         expected = 7
     else:  # the base joint moved by a milliradian moves the tip by its distance from that joint
-        port = one.outputs[-1 if function == "ik3" else 0]
-        angle = codecs.decode(port, answer[port.name])
-        answer[port.name] = codecs.encode(port, angle + 1e-3)
+        base = joints(one.outputs)[-1 if function == "ik3" else 0]
+        answer |= codecs.encode(base, codecs.decode(base, answer) + 1e-3)
         expected = np.hypot(case.tip[:, 0], case.tip[:, 1]) * 1e-3 * 256
     found = accuracy.errors(one, ARM, case, answer)
     assert found.arithmetic == pytest.approx(np.broadcast_to(expected, 1000), abs=1)
@@ -54,14 +53,14 @@ def test_errors_are_what_was_put_in(function, joint):
 
 @JOINTS
 def test_resolution_of_the_words_is_not_arithmetic_error(joint):
-    """Eight spread bits (the paper's) or eight angle bits cost much, and all of it counts as words."""
-    one = core("fk1", joint, S=8, A=8)
+    """Eight bits of spread (the paper's), angle or vector cost much, and all of it counts as words."""
+    one = core("fk1", joint, S=8, A=8, U=8)
     case = accuracy.trajectory_case(one, ARM)
     found = accuracy.errors(one, ARM, case, ideal(one, case))
     assert found.arithmetic.max() < 0.71
-    step = np.radians(2.54) if joint == "spread" else np.pi / 256
+    step = {"spread": np.radians(2.54), "angle": np.pi / 256, "vector": np.sqrt(0.5) / 255}[joint]
     assert 0.5 * step < found.quantisation.max() / (32.5 * 256) <= step * 1.01
-    assert codecs.half_step(one.inputs[0]) <= step
+    assert codecs.half_step(one.inputs[:1]) <= step
 
 
 @JOINTS
@@ -70,10 +69,13 @@ def test_a_word_off_by_one_is_an_error(function, joint):
     one = core(function, joint)
     case = accuracy.trajectory_case(one, ARM)
     answer = ideal(one, case)
-    port = one.outputs[0]
-    turn = 1 << port.width
-    off = accuracy.errors(one, ARM, case, {**answer, port.name: (answer[port.name] + 1) % turn}).arithmetic
-    far = accuracy.errors(one, ARM, case, {**answer, port.name: (answer[port.name] + 3) % turn}).arithmetic
+    if joint == "vector":
+        off, far = ({**answer, "out_c1": answer["out_c1"] - k * np.sign(answer["out_n1"]),
+                     "out_n1": answer["out_n1"] + k * np.sign(answer["out_c1"])} for k in (1, 3))
+    else:
+        port = one.outputs[0]
+        off, far = ({**answer, port.name: (answer[port.name] + k) % (1 << port.width)} for k in (1, 3))
+    off, far = (accuracy.errors(one, ARM, case, wrong).arithmetic for wrong in (off, far))
     assert np.median(off) > 0 and np.all(far > off)
 
 

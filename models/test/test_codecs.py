@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from quadrance import bounds, codecs, truth
+from quadrance import bounds, codecs, cores, truth
 from quadrance.cores import Port
 
 
@@ -17,81 +17,144 @@ def _sweep(s: int, count: int = 20000) -> np.ndarray:
     return np.unique(np.concatenate([near, rest]) % (4 << s))
 
 
-PORTS = [Port("in_j1", width, signed, of) for of, width, signed in (
+WORDS = [(Port("in_j1", width, signed, of),) for of, width, signed in (
     ("spread", 26, False), ("spread", 10, False), ("spread", 32, False), ("angle", 16, False), ("angle", 10, False),
     ("angle", 16, True))]
-ANY_PORT = pytest.mark.parametrize("port", PORTS, ids=lambda port: f"{port.type}{port.width}{'s' * port.signed}")
+VECTORS = [tuple(Port(f"in_{letter}1", u + 2, True, "vector") for letter in "cn") for u in (16, 10)]
 
 
-@ANY_PORT
-def test_a_word_means_the_angle_it_was_made_of(port):
+def _id(joint: cores.Joint) -> str:
+    return f"{joint[0].type}{joint[0].width}{'s' * joint[0].signed}"
+
+
+ANY_WORD = pytest.mark.parametrize("joint", WORDS, ids=_id)
+ANY_VECTOR = pytest.mark.parametrize("joint", VECTORS, ids=_id)
+ANY_JOINT = pytest.mark.parametrize("joint", WORDS + VECTORS, ids=_id)
+
+
+@ANY_JOINT
+def test_a_word_means_the_angle_it_was_made_of(joint):
     theta = np.append(np.random.default_rng(6).uniform(-10, 10, 5000), np.arange(-8, 9) * np.pi / 4)
-    word = codecs.encode(port, theta)
-    assert word.min() >= port.low and word.max() <= port.high
-    assert np.abs(truth.difference(codecs.decode(port, word), theta)).max() <= codecs.half_step(port) + 1e-9
+    words = codecs.encode(joint, theta)
+    assert list(words) == [port.name for port in joint]
+    for port in joint:
+        assert words[port.name].min() >= port.low and words[port.name].max() <= port.high
+    assert np.abs(truth.difference(codecs.decode(joint, words), theta)).max() <= codecs.half_step(joint) + 1e-9
+
+
+@ANY_WORD
+def test_every_word_is_that_of_its_angle(joint):
+    port = joint[0]
     every = np.random.default_rng(7).integers(port.low, port.high, 5000, endpoint=True)
     if port.width < 30:  # a float64 angle beside a border is not fine enough for every word of more
-        assert np.array_equal(codecs.encode(port, codecs.decode(port, every)), every)
+        assert np.array_equal(codecs.encode(joint, codecs.decode(joint, {port.name: every}))[port.name], every)
+    assert np.array_equal(codecs.words_at(joint, every)[port.name], every)
 
 
-@ANY_PORT
-def test_words_rise_with_the_angle_and_meet_the_axes(port):
-    angle = codecs.decode(port, np.arange(1 << min(port.width, 16)) * 2.0 ** (port.width - min(port.width, 16)))
+@ANY_JOINT
+def test_places_rise_with_the_angle_and_meet_the_axes(joint):
+    turn = 4 * codecs.quadrant(joint)
+    places = np.arange(1 << 16) * (turn / 2.0**16)
+    angle = codecs.at(joint, places)
     assert angle[0] == 0 and np.all(np.diff(angle) > 0) and angle[-1] < truth.TURN
-    quadrant = 1 << port.width - 2
-    assert codecs.encode(port, np.arange(4) * np.pi / 2).tolist() \
+    off = codecs.place(joint, angle) - places
+    assert np.abs(np.mod(off + turn / 2, turn) - turn / 2).max() < (0.1 if joint[0].width > 30 else 1e-3)
+
+
+@ANY_WORD
+def test_words_meet_the_axes(joint):
+    port = joint[0]
+    quadrant = codecs.quadrant(joint)
+    assert codecs.encode(joint, np.arange(4) * np.pi / 2)[port.name].tolist() \
         == [k * quadrant if not port.signed or k < 2 else (k - 4) * quadrant for k in range(4)]
 
 
-@ANY_PORT
-def test_a_cell_ends_half_an_lsb_from_its_word(port):
-    word = np.array([(1 << port.width) // 8])
-    theta = codecs.decode(port, word)
+@ANY_VECTOR
+def test_vectors_are_rounded_coordinate_by_coordinate(joint):
+    one = 1 << joint[0].width - 2
+    words = codecs.encode(joint, np.append(np.arange(4) * np.pi / 2, np.pi / 6))
+    assert words["in_c1"].tolist() == [one, 0, -one, 0, round(one * 0.75**0.5)]
+    assert words["in_n1"].tolist() == [0, one, 0, -one, one // 2]
+
+
+@ANY_WORD
+def test_a_cell_ends_half_an_lsb_from_its_word(joint):
+    word = np.array([(1 << joint[0].width) // 8])
+    theta = codecs.at(joint, word)
     for off in (-3, 2):
-        border = codecs.decode(port, word + off - 0.5 * np.sign(off))
-        assert codecs.within_cell(port, word + off, theta) == pytest.approx(border, abs=1e-12)
+        border = codecs.at(joint, word + off - 0.5 * np.sign(off))
+        assert codecs.within_cell(joint, {"in_j1": word + off}, theta) == pytest.approx(border, abs=1e-12)
 
 
-@ANY_PORT
-def test_a_tie_is_no_error(port):
+@ANY_VECTOR
+def test_a_cell_of_a_vector_is_what_rounds_to_it(joint):
+    """Angles in the cell stay what they are; any other comes to an end of the cell, a corner of the square."""
+    rng = np.random.default_rng(8)
+    theta = rng.uniform(0, truth.TURN, 3000)
+    words = codecs.encode(joint, theta)
+    assert codecs.within_cell(joint, words, theta) == pytest.approx(theta, abs=1e-12)
+    far = theta + rng.choice([-1, 1], 3000) * 8 * codecs.half_step(joint)
+    ends = codecs.within_cell(joint, words, far)
+    c, n = (words[port.name] / 2.0 ** (port.width - 2) for port in joint)
+    side = np.sign(truth.difference(far, theta))
+    turn = (np.abs(c) + np.abs(n)) / 2.0 ** (joint[0].width - 1)  # half an LSB of both coordinates, across
+    off = side * truth.difference(ends, codecs.decode(joint, words))
+    assert off == pytest.approx(turn, rel=2.0 ** (4 - joint[0].width))
+
+
+@ANY_WORD
+def test_a_tie_is_no_error(joint):
     """The word before the true one, at a direction just past their common border: nearly no error."""
-    turn = 1 << port.width
-    theta = codecs.decode(port, np.array([turn // 8 + 0.5 + 1e-4]))
-    before, after = (codecs.within_cell(port, np.array([turn // 8 + i]), theta) for i in (0, 1))
+    turn = 1 << joint[0].width
+    theta = codecs.at(joint, np.array([turn // 8 + 0.5 + 1e-4]))
+    before, after = (codecs.within_cell(joint, {"in_j1": np.array([turn // 8 + i])}, theta) for i in (0, 1))
     assert abs(before - theta) < 1e-4 * truth.TURN / turn * 8 and after == pytest.approx(theta, abs=1e-12)
 
 
-@ANY_PORT
-def test_cells_wrap_round_the_full_turn(port):
+@ANY_WORD
+def test_cells_wrap_round_the_full_turn(joint):
+    port = joint[0]
     for theta in (1e-5, -1e-5):
-        at = codecs.within_cell(port, np.array([0]), np.array([theta]))
-        assert abs(truth.difference(at, theta)) <= max(1e-5 - codecs.half_step(port), 0) + 1e-9
-    last = codecs.within_cell(port, np.array([-1 if port.signed else (1 << port.width) - 1]), np.array([0.0]))
-    assert abs(truth.difference(last, 0)) <= codecs.half_step(port) * (1 + 1e-9)
+        at = codecs.within_cell(joint, {"in_j1": np.array([0])}, np.array([theta]))
+        assert abs(truth.difference(at, theta)) <= max(1e-5 - codecs.half_step(joint), 0) + 1e-9
+    last = {"in_j1": np.array([-1 if port.signed else (1 << port.width) - 1])}
+    assert abs(truth.difference(codecs.within_cell(joint, last, np.array([0.0])), 0)) \
+        <= codecs.half_step(joint) * (1 + 1e-9)
 
 
 def test_half_a_step_is_what_the_pages_say():
-    assert np.degrees(codecs.half_step(PORTS[0])) == pytest.approx(0.0099, abs=5e-5)
-    assert codecs.half_step(PORTS[3]) == pytest.approx(np.pi / 65536)
+    assert np.degrees(codecs.half_step(WORDS[0])) == pytest.approx(0.0099, abs=5e-5)
+    assert codecs.half_step(WORDS[3]) == pytest.approx(np.pi / 65536)
+    assert np.degrees(codecs.half_step(VECTORS[0])) == pytest.approx(0.00062, abs=5e-6)
+
+
+@ANY_JOINT
+def test_the_coarsest_words_lose_half_a_step(joint):
+    theta = codecs.at(joint, codecs.coarsest(joint, np.array([0.5 - 2.0**-12])))
+    turned = np.abs(truth.difference(codecs.decode(joint, codecs.encode(joint, theta)), theta))
+    assert theta.size == 8 and turned.min() > 0.98 * codecs.half_step(joint)
 
 
 def test_signed_angles_are_words_of_their_port():
-    port = Port("in_j1", 16, True, "angle")
-    assert codecs.encode(port, np.array([-np.pi / 2, 3 * np.pi / 2])).tolist() == [-16384, -16384]
-    assert codecs.decode(port, np.array([-16384])) == pytest.approx(3 * np.pi / 2)
+    joint = (Port("in_j1", 16, True, "angle"),)
+    assert codecs.encode(joint, np.array([-np.pi / 2, 3 * np.pi / 2]))["in_j1"].tolist() == [-16384, -16384]
+    assert codecs.decode(joint, {"in_j1": np.array([-16384])}) == pytest.approx(3 * np.pi / 2)
 
 
 def test_a_plain_word_is_no_joint():
-    with pytest.raises(ValueError, match="in_x: a port of type None is no joint word; types are spread, angle"):
-        codecs.encode(Port("in_x", 16, True), 0.0)
+    with pytest.raises(ValueError, match="in_x: a port of type None is no joint word; types are spread, angle, vector"):
+        codecs.encode((Port("in_x", 16, True),), 0.0)
 
 
-@ANY_PORT
-def test_border_words_are_about_every_border(port):
-    words = set(codecs.border_words(port).tolist())
+@ANY_JOINT
+def test_border_words_are_about_every_border(joint):
+    words = codecs.border_words(joint)
+    found = set(zip(*(words[port.name].tolist() for port in joint)))
+    quadrant = codecs.quadrant(joint)
     for k in range(4):
-        for step in (0, 1, -1, 2, -2, 1 << port.width - 4, -(1 << port.width - 4), 1 << port.width - 3):
-            assert int(codecs.fixed.wrap((k << port.width - 2) + step, port.width, port.signed)) in words
+        for step in (0, 1, -1, 2, -2, quadrant // 4, -(quadrant // 4), quadrant // 2):
+            at = codecs.words_at(joint, np.array(k * quadrant + step))
+            assert tuple(int(at[port.name]) for port in joint) in found
 
 
 @given(st.integers(-131072, 131071), st.integers(-131072, 131071))
@@ -125,7 +188,7 @@ def test_vector_to_spread_never_falls_with_the_angle():
 def test_there_and_back(s, u):
     """The word of a direction, as a unit vector of u fraction bits, comes back within half an LSB of both."""
     word = _sweep(s)
-    theta = codecs.decode(Port("j", 2 + s, False, "spread"), word)
+    theta = codecs.decode((Port("j", 2 + s, False, "spread"),), {"j": word})
     c, n = (np.floor(part * 2**u + 0.5).astype(np.int64) for part in truth.unit(theta))
     back = codecs.vector_to_spread({"W": u + 2, "S": s}, in_c=c, in_n=n)["out_j"]
     size = 4 << s

@@ -52,6 +52,14 @@ def test_expansion_of_one_entry():
     assert len({first, second, first}) == 2
 
 
+def test_a_vector_has_two_ports():
+    core = expand(in_={"j1": "vector S", "z": "sW", "j2": "vector 9"})[0]
+    assert core.inputs == (Port("in_c1", 26, True, "vector"), Port("in_n1", 26, True, "vector"), Port("in_z", 16, True),
+                           Port("in_c2", 11, True, "vector"), Port("in_n2", 11, True, "vector"))
+    assert cores.joints(core.inputs) == (core.inputs[:2], core.inputs[3:])
+    assert cores.joints(expand()[0].inputs) == tuple((port,) for port in expand()[0].inputs)
+
+
 def test_the_interval_is_the_latency_where_nothing_else_is_said():
     assert [core.ii for core in expand(own_ii=None)] == [3, 0]
 
@@ -93,9 +101,10 @@ def test_what_is_not_a_formula_is_refused(text, reason):
     ({"own_latency": None}, "missing key latency"),
     ({"own_sources": ["a.v"]}, "unknown key sources"),
     ({"status": ["late"]}, "status: unknown bit late"),
-    ({"in_": {"j1": "W"}}, "in.j1: 'W' is neither u or s and a width nor one of spread, angle"),
-    ({"in_": {"j1": "tangent S"}}, "in.j1: 'tangent S' is neither u or s and a width nor one of spread, angle"),
+    ({"in_": {"j1": "W"}}, "in.j1: 'W' is neither u or s and a width nor one of spread, angle, vector"),
+    ({"in_": {"j1": "tangent S"}}, "in.j1: 'tangent S' is neither u or s and a width nor one of spread, angle, vector"),
     ({"in_": {"j1": "u__import__('os')"}}, "in.j1: '__import__('os')' is not a formula"),
+    ({"in_": {"angle": "vector S"}}, "in.angle: the name of a joint of two ports begins with j"),
     ({"in_": {"j1": "angle W + Z"}}, "in.j1: 'W + Z' names Z; parameters are W, S"),
     ({"in_": {"j1": "uW-16"}}, "in.j1: the width of 'uW-16' is 0"),
     ({"own_latency": "W //"}, "latency: 'W //' is not a formula"),
@@ -138,8 +147,11 @@ def test_the_list_is_in_order():
     assert len(set(groups)) == sum(one != other for one, other in zip(groups, [None, *groups]))
     for core in listed:
         for port in (*core.inputs, *core.outputs):
-            joint = port.name.split("_")[1] in ("j", "j1", "j2", "j3", "angle")
+            joint = port.name.split("_")[1] in ("j", "angle") or port.name[-2:] in JOINT_PORTS
             assert (port.type is not None) == joint, core.id
+
+
+JOINT_PORTS = {f"{letter}{i}" for letter in "jcn" for i in (1, 2, 3)}
 
 
 def test_latencies_follow_the_parameters():

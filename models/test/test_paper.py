@@ -155,7 +155,7 @@ def targets(rng: np.random.Generator, l1: float, l2: float, count: int = 20_000)
 
 def in_cell(word: np.ndarray, theta: np.ndarray, s: int) -> np.ndarray:
     """The direction nearest to `theta` among those that round to `word`."""
-    return codecs.within_cell(Port("j", 2 + s, False, "spread"), word, theta)
+    return codecs.within_cell((Port("j", 2 + s, False, "spread"),), {"j": word}, theta)
 
 
 @pytest.mark.parametrize("l1, l2", ARMS)

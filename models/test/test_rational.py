@@ -82,7 +82,7 @@ def test_fk1_saturates_with_a_flag():
 def _cell_error(x: np.ndarray, y: np.ndarray, word: np.ndarray, s: int) -> np.ndarray:
     """Angle (rad) from (x, y) to the nearest direction that rounds to `word`."""
     theta = np.arctan2(y, x)
-    within = codecs.within_cell(Port("j", 2 + s, False, "spread"), word, theta)
+    within = codecs.within_cell((Port("j", 2 + s, False, "spread"),), {"j": word}, theta)
     return np.abs(truth.difference(within, theta))
 
 

@@ -8,7 +8,7 @@ from quadrance import bounds, codecs, rational, truth
 from quadrance.cores import Port
 
 P = {"W": 16, "F": 8, "S": 24}
-JOINT = Port("j", 26, False, "spread")
+JOINTS = [(Port(f"out_j{i}", 26, False, "spread"),) for i in (1, 2, 3)]
 LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16000, 300), (300, 16000), (768, 512), (30, 20),
          (5, 2), (1, 1), (16384, 16384), (30000, 2000), (60000, 60000)]
 
@@ -38,7 +38,7 @@ def test_ik2_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
     x, y, elbow, rho = x[keep], y[keep], elbow[keep], rho[keep]
     out, exact = _answer(l1, l2, x, y, elbow), truth.ik2(x, y, l1, l2, elbow)
     assert not out["out_status"].any()  # nothing in reach is flagged, borders included
-    tip = truth.fk2(*(codecs.within_cell(JOINT, out[f"out_j{i}"], theta) for i, theta in enumerate(exact, 1)), l1, l2)
+    tip = truth.fk2(*(codecs.within_cell(joint, out, theta) for joint, theta in zip(JOINTS, exact)), l1, l2)
     error = np.hypot(tip[0] - x, tip[1] - y)
     assert np.all(error <= bounds.rational_ik2(P, l1, l2, rho))
     if l1 + l2 <= 16384:  # 64 units of Q7.8
@@ -61,7 +61,7 @@ def test_ik2_out_of_reach_answers_the_nearest_point(l1: int, l2: int) -> None:
     keep = rho > 0
     exact = truth.ik2(x, y, l1, l2)
     assert np.all(np.isin(out["out_j2"][far | near], (0, 2 << 24)))
-    theta = [codecs.within_cell(JOINT, out["out_j1"][far | near], np.nan_to_num(exact[0])),
+    theta = [codecs.within_cell(JOINTS[0], {"out_j1": out["out_j1"][far | near]}, np.nan_to_num(exact[0])),
              np.where(near[far | near], np.pi, 0)]
     reached, nearest = truth.fk2(*theta, l1, l2), np.where(near[far | near], abs(l1 - l2), l1 + l2) / np.maximum(rho, 1)
     error = np.hypot(reached[0] - x * nearest, reached[1] - y * nearest)
@@ -81,7 +81,7 @@ def test_ik3_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
                        **rational.config(P, cfg_l1=l1, cfg_l2=l2))
     assert not out["out_status"].any()
     exact = truth.ik3(x, y, z, l1, l2, elbow)
-    tip = truth.fk3(*(codecs.within_cell(JOINT, out[f"out_j{i}"], theta) for i, theta in enumerate(exact, 1)), l1, l2)
+    tip = truth.fk3(*(codecs.within_cell(joint, out, theta) for joint, theta in zip(JOINTS, exact)), l1, l2)
     error = np.sqrt(sum((a - b) ** 2 for a, b in zip(tip, (x, y, z))))
     n2 = np.abs(np.sin(exact[1]))
     assert np.all(error <= bounds.rational_ik3(P, l1, l2, np.array([x, y, z])))

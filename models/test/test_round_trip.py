@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from claims import CLAIMS
 from quadrance import accuracy, bounds, codecs, truth
-from quadrance.cores import Core, all_cores
+from quadrance.cores import Core, all_cores, joints
 
 UNREACHABLE, SINGULAR = 1, 2
 ARMS = [(32.5, 27.5), (20.0, 20.0), (15.0, 30.0)]  # units: L1 > L2, L1 = L2, L1 < L2
@@ -40,7 +40,7 @@ def run(core: Core, l1: float, l2: float, **inputs: np.ndarray) -> dict[str, np.
 
 def angles(core: Core, words: dict[str, np.ndarray]) -> list[np.ndarray]:
     """Joint angles of an inverse core's answer."""
-    return [codecs.decode(port, words[port.name]) for port in core.outputs if port.type]
+    return [codecs.decode(joint, words) for joint in joints(core.outputs)]
 
 
 def tip_of(theta: list[np.ndarray], l1: float, l2: float) -> np.ndarray:
@@ -50,12 +50,11 @@ def tip_of(theta: list[np.ndarray], l1: float, l2: float) -> np.ndarray:
 
 def half_word(core: Core, words: dict[str, np.ndarray], l1: float, l2: float) -> np.ndarray:
     """How far half an LSB of every joint word moves the tip at most, LSB."""
-    ports = [port for port in core.outputs if port.type]
     theta = angles(core, words)
     home, moved = tip_of(theta, l1, l2), 0.0
-    for i, port in enumerate(ports):
-        steps = [tip_of([*theta[:i], codecs.decode(port, words[port.name] + half), *theta[i + 1:]], l1, l2)
-                 for half in (-0.5, 0.5)]
+    for i, joint in enumerate(joints(core.outputs)):
+        cells = [codecs.within_cell(joint, words, theta[i] + side * 4 * codecs.half_step(joint)) for side in (-1, 1)]
+        steps = [tip_of([*theta[:i], end, *theta[i + 1:]], l1, l2) for end in cells]
         moved = moved + np.max([np.linalg.norm(step - home, axis=-1) for step in steps], axis=0)
     return moved
 
@@ -72,6 +71,11 @@ def targets(joints: int, l1: float, l2: float, inset: float, count: int = 20_000
     return np.rint(256 * radius * np.stack(tip)).T.astype(np.int64), rng.integers(0, 2, count)
 
 
+def fed(forward: Core, words: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """An inverse core's answer as inputs of a forward one."""
+    return {port.name: words[port.name.replace("in_", "out_")] for port in forward.inputs}
+
+
 def solve(inverse: Core, tip: np.ndarray, elbow: np.ndarray, l1: float, l2: float) -> dict[str, np.ndarray]:
     return run(inverse, l1, l2, **{f"in_{axis}": tip[:, i] for i, axis in enumerate("xyz"[:tip.shape[1]])},
                in_elbow=elbow)
@@ -85,7 +89,7 @@ def test_forward_of_inverse_is_the_target(forward: Core, inverse: Core, l1: floa
     tip, elbow = targets(joints, l1, l2, inset=1.0)
     words = solve(inverse, tip, elbow, l1, l2)
     assert not np.any(words["out_status"] & (UNREACHABLE | 4))
-    answer = run(forward, l1, l2, **{f"in_j{i + 1}": words[f"out_j{i + 1}"] for i in range(joints)})
+    answer = run(forward, l1, l2, **fed(forward, words))
     error = np.linalg.norm(np.stack([answer[f"out_{axis}"] for axis in "xyz"[:tip.shape[1]]], axis=-1) - tip, axis=-1)
     defined = words["out_status"] == 0
     assert np.mean(defined) > 0.8
@@ -104,7 +108,7 @@ def test_inverse_of_forward_is_the_joints_up_to_the_elbow(forward: Core, inverse
     tip, elbow = targets(joints, l1, l2, inset=2.0, count=5000)
     words = solve(inverse, tip, elbow, l1, l2)  # joint words that reach all over the annulus
     asked = angles(inverse, words)
-    answer = run(forward, l1, l2, **{f"in_j{i + 1}": words[f"out_j{i + 1}"] for i in range(joints)})
+    answer = run(forward, l1, l2, **fed(forward, words))
     again = solve(inverse, np.stack([answer[f"out_{axis}"] for axis in "xyz"[:tip.shape[1]]], axis=-1), elbow, l1, l2)
     defined = (words["out_status"] | again["out_status"]) == 0
     assert np.mean(defined) > 0.8

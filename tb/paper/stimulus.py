@@ -39,7 +39,7 @@ def cells(core: Core) -> list[np.ndarray]:
     middles = [(k << s) + f for k in range(4) for f in (1 << s - 2, 3 << s - 2)]
     inside = np.stack(np.meshgrid(*[middles[::joints - 1]] * joints), axis=-1).reshape(-1, joints)
     rng = np.random.default_rng(1)
-    edge = rng.choice(codecs.border_words(core.inputs[0]), (400, joints))
+    edge = rng.choice(codecs.border_words(core.inputs[:1])["in_j1"], (400, joints))
     return list(np.concatenate([inside, edge]).T)
 
 
@@ -64,7 +64,7 @@ def targets(core: Core, cfg: dict[str, int]) -> Vectors:
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
     if core.function == "fk1":
-        return stimulus.joined({"in_j1": codecs.border_words(core.inputs[0])}, stimulus.saturation(core, cfg))
+        return stimulus.joined(codecs.border_words(core.inputs), stimulus.saturation(core, cfg))
     if core.function in ("fk2", "fk3"):
         inside = dict(zip((port.name for port in core.inputs), cells(core)))
         return stimulus.joined(inside, stimulus.saturation(core, cfg))

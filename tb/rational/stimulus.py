@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from quadrance import codecs, rational
-from quadrance.cores import Core
+from quadrance.cores import Core, joints
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
@@ -70,7 +70,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
-        borders = {port.name: rng.permutation(codecs.border_words(port)) for port in core.inputs}
+        borders = {name: rng.permutation(words) for joint in joints(core.inputs)
+                   for name, words in codecs.border_words(joint).items()}
         return stimulus.joined(borders, stimulus.saturation(core, cfg))
     if core.function in ("ik2", "ik3"):
         return targets(core, cfg, rng)

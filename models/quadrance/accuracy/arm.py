@@ -5,17 +5,18 @@ from __future__ import annotations
 import importlib
 
 from quadrance.arms import Arm
-from quadrance.cores import Core, Port
+from quadrance.cores import Core, Joint, joints
 from quadrance.fixed import to_fixed, to_float
 
 JOINTS = {"fk1": 1, "fk2": 2, "fk3": 3, "ik1": 1, "ik2": 2, "ik3": 3}
 AXES = {"fk1": "xy", "fk2": "xy", "fk3": "xyz", "ik1": "xy", "ik2": "xy", "ik3": "xyz"}
 
 
-def joint_ports(core: Core) -> list[Port]:
+def joint_ports(core: Core) -> list[Joint]:
     """The ports of joints 1, 2 ... : inputs of a forward core, outputs of an inverse one."""
-    ports = {port.name[-2:]: port for port in (core.inputs if core.function.startswith("fk") else core.outputs)}
-    return [ports[f"j{i + 1}"] for i in range(JOINTS[core.function])]
+    ports = {joint[0].name[-1]: joint for joint in joints(core.inputs if core.function.startswith("fk")
+                                                          else core.outputs)}
+    return [ports[f"{i + 1}"] for i in range(JOINTS[core.function])]
 
 
 def mm_per_lsb(core: Core, arm: Arm) -> float:

@@ -12,8 +12,8 @@ from quadrance.accuracy import arm as seen
 from quadrance.accuracy import primitives
 from quadrance.accuracy.arm import AXES, JOINTS, joint_ports
 from quadrance.arms import Arm
-from quadrance.cores import Core, Port
-from quadrance.fixed import Ints, ints, to_fixed, wrap
+from quadrance.cores import Core, Joint
+from quadrance.fixed import Ints, ints, to_fixed
 from quadrance.trajectory import trajectory
 from quadrance.truth import Floats
 
@@ -32,11 +32,12 @@ class Case:
     tip: Floats | None = None
 
 
-def case_of(core: Core, arm: Arm, angles: Floats, tip: Floats, words: Ints | None = None) -> Case:
-    """Quantise a motion (N, joints), (N, 3) to the core's words; `words` (N, joints) overrides the joint words."""
+def case_of(core: Core, arm: Arm, angles: Floats, tip: Floats, words: dict[str, Ints] | None = None) -> Case:
+    """Quantise a motion (N, joints), (N, 3) to the core's words; `words` by port name override the joint words."""
     if core.function.startswith("fk"):
-        inputs = {port.name: codecs.encode(port, angles[:, i]) if words is None else words[:, i]
-                  for i, port in enumerate(joint_ports(core))}
+        inputs = words or {}
+        for joint, theta in zip(joint_ports(core), angles.T) if words is None else ():
+            inputs |= codecs.encode(joint, theta)
     else:
         f = core.params["F"]
         inputs = {f"in_{axis}": to_fixed(tip[:, i], f) for i, axis in enumerate(AXES[core.function])}
@@ -72,13 +73,14 @@ def sweep_case(core: Core, arm: Arm, count: int = 4096, seed: int = 1) -> Case |
     angles[:len(borders)] = borders + rng.choice([-1, 0, 1], borders.shape) * 2.0 ** -rng.integers(4, 20, borders.shape)
     words = None
     if core.function.startswith("fk"):
-        ports = joint_ports(core)
-        words = np.stack([codecs.encode(port, angles[:, i]) for i, port in enumerate(ports)], axis=-1)
-        for i, port in enumerate(ports):
-            words[count // 2:, i] = rng.integers(port.low, port.high, count - count // 2, endpoint=True)
-            words[-64:, i] = wrap((rng.integers(0, 4, 64) << port.width - 2) + rng.integers(-2, 3, 64),
-                                  port.width, port.signed)
-            angles[:, i] = codecs.decode(port, words[:, i])
+        words = {}
+        for i, joint in enumerate(joint_ports(core)):
+            quadrant = codecs.quadrant(joint)
+            places = rng.integers(0, 4 * quadrant, count - count // 2)
+            places[-64:] = rng.integers(0, 4, 64) * quadrant + rng.integers(-2, 3, 64)
+            for name, word in codecs.encode(joint, angles[:, i]).items():
+                words[name] = np.append(word[:count // 2], codecs.words_at(joint, places)[name])
+            angles[:, i] = codecs.decode(joint, words)
     return case_of(core, arm, angles, truth.tip(angles, *arm.links), words)
 
 
@@ -105,12 +107,14 @@ EDGE = 0.5 - 2.0**-12  # LSB from a word to where its cell ends
 def workspace_case(core: Core, arm: Arm, count: int, rng: np.random.Generator) -> Case | None:
     """Joint poses over all of the arm's limits, with those where rounding a word costs most; None for a primitive.
 
-    A rounded word is worst beside a quadrant border, just before it becomes the next word, and a tip is worst where
-    every joint is so, both errors add up and the arm is stretched. So the poses are, in this order:
+    A rounded word is worst just before it becomes the next one, where its type is coarsest (beside a quadrant border; a
+    vector beside a diagonal), and a tip is worst where every joint is so, both errors add up and the arm is stretched.
+    So the poses are, in this order:
 
-    * every combination of the joints' border cells: each border within the limits, half an LSB before and behind it;
-    * a third of the rest: the same at random, a quarter to half an LSB from the borders, since the rounded target of an
-      inverse core is not where the pose was;
+    * every combination of the joints' coarsest words (`codecs.coarsest`) within the limits, half an LSB before and
+      behind them;
+    * a third of the rest: the same at random, a quarter to half an LSB from these words, since the rounded target of
+      an inverse core is not where the pose was;
     * poses whose joints lie, each by its own draw, near a border (log-uniform in the words from 1/16 LSB to a quadrant,
       both sides, all borders alike), at the end of the cell of such a word, or anywhere (uniform in the words), every
       fourth with an elbow near straight or folded (log-uniform from a hundredth of a word).
@@ -132,57 +136,57 @@ def workspace_case(core: Core, arm: Arm, count: int, rng: np.random.Generator) -
     """
     if core.function not in JOINTS:
         return None
-    ports = joint_ports(core)
-    ranges = [np.radians(limit) for limit in (*arm.limits, (-180.0, 180.0))[:len(ports)]]
-    cells = [_near_borders(port, limit, np.array([EDGE])) for port, limit in zip(ports, ranges)]
+    joints = joint_ports(core)
+    ranges = [np.radians(limit) for limit in (*arm.limits, (-180.0, 180.0))[:len(joints)]]
+    cells = [_coarsest(joint, limit, np.array([EDGE])) for joint, limit in zip(joints, ranges)]
     corners = np.array(list(itertools.product(*cells)))[:count]
     rest = count - len(corners)
-    turns = np.stack([_turns(port, limit, rest, rng) for port, limit in zip(ports, ranges)], axis=-1)
-    if len(ports) > 1:
-        turns[::4, 1] = _near_singular(ports[1], ranges[1], len(turns[::4]), rng)
+    turns = np.stack([_turns(joint, limit, rest, rng) for joint, limit in zip(joints, ranges)], axis=-1)
+    if len(joints) > 1:
+        turns[::4, 1] = _near_singular(joints[1], ranges[1], len(turns[::4]), rng)
     third = rest // 3
-    for i, (port, limit) in enumerate(zip(ports, ranges)):
-        turns[:third, i] = rng.choice(_near_borders(port, limit, EDGE * rng.uniform(0.5, 1, third + 1)), third)
+    for i, (joint, limit) in enumerate(zip(joints, ranges)):
+        turns[:third, i] = rng.choice(_coarsest(joint, limit, EDGE * rng.uniform(0.5, 1, third + 1)), third)
     angles = np.concatenate([corners, turns])
     return case_of(core, arm, angles, truth.tip(angles, *arm.links))
 
 
-def _within(words: Floats, port: Port, limit: Floats) -> Floats:
-    """Angles of those real-valued words that lie within the limits, as angles from the lower one on."""
+def _within(places: Floats, joint: Joint, limit: Floats) -> Floats:
+    """Angles of those places that lie within the limits, as angles from the lower one on."""
     low, high = limit
-    theta = low + np.mod(codecs.decode(port, words) - low, truth.TURN)
+    theta = low + np.mod(codecs.at(joint, places) - low, truth.TURN)
     return theta[theta <= high]
 
 
-def _near_borders(port: Port, limit: Floats, off: Floats) -> Floats:
-    """Angles `off` LSB before and behind every quadrant border within the limits; without a border, the limits."""
-    borders = (np.arange(4) * 2.0 ** (port.width - 2))[:, None]
-    found = _within(np.concatenate([borders - off, borders + off], axis=None), port, limit)
+def _coarsest(joint: Joint, limit: Floats, off: Floats) -> Floats:
+    """Angles `off` LSB before and behind the coarsest words within the limits; without such a word, the limits."""
+    found = _within(codecs.coarsest(joint, off), joint, limit)
     return found if found.size else limit
 
 
-def _draw(words: Floats, port: Port, limit: Floats, count: int, rng: np.random.Generator) -> Floats:
-    """`count` of the angles of `words` within the limits; where there are none, uniform angles."""
-    found = _within(words, port, limit)
+def _draw(places: Floats, joint: Joint, limit: Floats, count: int, rng: np.random.Generator) -> Floats:
+    """`count` of the angles of `places` within the limits; where there are none, uniform angles."""
+    found = _within(places, joint, limit)
     return rng.choice(found, count) if found.size else rng.uniform(*limit, count)
 
 
-def _turns(port: Port, limit: Floats, count: int, rng: np.random.Generator) -> Floats:
+def _turns(joint: Joint, limit: Floats, count: int, rng: np.random.Generator) -> Floats:
     """Angles of one joint: thirds of them log-uniform about the borders, at ends of such words' cells, and uniform."""
-    turn, quadrant = 2.0**port.width, 2.0 ** (port.width - 2)
+    quadrant = float(codecs.quadrant(joint))
     pool = 16 * count + 256
-    off = 2.0 ** rng.uniform(-4, port.width - 2, pool) * rng.choice([-1, 1], pool)
+    off = 2.0 ** rng.uniform(-4, np.log2(quadrant), pool) * rng.choice([-1, 1], pool)
     near = quadrant * rng.integers(0, 4, pool) + off
     ends = np.rint(near) + EDGE * rng.choice([-1, 1], pool)
-    kinds = np.stack([_draw(words, port, limit, count, rng) for words in (near, ends, rng.uniform(0, turn, pool))])
+    kinds = np.stack([_draw(places, joint, limit, count, rng)
+                      for places in (near, ends, rng.uniform(0, 4 * quadrant, pool))])
     return kinds[rng.integers(0, 3, count), np.arange(count)]
 
 
-def _near_singular(port: Port, limit: Floats, count: int, rng: np.random.Generator) -> Floats:
+def _near_singular(joint: Joint, limit: Floats, count: int, rng: np.random.Generator) -> Floats:
     """Elbow angles about the stretched and the folded arm, log-uniform on both sides, as far as the limits let them."""
     pool = 16 * count + 256
     turned = np.pi * rng.integers(0, 2, pool) + rng.choice([-1, 1], pool) * np.pi * 2.0 ** -rng.uniform(
-        1, port.width + 6, pool)
+        1, np.log2(codecs.quadrant(joint)) + 8, pool)
     theta = limit[0] + np.mod(turned - limit[0], truth.TURN)
     theta = theta[theta <= limit[1]]
     return rng.choice(theta, count) if theta.size else rng.uniform(*limit, count)

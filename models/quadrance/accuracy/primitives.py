@@ -98,18 +98,18 @@ def _in_range(core: Core, name: str, value: Floats) -> Floats:
 
 
 def _rotate(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
-    theta = codecs.decode(core.inputs[0], inputs["in_angle"])
+    theta = codecs.decode(core.inputs[:1], inputs)
     turned = (floats(inputs["in_x"]) + 1j * inputs["in_y"]) * np.exp(1j * theta)
     return {"out_x": _in_range(core, "out_x", turned.real), "out_y": _in_range(core, "out_y", turned.imag)}
 
 
 def _vector(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
     x, y = inputs["in_x"], inputs["in_y"]
-    return {"out_magnitude": np.hypot(x, y), "out_angle": codecs.exact(_out(core, "out_angle"), truth.angle(x, y))}
+    return {"out_magnitude": np.hypot(x, y), "out_angle": codecs.place((_out(core, "out_angle"),), truth.angle(x, y))}
 
 
 def _vector_to_spread(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
-    return {"out_j": codecs.exact(_out(core, "out_j"), truth.angle(inputs["in_c"], inputs["in_n"]))}
+    return {"out_j": codecs.place((_out(core, "out_j"),), truth.angle(inputs["in_c"], inputs["in_n"]))}
 
 
 PRIMITIVES: dict[str, tuple[Callable, Callable]] = {

@@ -81,7 +81,7 @@ def errors(core: Core, arm: Arm, case: Case, outputs: dict[str, Ints], every: bo
 def _forward(core: Core, arm: Arm, case: Case, outputs: dict[str, Ints]) -> tuple[Floats, ...]:
     """Where there is a truth, and the three errors in units."""
     f = core.params["F"]
-    quantised = np.stack([codecs.decode(port, case.inputs[port.name]) for port in joint_ports(core)], axis=-1)
+    quantised = np.stack([codecs.decode(joint, case.inputs) for joint in joint_ports(core)], axis=-1)
     exact = truth.tip(quantised, *links(core, arm))
     answer = np.zeros_like(exact)
     for i, axis in enumerate(AXES[core.function]):
@@ -93,22 +93,22 @@ def _forward(core: Core, arm: Arm, case: Case, outputs: dict[str, Ints]) -> tupl
 
 def _inverse(core: Core, arm: Arm, case: Case, outputs: dict[str, Ints]) -> tuple[Floats, ...]:
     """Where there is a truth, and the three errors in units."""
-    ports, words = joint_ports(core), links(core, arm)
+    joints, words = joint_ports(core), links(core, arm)
     exact = _solution(core, case.inputs, words)
     valid = np.all(np.isfinite(exact), axis=-1)
     for port in core.inputs:  # a target that the word cannot hold is not the core's error
         valid &= (case.inputs[port.name] >= port.low) & (case.inputs[port.name] <= port.high)
     exact = np.where(valid[:, None], exact, 0)
 
-    def of(joint) -> Floats:
-        return np.stack([joint(port, theta) for port, theta in zip(ports, exact.T)], axis=-1)
+    def of(angle) -> Floats:
+        return np.stack([angle(joint, theta) for joint, theta in zip(joints, exact.T)], axis=-1)
 
-    within = of(lambda port, theta: codecs.within_cell(port, outputs[port.name], theta))
-    rounded = of(lambda port, theta: codecs.decode(port, codecs.encode(port, theta)))
-    answered = of(lambda port, theta: codecs.decode(port, outputs[port.name]))
+    within = of(lambda joint, theta: codecs.within_cell(joint, outputs, theta))
+    rounded = of(lambda joint, theta: codecs.decode(joint, codecs.encode(joint, theta)))
+    answered = of(lambda joint, theta: codecs.decode(joint, outputs))
     solution, reached = truth.tip(exact, *words), truth.tip(answered, *words)
     arithmetic = np.minimum(_distance(truth.tip(within, *words), solution), _distance(reached, solution))
-    nearest = truth.nearest(case.tip, *(arm.links if len(ports) > 1 else (arm.links[0], 0.0)))
+    nearest = truth.nearest(case.tip, *(arm.links if len(joints) > 1 else (arm.links[0], 0.0)))
     return (valid, arithmetic, _distance(truth.tip(rounded, *arm.links), case.tip),
             _distance(truth.tip(answered, *arm.links), nearest))
 
