@@ -64,7 +64,7 @@ AGE = """
     wire last = age[{latency}-1];
     always @(posedge clk)
         if (rst) age <= 0;
-        else if ({pipe} ? !last || out_ready : !(last && !out_ready)) age <= {{age, in_valid && in_ready}};
+        else if (!last || out_ready) age <= {{age, in_valid && in_ready}};
 """
 
 
@@ -82,12 +82,12 @@ def observed(core: Core, names: dict[str, int], work: Path) -> dict[str, dict[in
     shown = ["age", *(f"dut.{name}" for name in names)]
     (work / "observe.v").write_text(
         f"module observe;\n    reg clk = 0;\n{wires}    {_instance(core)}\n"
-        + AGE.format(latency=core.latency, pipe=int(core.ii == 1))
+        + AGE.format(latency=core.latency)
         + f"    initial begin\n        rst = 1; in_valid = 0; out_ready = 0;\n{fixed}"
         f"        repeat ({2 * CLOCKS}) #1 clk = ~clk;\n        $finish;\n    end\n"
         "    always @(posedge clk) begin\n"
         f"        if (!rst) $display(\"{' '.join(['%b'] * len(shown))}\", {', '.join(shown)});\n{draw}"
-        "        rst <= $random % 512 == 0;\n        in_valid <= in_valid && !in_ready && !rst || $random % 4 != 0;\n"
+        "        rst <= $random % 512 == 0;\n        in_valid <= in_valid && !in_ready && !rst || $random % 2 == 0;\n"
         "        out_ready <= $random % 3 == 0;\n    end\nendmodule\n")
     tools.run("iverilog", "-g2005", "-o", work / "observe.vvp", work / "observe.v", *core.sources)
     seen: dict[str, dict[int, set[str]]] = {name: {} for name in names}
@@ -116,7 +116,7 @@ def write(core: Core, work: Path) -> Path:
     results = ", ".join(port.name for port in core.outputs)
     cfg = ", ".join(port.name for port in core.cfg) or "1'b0"
     width = sum(port.width for port in core.outputs), sum(port.width for port in core.cfg) or 1
-    sizes = {"LATENCY": core.latency, "PIPE": int(core.ii == 1), "WO": width[0], "WC": width[1]}
+    sizes = {"LATENCY": core.latency, "II": core.ii, "WO": width[0], "WC": width[1]}
     lines = [f"module top (input clk, {inputs});", wires + f"    wire [{core.latency}-1:0] age;\n    wire live;",
              f"    {_instance(core)}",
              f"    contract #({', '.join(f'.{key}({value})' for key, value in sizes.items())}) rules (",

@@ -170,10 +170,13 @@ def elaborated_lines(core: Core) -> set[int]:
 
 
 def latency_problems(core: Core, lines: set[int]) -> list[str]:
-    """The latency of a core whose only schedule ends at its out_valid is that of the table."""
-    if len(lines) == 1 and core.latency != min(lines) + 1:
-        return [f"{core.id}: cores.toml says latency {core.latency}, its table of {min(lines)} lines gives "
-                f"{min(lines) + 1}"]
+    """The latency of a core whose only schedule ends at its out_valid is that of the table.
+
+    Clocks that it shares with the sample before it (II below latency) are none of the table's lines.
+    """
+    gives = min(lines, default=0) + 1 + core.latency - core.ii
+    if len(lines) == 1 and core.latency != gives:
+        return [f"{core.id}: cores.toml says latency {core.latency}, its table of {min(lines)} lines gives {gives}"]
     return []
 
 

@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import classic, cordic, paper, rational
+from quadrance import classic, codecs, cordic, paper, rational, table
 from quadrance.cores import Core
 from quadrance.fixed import wrap
 from quadrance.truth import Floats, floats
@@ -49,6 +49,9 @@ def tip(core: Core, l1: int, l2: int) -> float:
         return math.sqrt(0.5) if forward else 0.0
     if family == "paper":
         return paper_forward(p, joints, l1, l2) if forward else paper_inverse(p, joints, l1, l2)
+    if family == "table":
+        return math.sqrt(joints + (joints == 1)) * table_forward(p, joints, l1, l2) if forward else \
+            0.0
     if joints == 1:
         if forward:
             return 1.0 if family == "rational" else classic_fk1(p, l1)
@@ -472,6 +475,35 @@ def classic_ik(p: Params, joints: int, l1: int, l2: int, r: ArrayLike) -> Floats
     off = math.hypot(grows + 6, 1) * 2.0**-classic.SOLVE_GUARD / CORDIC_GAIN
     lack = 2 / 3 * 4.0**-grows + 2.0 ** -(p["W"] + 2) / CORDIC_GAIN
     return plane + yaw + at * (2 * np.sin(np.arcsin(np.minimum(off / r, 1)) / 2) + lack / 2)
+
+
+# table
+
+
+def table_sine(p: Params, joints: int) -> float:
+    """Error of a sine or cosine of table_fk1 to table_fk3, by every chord of their table.
+
+    A chord errs by half its sag, (2 pi / 2^T)^2 / 16, either way; next to +-1, where no knot can lie outside the curve,
+    by 1.5 of that. Knots are rounded up by less than a unit of 2^-K, and the completed root is truncated by less than
+    one. Taken at 33 places of each chord.
+    """
+    k, t = table.sizes(p, joints)
+    knots, place = codecs.sine_knots(k, t), np.linspace(0, 1, 33)[:, None]
+    exact = np.sin(2 * np.pi / 2**t * (np.arange(2**t) + place)) * 2**k
+    error = knots[:-1] + np.diff(knots) * place - exact
+    return float(max(error.max(), 1 - error.min())) / 2**k
+
+
+def table_forward(p: Params, joints: int, l1: float, l2: float) -> float:
+    """A coordinate of table_fk1, table_fk2 and table_fk3; one joint moves the first link.
+
+    Rounding 1/2 and a root for each link. Two joints: two products, each truncated by up to 2^-GUARD, and a constant
+    2^-GUARD. Three: the same of rho, then a root of the yaw and one more product.
+    """
+    root = table_sine(p, joints)
+    if joints == 1:
+        return 0.5 + root * l1
+    return 0.5 + (joints - 1) * (root * (l1 + l2) + 2.0 ** -table.GUARD)
 
 
 # paper

@@ -225,3 +225,29 @@ def quotient(numerator: Ints, divisor: Ints, bits: int) -> Ints:
         rem = (rem << step) % divisor
         bits -= step
     return result
+
+
+@cache
+def sine_knots(k: int, t: int) -> Ints:
+    """``sin(2 pi i / 2^t)``, i = 0 ... 2^t, half a sag outside the curve, rounded up to a unit of 2^-k, 1 held.
+
+    The integers of angle_chord.v, operation by operation.
+    """
+    one, quarter = 1 << 30, []
+    for i in range((1 << t - 2) + 1):
+        x = i * 3373259426 >> t - 1
+        square = x * x >> 30
+        s = one - square // 110
+        for divisor in (72, 42, 20, 6):
+            s = one - (square * s >> 30) // divisor
+        s = x * s >> 30
+        quarter.append(min(s + (s * 646814 >> 18 + 2 * t), one))
+    rise = quarter + quarter[-2:0:-1]
+    return ints([min(s + (1 << 30 - k) - 1 >> 30 - k, (1 << k) - 1) for s in [*rise, *(-s for s in rise), 0]])
+
+
+def angle_chord(k: int, t: int, a: int, word: Ints, cosine: bool) -> Ints:
+    """Sine or cosine of an a-bit binary angle in units of 2^-k, completed from one of the 2^t chords of a turn."""
+    b, place = a - t, ints(word) + (cosine << a - 2) & (1 << a) - 1
+    knots, i = sine_knots(k, t), place >> b
+    return knots[i] + ((knots[i + 1] - knots[i]) * (place & (1 << b) - 1) >> b)

@@ -1,9 +1,9 @@
-// The contract of every core that holds one sample at a time (II = latency), or moves all its samples together (II = 1):
+// The contract of every core that takes a sample every II clocks at most and moves all its samples together:
 //   in_ready, out_valid exactly LATENCY clocks after the accepting one, results that wait unchanged, nothing lost,
 //   doubled or made up. Reset and in_valid are free at all times but the first clock, and so is all data.
 // `age[i]` is 1 when a sample was accepted i + 1 clocks ago (counting the clocks in which it moved).
 // ci/formal.py writes a module `top` that instantiates a core and this, with the core's own state beside `age`.
-module contract #(parameter LATENCY = 1, PIPE = 0, WO = 1, WC = 1) (
+module contract #(parameter LATENCY = 1, II = 1, WO = 1, WC = 1) (
     input clk, rst, in_valid, in_ready, out_valid, out_ready, input [WC-1:0] cfg, input [WO-1:0] out_data,
     output reg [LATENCY-1:0] age, output reg live
 );
@@ -13,21 +13,27 @@ module contract #(parameter LATENCY = 1, PIPE = 0, WO = 1, WC = 1) (
 
     wire last = age[LATENCY-1];
     wire move = !last || out_ready;
+    wire early;  // a sample was accepted less than II clocks ago
+    generate
+        if (II > 1) assign early = |age[II-2:0];
+        else        assign early = 1'b0;
+    endgenerate
+    integer i, j;
     always @(posedge clk)
         if (rst) age <= 0;
-        else if (PIPE ? move : !(last && !out_ready)) age <= {age, in_valid && in_ready};
+        else if (move) age <= {age, in_valid && in_ready};
 
-    reg one, more;  // bits of `age`: without an adder, for wide sums are cut (cut.v)
-    integer i;
+    reg clash;  // two samples less than II clocks apart; without an adder, for wide sums are cut (cut.v)
     always @* begin
-        {one, more} = 2'b00;
-        for (i = 0; i < LATENCY; i = i + 1) {one, more} = {one | age[i], more | one & age[i]};
+        clash = 1'b0;
+        for (i = 0; i < LATENCY; i = i + 1)
+            for (j = i + 1; j < LATENCY && j < i + II; j = j + 1) clash = clash | age[i] & age[j];
     end
 
     always @* if (live) begin
-        assert (in_ready == (PIPE ? move : ~|age[LATENCY-1:0] || last && out_ready));
+        assert (in_ready == (move && !early));
         assert (out_valid == last);
-        if (!PIPE) assert (!more);
+        assert (!clash);
     end
 
     // configuration may change while nothing is inside

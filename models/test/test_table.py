@@ -1,0 +1,110 @@
+"""table_* models against float64: derived error bounds at every listed parameter set, borders, status."""
+
+import numpy as np
+import pytest
+from quadrance import bounds, cores, table, truth
+
+LISTED = {core.id: core for core in cores.all_cores() if core.family == "table"}
+FINE = {"W": 18, "F": 8, "A": 20}
+SHARES = [(0.5, 0.5), (1.0, 0.0), (0.0, 1.0), (0.62, 0.38), (0.05, 0.03)]
+DEFAULT = {"W": 16, "F": 8, "A": 18}
+
+
+def _sets(function: str) -> list:
+    """Parameters of the listed sets of one function, and one that is not listed."""
+    return [pytest.param(core.params, id=core.set_id) for core in LISTED.values() if core.function == function] \
+        + [pytest.param(FINE, id="W18A20")]
+
+
+def _words(rng: np.random.Generator, a: int, count: int) -> np.ndarray:
+    """Uniform words, and words about every quadrant border at every scale."""
+    words = rng.integers(0, 1 << a, count)
+    near = rng.integers(0, 1 << a - 2, count // 2) >> rng.integers(0, a - 2, count // 2)
+    words[::2] = (rng.integers(0, 4, count // 2) << a - 2) + rng.choice([-1, 1], count // 2) * near
+    return words & (1 << a) - 1
+
+
+def _angle(p: dict[str, int], word: np.ndarray) -> np.ndarray:
+    return truth.TURN / 2 ** p["A"] * word
+
+
+# Forward
+
+
+@pytest.mark.parametrize("joints", [1, 2, 3])
+@pytest.mark.parametrize("p", [DEFAULT, FINE, {"W": 15, "F": 7, "A": 12}, {"W": 19, "F": 0, "A": 10}],
+                         ids=lambda p: f"W{p['W']}A{p['A']}")
+def test_sines_are_within_their_bound_and_never_step_back(p, joints):
+    words = np.arange(1 << p["A"])
+    for root, exact in zip(table._unit(p, joints, words), truth.unit(_angle(p, words))):
+        error = np.abs(root / 2.0 ** (p["W"] + 1) - exact).max()
+        assert 0.5 * bounds.table_sine(p, joints) < error <= bounds.table_sine(p, joints)
+        assert (np.diff(root) * np.sign(np.diff(exact)) >= 0).all()
+
+
+@pytest.mark.parametrize("p", _sets("fk1"))
+@pytest.mark.parametrize("share", [1.0, 0.51, 0.01, 2.0])
+def test_fk1_error(p, share):
+    length = int(share * 2 ** (p["W"] - 2))
+    words = np.arange(1 << p["A"]) if p["A"] <= 18 else _words(np.random.default_rng(1), p["A"], 300_000)
+    answer = table.fk1(p, in_j1=words, cfg_l1=length)
+    exact = truth.fk1(_angle(p, words), length)
+    high = 2 ** (p["W"] - 1)
+    error = np.abs([answer[f"out_{axis}"] - np.clip(value, -high, high - 1) for axis, value in zip("xy", exact)])
+    assert 0.499 <= error.max() <= bounds.table_forward(p, 1, length, 0)
+    if share <= 1 and p["A"] >= p["W"]:
+        assert error.max() <= 0.8 and np.hypot(*error).max() <= 1.0
+    assert answer["out_status"].any() == (share == 2.0)  # 1.0 does not fit the word
+
+
+@pytest.mark.parametrize("joints", [2, 3])
+@pytest.mark.parametrize("share", SHARES)
+@pytest.mark.parametrize("p", [DEFAULT, FINE, {"W": 20, "F": 10, "A": 24}, {"W": 15, "F": 7, "A": 12}],
+                         ids=lambda p: f"W{p['W']}A{p['A']}")
+def test_fk2_and_fk3_error(p, share, joints):
+    rng = np.random.default_rng(2)
+    l1, l2 = (int(part * 2 ** (p["W"] - 2)) for part in share)
+    words = {f"in_j{i + 1}": _words(rng, p["A"], 200_000) for i in range(joints)}
+    answer = (table.fk2 if joints == 2 else table.fk3)(p, **words, cfg_l1=l1, cfg_l2=l2)
+    exact = (truth.fk2 if joints == 2 else truth.fk3)(*(_angle(p, word) for word in words.values()), l1, l2)
+    error = np.abs([answer[f"out_{axis}"] - value for axis, value in zip("xyz", exact)])
+    assert 0.5 < error.max() <= bounds.table_forward(p, joints, l1, l2)
+    assert error.max() <= 1.0
+    assert not answer["out_status"].any()
+
+
+@pytest.mark.parametrize("p", [DEFAULT, FINE], ids=["W16", "W18"])
+def test_borders_are_exact(p):
+    length = np.arange(0, 1 << p["W"] - 1, 1 if p["W"] == 16 else 5)
+    half = length // 2
+    for k, (c, n) in enumerate([(1, 0), (0, 1), (-1, 0), (0, -1)]):
+        word = np.full(length.shape, k << p["A"] - 2)
+        one = table.fk1(p, in_j1=word, cfg_l1=length)
+        assert (one["out_x"] == c * length).all() and (one["out_y"] == n * length).all()
+        two = table.fk2(p, in_j1=word, in_j2=0 * word, cfg_l1=half, cfg_l2=half)
+        assert (two["out_x"] == 2 * c * half).all() and (two["out_y"] == 2 * n * half).all()
+
+
+def test_overflow_is_flagged_exactly_where_a_coordinate_leaves_the_word():
+    rng = np.random.default_rng(4)
+    words = [_words(rng, 18, 100_000) for _ in range(3)]
+    angles = [_angle(DEFAULT, word) for word in words]
+    cases = ((table.fk1(DEFAULT, in_j1=words[0], cfg_l1=40_000), truth.fk1(angles[0], 40_000)),
+             (table.fk2(DEFAULT, in_j1=words[0], in_j2=words[1], cfg_l1=40_000, cfg_l2=30_000),
+              truth.fk2(*angles[:2], 40_000, 30_000)),
+             (table.fk3(DEFAULT, in_j1=words[0], in_j2=words[1], in_j3=words[2], cfg_l1=40_000, cfg_l2=30_000),
+              truth.fk3(*angles, 40_000, 30_000)))
+    for answer, exact in cases:
+        exact = np.array(exact)
+        over = np.any((exact > 32767.5) | (exact < -32768.5), axis=0)
+        clear = np.min(np.minimum(np.abs(exact - 32767.5), np.abs(exact + 32768.5)), axis=0) > 5  # not on the edge
+        assert over.any() and np.array_equal((answer["out_status"] == 4)[clear], over[clear])
+        assert set(np.unique(answer["out_status"])) == {0, 4}
+        for axis, value in zip("xyz", exact):
+            assert np.max(np.abs(answer[f"out_{axis}"] - np.clip(value, -32768, 32767))) <= 5
+
+
+def test_an_arm_that_leans_back_lands_behind_the_yaw_axis():
+    answer = table.fk3(DEFAULT, in_j1=np.array([3 << 15]), in_j2=np.array([0]), in_j3=np.array([0]), cfg_l1=1000,
+                       cfg_l2=1000)
+    assert answer["out_x"][0] == -1414 and answer["out_y"][0] == 0 and answer["out_z"][0] == 1414

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forward kinematics of one joint: x = L1 cos j1, y = L1 sin j1.
+// Formats: in_j1 angle of A bits, cfg_l1 uQ(W-F).F, out_x and out_y sQ(W-F).F, nearest, saturated.
+// Error: a coordinate 0.50 + 1.63 L1 / 2^16 LSB, L1 in LSB: 0.91 at 2^14 (64 units in Q7.8), 0.78 measured.
+// Latency 3, II 2: one table and two products serve x, then y.
+// Status: overflow (a coordinate was saturated).
+// Source: the definition; sine table with linear interpolation. Model: table.fk1
+`default_nettype none
+module table_fk1 #(
+    parameter W = 16,  // bits of a coordinate and of the length, 15 to 20: 16 are common in servo control
+    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
+    parameter A = 18   // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire [A-1:0]        in_j1,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 15 || W > 20 || F < 0 || F >= W || A < 10 || A > 24) begin : g_illegal
+            table_fk1_needs_W_from_15_to_20_and_F_below_W_and_A_from_10_to_24 rule ();
+        end
+    endgenerate
+
+    localparam K = W + 1;  // fraction bits of a root
+    localparam T = A < (W + 3) / 2 + 1 ? A - 1 : (W + 3) / 2;  // address bits of its table
+
+    reg  [T-1:0]      upper;
+    wire              read, kept, overflow;
+    wire [2*K-T+19:0] chord;
+    assign            out_status = {1'b0, overflow, 2'b00};
+    always @(posedge clk)
+        if (!kept)
+            upper <= in_j1[A-1:A-T];
+    angle_chord #(.A(A), .K(K), .T(T)) codec (.clk(clk), .in_read(read), .in_keep(kept), .in_cos(!kept),
+        .in_j({kept ? upper : in_j1[A-1:A-T], in_j1[A-T-1:0]}), .out_chord(chord));
+    kernel_link #(.W(W), .K(K), .T(T)) kernel (.clk(clk), .rst(rst), .cfg_l1(cfg_l1), .in_valid(in_valid),
+        .in_ready(in_ready), .out_read(read), .out_kept(kept), .in_chord(chord), .out_valid(out_valid),
+        .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_overflow(overflow));
+endmodule
+`default_nettype wire

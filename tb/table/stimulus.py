@@ -1,0 +1,40 @@
+"""Corners of rtl/table: quadrant borders, ends of table segments, saturation, axes, undefined directions."""
+
+from __future__ import annotations
+
+import numpy as np
+from quadrance import codecs
+from quadrance.cores import Core
+from quadrance.fixed import wrap
+
+from tb.lib.stimulus import Vectors
+
+
+def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
+    """Link lengths: longest, none, the longest that never saturate, one link alone, one LSB, and some at random."""
+    if not core.cfg:
+        return [{}]
+    high = (1 << core.params["W"]) - 1
+    half = high >> 2
+    pairs = [(high, high), (0, 0), (half, half), (high, 1), (1, high), (0, high >> 1), (high >> 1, 0), (768, 512),
+             *rng.integers(0, high, (2, 2), endpoint=True).tolist(), *rng.integers(0, half, (2, 2)).tolist()]
+    names = [port.name for port in core.cfg]
+    return [dict(zip(names, pair)) for pair in pairs]
+
+
+def _words(core: Core, rng: np.random.Generator) -> dict[str, np.ndarray]:
+    """Joint words at quadrant borders, at borders of table segments of every size, and joints that add up to such."""
+    near = [codecs.border_words(port) for port in core.inputs]
+    a = core.params["A"]
+    ends = (rng.integers(0, 1 << 13, 512) << a - 13 if a >= 13 else rng.integers(0, 1 << a, 512)) \
+        + rng.integers(-1, 2, 512)
+    words = [np.append(rng.permutation(border), rng.permutation(ends) & (1 << a) - 1) for border in near]
+    if len(words) > 1:  # the sum of the first two at a border
+        pick = rng.random(words[0].size) < 0.3
+        words[1] = np.where(pick, wrap(rng.permutation(words[0]) - words[0], a, signed=False), words[1])
+    return {port.name: word for port, word in zip(core.inputs, words)}
+
+
+def corners(core: Core, cfg: dict[str, int]) -> Vectors:
+    """Directed inputs of one core; a singular sample follows and precedes a regular one."""
+    return _words(core, np.random.default_rng(1))
