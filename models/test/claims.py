@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 from quadrance import bounds, codecs
-from quadrance.cores import Core
+from quadrance.cores import Core, joints
 from quadrance.fixed import Ints
 from quadrance.truth import Floats
 
@@ -160,7 +160,7 @@ CLAIMS: dict[str, type[Claim]] = {"rational": Rational, "classic": Classic, "pap
 
 def angles(claim: Claim, answer: dict[str, Ints], exact: list[Floats]) -> list[Floats]:
     """Joint angles that the bound is about: of the words, or the nearest to the exact ones that round to them."""
-    ports = [port for port in claim.core.outputs if port.type]
+    found = joints(claim.core.outputs)
     if claim.words_in_law:
-        return [codecs.decode(port, answer[port.name]) for port in ports]
-    return [codecs.within_cell(port, answer[port.name], np.nan_to_num(theta)) for port, theta in zip(ports, exact)]
+        return [codecs.decode(joint, answer) for joint in found]
+    return [codecs.within_cell(joint, answer, np.nan_to_num(theta)) for joint, theta in zip(found, exact)]

@@ -37,8 +37,8 @@ def test_the_tip_in_reach_and_the_nearest_point_beyond(p, joints, share):
     model, inverse, forward = ((paper.ik2, truth.ik2, truth.fk2), (paper.ik3, truth.ik3, truth.fk3))[joints - 2]
     out = model(p, **dict(zip(("in_x", "in_y", "in_z"), target)), in_elbow=elbow, cfg_l1=l1, cfg_l2=l2)
     exact = np.nan_to_num(inverse(*target, l1, l2, elbow))
-    joint = Port("j", p["S"] + 2, False, "spread")
-    near = [codecs.within_cell(joint, out[f"out_j{i}"], theta) for i, theta in enumerate(exact, 1)]
+    joint = (Port("j", p["S"] + 2, False, "spread"),)
+    near = [codecs.within_cell(joint, {"j": out[f"out_j{i}"]}, theta) for i, theta in enumerate(exact, 1)]
     tip = np.stack(forward(*near, l1, l2))
     r = np.sqrt((target.astype(float) ** 2).sum(axis=0))
     defined = out["out_status"] & SINGULAR == 0
@@ -48,7 +48,7 @@ def test_the_tip_in_reach_and_the_nearest_point_beyond(p, joints, share):
     beyond = defined & ((r < abs(l1 - l2)) | (r > l1 + l2)) & (out["out_status"] & UNREACHABLE > 0)
     plane = target if joints == 2 else np.stack([np.hypot(*target[:2]), target[2]])
     theta = np.arctan2(plane[1], plane[0]) + np.where((r < abs(l1 - l2)) & (l2 > l1), np.pi, 0)
-    off = np.abs(truth.difference(codecs.within_cell(joint, out["out_j1"], theta), theta))
+    off = np.abs(truth.difference(codecs.within_cell(joint, {"j": out["out_j1"]}, theta), theta))
     assert np.all((off <= bounds.paper_nearest(p, joints, r))[beyond])
     if p["S"] == 24 or p["S"] == 2 * p["F"]:
         assert beyond.sum() > 250 or share[0] == share[1] or min(share) < 1e-4

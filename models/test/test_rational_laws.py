@@ -22,8 +22,9 @@ def _links(p: dict[str, int], l1: int, l2: int) -> tuple[int, int]:
 
 def _tip(p: dict[str, int], out: dict[str, np.ndarray], exact, l1: int, l2: int) -> np.ndarray:
     """Tip (2 or 3, N) of the angles nearest to `exact` that round to the answered words."""
-    joint = Port("j", p["S"] + 2, False, "spread")
-    near = [codecs.within_cell(joint, out[f"out_j{i}"], np.nan_to_num(theta)) for i, theta in enumerate(exact, 1)]
+    joint = (Port("j", p["S"] + 2, False, "spread"),)
+    near = [codecs.within_cell(joint, {"j": out[f"out_j{i}"]}, np.nan_to_num(theta))
+            for i, theta in enumerate(exact, 1)]
     return np.stack((truth.fk2 if len(near) == 2 else truth.fk3)(*near, l1, l2))
 
 

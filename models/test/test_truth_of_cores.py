@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from claims import CLAIMS, Claim, angles
 from quadrance import accuracy, classic, codecs, cordic, truth
-from quadrance.cores import Core, all_cores
+from quadrance.cores import Core, all_cores, joints
 
 UNREACHABLE, SINGULAR, OVERFLOW = 1, 2, 4
 KINEMATIC = [core for core in all_cores() if core.function in accuracy.JOINTS]
@@ -44,6 +44,17 @@ def near_borders(bits: int, count: int, rng: np.random.Generator) -> np.ndarray:
     words = (rng.integers(0, 4, count) << bits - 2) + rng.choice([-1, 1], count) * off
     words[::2] = rng.integers(0, 1 << bits, words[::2].size)
     return words & (1 << bits) - 1
+
+
+def joint_words(core: Core, count: int, rng: np.random.Generator) -> dict[str, np.ndarray]:
+    """Words of every joint of a forward core, near all borders."""
+    return {name: words for joint in joints(core.inputs) for name, words in
+            codecs.words_at(joint, near_borders((4 * codecs.quadrant(joint)).bit_length() - 1, count, rng)).items()}
+
+
+def decoded(core: Core, words: dict[str, np.ndarray]) -> list[np.ndarray]:
+    """The joints that the words stand for."""
+    return [codecs.decode(joint, words) for joint in joints(core.inputs)]
 
 
 def vectors(axes: int, full: int, radii: np.ndarray, rng: np.random.Generator) -> np.ndarray:
@@ -90,8 +101,8 @@ def test_every_kinematic_family_has_its_claim() -> None:
 @cores([core for core in CORES if core.function.startswith("fk")])
 def test_forward(core: Core, share: tuple[float, float]) -> None:
     claim, rng = claim_of(core, share), np.random.default_rng(12)
-    words = {port.name: near_borders(port.width, 10_000, rng) for port in core.inputs}
-    exact = tip_of(claim, [codecs.decode(port, words[port.name]) for port in core.inputs])
+    words = joint_words(core, 10_000, rng)
+    exact = tip_of(claim, decoded(core, words))
     answer = run(claim, **words)
     error = np.stack([answer[f"out_{axis}"] for axis in "xyz"[:len(exact)]]) - exact
     assert 0.4 < np.abs(error).max() <= claim.coordinate() + 1e-9
@@ -102,8 +113,8 @@ def test_forward(core: Core, share: tuple[float, float]) -> None:
 def test_forward_overflow_is_exact_to_the_bound(core: Core) -> None:
     """Links that saturate; words are sought whose coordinates come close to the end of the word."""
     claim, rng = claim_of(core, (1.06, 0.9) if core.function == "fk1" else (0.8, 0.7)), np.random.default_rng(13)
-    words = {port.name: near_borders(port.width, 30_000, rng) for port in core.inputs}
-    exact = tip_of(claim, [codecs.decode(port, words[port.name]) for port in core.inputs])
+    words = joint_words(core, 30_000, rng)
+    exact = tip_of(claim, decoded(core, words))
     answer = run(claim, **words)
     must, may = claim.overflow(exact)
     flag = answer["out_status"] == OVERFLOW
