@@ -14,6 +14,9 @@ from claims import CLAIMS, Claim, angles
 from quadrance import accuracy, classic, codecs, cordic, truth
 from quadrance.cores import Core, all_cores
 
+from tb.lib import legal
+from tb.lib.suite import SEED
+
 UNREACHABLE, SINGULAR, OVERFLOW = 1, 2, 4
 KINEMATIC = [core for core in all_cores() if core.function in accuracy.JOINTS]
 CORES = list({(core.model_name, core.set_id): core for core in KINEMATIC if core.family in CLAIMS}.values())
@@ -318,3 +321,24 @@ def test_flags_a_word_too_early_or_late_are_seen() -> None:
         with pytest.raises(AssertionError):
             test_inverse(broken(find(name), lambda model, p, **words: (answer := model(p, **words)) | {
                 "out_status": np.roll(answer["out_status"], 1)}), SHARES[1])
+
+
+# The long run
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("core", [core for core in CORES if core.first_set], ids=lambda core: core.name)
+def test_random_sets_against_the_truth(core: Core) -> None:
+    """Six random legal parameter sets of each core, other ones with every seed: the laws are laws of the parameters."""
+    for params in legal.legal(core, 6, SEED):
+        one = legal.at(core, params)
+        print(one.id)
+        if core.function == "ik1":
+            test_direction(one)
+        elif core.function.startswith("fk"):
+            test_forward(one, SHARES[1])
+            test_forward_overflow_is_exact_to_the_bound(one)
+        else:
+            test_inverse(one, SHARES[1])
+            test_inverse(one, SHARES[3])
+            test_held_words_at_the_base(one, SHARES[2])
