@@ -32,7 +32,7 @@ def cores(choice: list[Core]):
 
 def claim_of(core: Core, share: tuple[float, float]) -> Claim:
     """The core's claim at links of that share of a word."""
-    return CLAIMS[core.family](core, *(round(part * (1 << core.params["W"] - 1)) for part in share))
+    return CLAIMS[core.family](core, *(max(1, round(part * (1 << core.params["W"] - 1))) for part in share))
 
 
 def run(claim: Claim, **inputs: np.ndarray) -> dict[str, np.ndarray]:
@@ -97,7 +97,8 @@ def test_forward(core: Core, share: tuple[float, float]) -> None:
     exact = tip_of(claim, [codecs.decode(port, words[port.name]) for port in core.inputs])
     answer = run(claim, **words)
     error = np.stack([answer[f"out_{axis}"] for axis in "xyz"[:len(exact)]]) - exact
-    assert 0.4 < np.abs(error).max() <= claim.coordinate() + 1e-9
+    assert np.abs(error).max() <= claim.coordinate() + 1e-9
+    assert np.abs(error).max() > 0.4 or core not in CORES  # a few words may all be exact
     assert not answer["out_status"].any()
 
 
@@ -206,7 +207,7 @@ def test_the_yaw_axis_at_every_height(core: Core, share: tuple[float, float]) ->
     """x = y = 0: the yaw is held, the arm still reaches its height, all z up to 12 bits, every fifth above."""
     claim, full = claim_of(core, share), 1 << core.params["W"] - 1
     z = np.arange(-full, full, 1 if full <= 2048 else 5)
-    z = np.unique(np.append(z, np.arange(-40, 41)))
+    z = np.unique(np.append(z, np.arange(max(-full, -40), min(full, 41))))
     rest = claim.l1 + claim.l2 >> 1
     target = np.zeros((3, z.size + 1), dtype=np.int64)
     target[0, 0], target[1, 0], target[2, 1:] = rest, -rest, z
