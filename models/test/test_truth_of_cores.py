@@ -14,6 +14,9 @@ from claims import CLAIMS, Claim, angles
 from quadrance import accuracy, classic, codecs, cordic, truth
 from quadrance.cores import Core, all_cores, joints
 
+from tb.lib import legal
+from tb.lib.suite import SEED
+
 UNREACHABLE, SINGULAR, OVERFLOW = 1, 2, 4
 KINEMATIC = [core for core in all_cores() if core.function in accuracy.JOINTS]
 CORES = list({(core.model_name, core.set_id): core for core in KINEMATIC if core.family in CLAIMS}.values())
@@ -29,7 +32,7 @@ def cores(choice: list[Core]):
 
 def claim_of(core: Core, share: tuple[float, float]) -> Claim:
     """The core's claim at links of that share of a word."""
-    return CLAIMS[core.family](core, *(round(part * (1 << core.params["W"] - 1)) for part in share))
+    return CLAIMS[core.family](core, *(max(1, round(part * (1 << core.params["W"] - 1))) for part in share))
 
 
 def run(claim: Claim, **inputs: np.ndarray) -> dict[str, np.ndarray]:
@@ -105,7 +108,8 @@ def test_forward(core: Core, share: tuple[float, float]) -> None:
     exact = tip_of(claim, decoded(core, words))
     answer = run(claim, **words)
     error = np.stack([answer[f"out_{axis}"] for axis in "xyz"[:len(exact)]]) - exact
-    assert 0.4 < np.abs(error).max() <= claim.coordinate() + 1e-9
+    assert np.abs(error).max() <= claim.coordinate() + 1e-9
+    assert np.abs(error).max() > 0.4 or core not in CORES  # a few words may all be exact
     assert not answer["out_status"].any()
 
 
@@ -214,7 +218,7 @@ def test_the_yaw_axis_at_every_height(core: Core, share: tuple[float, float]) ->
     """x = y = 0: the yaw is held, the arm still reaches its height, all z up to 12 bits, every fifth above."""
     claim, full = claim_of(core, share), 1 << core.params["W"] - 1
     z = np.arange(-full, full, 1 if full <= 2048 else 5)
-    z = np.unique(np.append(z, np.arange(-40, 41)))
+    z = np.unique(np.append(z, np.arange(max(-full, -40), min(full, 41))))
     rest = claim.l1 + claim.l2 >> 1
     target = np.zeros((3, z.size + 1), dtype=np.int64)
     target[0, 0], target[1, 0], target[2, 1:] = rest, -rest, z
@@ -329,3 +333,24 @@ def test_flags_a_word_too_early_or_late_are_seen() -> None:
         with pytest.raises(AssertionError):
             test_inverse(broken(find(name), lambda model, p, **words: (answer := model(p, **words)) | {
                 "out_status": np.roll(answer["out_status"], 1)}), SHARES[1])
+
+
+# The long run
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("core", [core for core in CORES if core.first_set], ids=lambda core: core.name)
+def test_random_sets_against_the_truth(core: Core) -> None:
+    """Six random legal parameter sets of each core, other ones with every seed: the laws are laws of the parameters."""
+    for params in legal.legal(core, 6, SEED):
+        one = legal.at(core, params)
+        print(one.id)
+        if core.function == "ik1":
+            test_direction(one)
+        elif core.function.startswith("fk"):
+            test_forward(one, SHARES[1])
+            test_forward_overflow_is_exact_to_the_bound(one)
+        else:
+            test_inverse(one, SHARES[1])
+            test_inverse(one, SHARES[3])
+            test_held_words_at_the_base(one, SHARES[2])

@@ -13,7 +13,7 @@ from tb.lib.stimulus import Vectors
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Link lengths: longest, none, one LSB, the longest that never saturates, 64 units, and two at random."""
     high, f = (1 << core.params["W"]) - 1, core.params["F"]
-    if core.function in ("ik2", "ik3"):
+    if any(port.name == "cfg_r" for port in core.cfg):
         half = min(32 << f, high)
         lengths = [(high, high), (half, half), (0, 0), (high, 0), (0, high), (1, high), (1, 1), (half, half // 5 * 4),
                    (half // 5, half), (3 << f, 2 << f), (16, 16), (2, 128), (256, 256), (255, 257), (4096, 4096 & high),
