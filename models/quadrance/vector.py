@@ -1,0 +1,52 @@
+"""Bit-true models of rtl/vector: joint words are unit vectors (c, n), 1.0 is 2^U; products only, no angle anywhere."""
+
+from __future__ import annotations
+
+from quadrance.fixed import Ints, ints, round_shift, saturate, wrap
+
+Params = dict[str, int]
+GUARD = 5  # bits of A, B and rho below the LSB of a coordinate
+
+
+# Forward
+
+
+def _coordinates(p: Params, axes: str, words: tuple[Ints, ...], guard: int) -> dict[str, Ints]:
+    """Coordinates to nearest, ties upward, saturated, and the overflow of any; beyond 2^(W + 1) LSB they wrap."""
+    answer, overflow = {}, ints(0)
+    for axis, word in zip(axes, words):
+        answer[f"out_{axis}"], over = saturate(wrap(round_shift(word, guard), p["W"] + 2), p["W"])
+        overflow = overflow | over
+    return answer | {"out_status": 4 * overflow}
+
+
+def fk1(p: Params, *, in_c1: Ints, in_n1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
+    """``x = L1 c1, y = L1 n1``, nearest (ties upward) and saturated: within 1/2 LSB of the vector as it is given."""
+    l1 = ints(cfg_l1)
+    return _coordinates(p, "xy", (l1 * ints(in_c1), l1 * ints(in_n1)), p["U"])
+
+
+def _plane(p: Params, c1: Ints, n1: Ints, c2: Ints, n2: Ints, l1: Ints, l2: Ints) -> tuple[Ints, Ints]:
+    """(x, y) of two joints with GUARD bits: every product is truncated, and -B is the one's complement."""
+    bits = p["W"] + 2 + GUARD
+
+    def cut(word: Ints, factor: Ints) -> Ints:
+        return wrap(word * ints(factor) >> p["U"], bits)
+
+    l1, l2 = ints(l1) << GUARD, ints(l2) << GUARD
+    a, b = wrap(cut(l2, c2) + l1, bits), cut(l2, n2)
+    return wrap(cut(a, c1) + cut(~b, n1), bits), wrap(cut(a, n1) + cut(b, c1), bits)
+
+
+def fk2(p: Params, *, in_c1: Ints, in_n1: Ints, in_c2: Ints, in_n2: Ints, cfg_l1: Ints,
+        cfg_l2: Ints) -> dict[str, Ints]:
+    """``x = A c1 - B n1, y = A n1 + B c1`` with ``A = L1 + L2 c2, B = L2 n2``."""
+    return _coordinates(p, "xy", _plane(p, in_c1, in_n1, in_c2, in_n2, cfg_l1, cfg_l2), GUARD)
+
+
+def fk3(p: Params, *, in_c1: Ints, in_n1: Ints, in_c2: Ints, in_n2: Ints, in_c3: Ints, in_n3: Ints, cfg_l1: Ints,
+        cfg_l2: Ints) -> dict[str, Ints]:
+    """`fk2` in the plane of the arm, (rho, z), then ``x = rho c3, y = rho n3``; rho keeps its sign and its fraction."""
+    rho, z = _plane(p, in_c1, in_n1, in_c2, in_n2, cfg_l1, cfg_l2)
+    x, y = (wrap(rho * ints(factor) >> p["U"], p["W"] + 2 + GUARD) for factor in (in_c3, in_n3))
+    return _coordinates(p, "xyz", (x, y, z), GUARD)
