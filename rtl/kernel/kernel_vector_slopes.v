@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of three functions, each a product f = w * slope: the tangent in the middle t = (a + 1/2) h of segment a, where
-// w = f'(t)-independent wiring of the argument (a + d) h, d in [0, 1). One memory, 4 ranges of 512 segments.
+// Slopes of three functions of (a + d) h, d in [0, 1), each a product w * slope without an addend: the tangent in the
+// middle t = (a + 1/2) h of segment a, w wiring of the argument. One memory, 4 ranges of 512 segments.
 //   in_range 0, 1: sqrt(v), w = v/h + t/h, h = 2^-9 (v from 2^-5 to 1) or 2^-14 (v below 2^-5)
 //   in_range 2: 1/q, w = 2 t - q;  3: 2/sqrt(q), w = (3 t - q) / 2, h = 2^-9, both for q from 1/4 to 1
 // Formats: out_slope u20 one clock after in_read, held: w in units of 2 h times slope / 2^18 is sqrt(v); w times

@@ -51,6 +51,7 @@ module kernel_vector_solve #(
         HALF    = 2'b01,       // addend <- -: the half that rounds a word
         LENGTH  = 2'b10;       // addend <- -: L1
     localparam [7:0]           // the rest
+        OTHER   = 8'h00,       // - <- -: nothing
         GAP     = 8'h01,       // beyond short <- k1 k2 x y minus_q s: sign and range of q - Q1 - Q2
         COS2    = 8'h02,       // clamped left c2 s <- left right addend beyond short k1 k2 x y: c2; bytes q can spare
         ROOT    = 8'h04,       // factor slope s zero <- left right elbow clamped k1 k2 x y s: read n2; pairs of bits
@@ -67,7 +68,7 @@ module kernel_vector_solve #(
         /* k1; q'      */ {K1,       FACTOR,  SLOPE,  HALF,   INVERSE},
         /* n2          */ {KEEP,     PRODUCT, CFG_L2, NONE,   SIN2},
         /* k2          */ {K2,       FACTOR,  SLOPE,  NONE,   HALVE},
-        /* 1/q'; b     */ {TURN,     SHIFTED, RESULT, HALF,   8'h00},
+        /* 1/q'; b     */ {TURN,     SHIFTED, RESULT, HALF,   OTHER},
         /* c1; a       */ {KEEP,     SHIFTED, SAME,   HALF,   COS1},
         /* n1          */ {KEEP,     SHIFTED, SAME,   NONE,   SIN1}};
     wire [17:0] op;

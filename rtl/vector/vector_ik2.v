@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of two joints on unit vectors: both joints of a tip (x, y) for the elbow asked for.
-// Formats: in_x, in_y s(W-F).F; (out_c1, out_n1), (out_c2, out_n2) cos and sin, s2.U, nearest; cfg_*: vector_solve.config.
-// Error of the tip: page; 0.6 LSB at L1 = L2 = 2^13 but next to the shoulder. Latency, II: 10.
+// Formats: in_x, in_y s(W-F).F; out_c*, out_n* cos and sin of a joint, s2.U, nearest; cfg_*: vector_solve.config.
+// Error of the tip: page. Latency, II: 10.
 // Status: unreachable (nearest point answered), singular (x = y = 0: out_c1, out_n1 held). Model: vector_solve.ik2
 `default_nettype none
 module vector_ik2 #(
@@ -34,10 +34,11 @@ module vector_ik2 #(
             vector_ik2_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_16 rule ();
         end
     endgenerate
+    wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}};
     kernel_vector_solve #(.U(U)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
-        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x({in_x, {(16-W){1'b0}}}),
-        .in_y({in_y, {(16-W){1'b0}}}), .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y),
+        .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready),
         .out_c1(out_c1), .out_n1(out_n1), .out_c2(out_c2), .out_n2(out_n2), .out_status(out_status));
 endmodule
 `default_nettype wire
