@@ -211,9 +211,9 @@ RATIONAL_NEAREST = 1.2 / 2**14
 def _vector_root(v: ArrayLike) -> Floats:
     """|n2^2 - v| of the root of v = 1 - c2^2 in kernel_vector_solve.
 
-    Twice the relative half of what the tangent loses, 1/16 b^2, b = 2 v / h: h = 2^-9, and 2^-14 below 2^-5; half a unit
-    of the slope, 2^-19 of 1/2 sqrt(v), or of 2^-5 of it; half a unit of the first factor; c2^2 to 2^-25. In the first
-    segment of all, below 2^-14, the tangent is up to 2^-17 off.
+    Twice the relative half of what the tangent loses, 1/16 b^2, b = 2 v / h: h = 2^-9, and 2^-14 below 2^-5; half a
+    unit of the slope, 2^-19 of 1/2 sqrt(v), or of 2^-5 of it; half a unit of the first factor; c2^2 to 2^-25. In the
+    first segment of all, below 2^-14, the tangent is up to 2^-17 off.
     """
     v = np.maximum(floats(v), 2.0**-40)
     high = 2.0**-23 / v + v**1.5 * 2**-17 + 2**-22
@@ -234,7 +234,7 @@ def _vector_inverse(q: ArrayLike) -> Floats:
 
 def vector_gap(p: Params, l1: int, l2: int) -> float:
     """Error of the quadrance (LSB^2 of 16-bit words) that c2 of vector_ik2 stands for: the half that rounds the gap,
-    twice, the rounding of cfg_r, the cut of c2 to 25 bits. 10 at L1 = L2 = 2^13."""
+    twice, the rounding of cfg_r, the cut of c2 to 25 bits. 16 at L1 = L2 = 2^13."""
     words = vector_solve.config(p, cfg_l1=l1, cfg_l2=l2)
     l1, l2 = (length << 16 - p["W"] for length in (l1, l2))
     half = 2.0 ** (6 - 2 * words["cfg_e"]) if words["cfg_e"] < 4 else 0
@@ -294,8 +294,8 @@ def vector_length(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) ->
 VECTOR_NEAREST = 1.3
 """Tip of vector_ik2 from the nearest point of a target out of reach, by L1 + L2 in units of 2^-U.
 
-Rounding of (c1, n1) 0.71; of 2/sqrt(q'): half of what the tangent loses 3/16 b^2, 0.19, half a unit of the slope 0.25 at
-q' = 1 (not both), its first factor 0.06; the half unit in place of k2 0.06.
+Rounding of (c1, n1) 0.71; of 2/sqrt(q'): half of what the tangent loses 3/16 b^2, 0.19, half a unit of the slope 0.25
+at q' = 1 (not both), its first factor 0.06; the half unit in place of k2 0.06.
 """
 
 

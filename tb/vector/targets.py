@@ -11,7 +11,7 @@ from tb.rational import stimulus as rational
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Lengths with every shift of the gap: none, one LSB, equal and very different links, the longest, some at random."""
+    """Lengths for many shifts of the gap: none, one LSB, equal and very different links, the longest, some anyhow."""
     high, f = (1 << core.params["W"]) - 1, core.params["F"]
     half = min(32 << f, high)
     lengths = [(high, high), (half, half), (0, 0), (high, 0), (0, high), (1, high), (high, 1), (1, 1), (3, 2),
@@ -25,7 +25,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
 def corners(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
     """Borders of reach all round, axes, the shoulder and its neighbours, extreme words; both elbows.
 
-    The first samples have no direction of joint 1 (or 3), and others between defined ones: held words, reset's at first.
+    The first samples have no direction of joint 1 (or 3), nor have some between defined ones: held words.
     """
     targets = rational.targets(core, cfg, rng)
     axes = [axis for axis in targets if axis != "in_elbow"]
