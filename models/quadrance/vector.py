@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from quadrance.fixed import Ints, ints, round_shift, saturate, wrap
+from functools import cache
+
+import numpy as np
+
+from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 
 Params = dict[str, int]
 GUARD = 5  # bits of A, B and rho below the LSB of a coordinate
@@ -50,3 +54,39 @@ def fk3(p: Params, *, in_c1: Ints, in_n1: Ints, in_c2: Ints, in_n2: Ints, in_c3:
     rho, z = _plane(p, in_c1, in_n1, in_c2, in_n2, cfg_l1, cfg_l2)
     x, y = (wrap(rho * ints(factor) >> p["U"], p["W"] + 2 + GUARD) for factor in (in_c3, in_n3))
     return _coordinates(p, "xyz", (x, y, z), GUARD)
+
+
+# Inverse
+
+
+@cache
+def _root_slopes() -> Ints:
+    """2^32 / b^(3/2), b = 2 a + 1, raised as reciprocal_root.v says; entry 0 is that of q = 2."""
+    slopes = []
+    for b in [2049, *[0] * 127, *range(257, 2049, 2)]:
+        square = (((256 * b * b + b + 96) << 33) // b**3 << 25) // (b * b) if b else 0
+        root = 1 << (20 if b < 512 else 19 if b < 1024 else 17)
+        for _ in range(6):
+            root = root + square // root >> 1
+        slopes.append(root + 1 >> 1 if b else 0)
+    return ints(slopes)
+
+
+def reciprocal_root(q: Ints) -> Ints:
+    """``2^18 * 2 / sqrt(q)``, truncated, q / 2^18 from 1/4 to 2, as the tangent's product."""
+    q = ints(q)
+    w = (q >> 9 << 10) + 767 - (q & 0x1FF)
+    return w * _root_slopes()[q >> 9 & 0x3FF] >> 17
+
+
+def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
+    """``(x, y) / sqrt(x^2 + y^2)``, each coordinate nearest (ties upward); the last vector where x = y = 0."""
+    x, y = (ints(word) << 16 - p["W"] for word in np.broadcast_arrays(in_x, in_y))
+    zero = (x == 0) & (y == 0)
+    either = (x ^ x >> 63) | (y ^ y >> 63)
+    spare = 15 - np.ceil(np.log2(either + 1)).astype(np.int64)
+    x, y = x << spare, y << spare
+    half = 1 << 16 - p["U"]
+    root = reciprocal_root((x * x >> 12) + (y * y >> 12) + 1)
+    c, n = ((part * root >> 17) + half >> 17 - p["U"] for part in (x, y))
+    return {"out_c1": hold_last(c, ~zero, 1 << p["U"]), "out_n1": hold_last(n, ~zero), "out_status": 2 * ints(zero)}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of one joint: the unit vector (c1, n1) = (x, y) / |(x, y)|, by one multiplier; no length is needed.
+//   q = x^2 + y^2 of x and y without their common redundant sign bits; c1 = x / sqrt(q), n1 = y / sqrt(q)
+// Formats: in_x, in_y s(W-F).F; out_c1, out_n1 s2.U (1.0 is 2^U), nearest (ties upward).
+// Error: (c1, n1) is a vector exactly along (x, y), of length 1 within 2^-16, each coordinate to nearest.
+// Latency 8, II 8.
+// Status: singular (x = y = 0: the last vector is held, (1, 0) after reset).
+// Source: rational trigonometry paper, eq. 9, which loses the quadrant. Model: vector.ik1
+`default_nettype none
+module vector_ik1 #(
+    parameter W = 16,  // bits of a coordinate, 4 to 16: 16 are common in servo control
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W-1; changes no logic: 8, Q7.8
+    parameter U = 16   // fraction bits of cosine and sine, 4 to 16: 16, half a step is 0.18 LSB 64 units away
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output reg  signed [U+1:0] out_c1,
+    output reg  signed [U+1:0] out_n1,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 4 || U > 16) begin : g_illegal
+            vector_ik1_needs_W_from_4_to_16_and_F_below_W_and_U_from_4_to_16 rule ();
+        end
+    endgenerate
+
+    // Schedule. start: x y k sum <- in_x in_y
+    localparam [8:0]
+        LEFT   = 9'b000000001,  // left <- x k: a coordinate without its redundant sign bits
+        RIGHT  = 9'b000000010,  // right <- x k: the same
+        SECOND = 9'b000000100,  // - <- y: that coordinate is y, not x
+        ADD    = 9'b000001000,  // sum <- left right sum: a square; in other lines sum becomes what a result starts with
+        READ   = 9'b000010000,  // left slope <- left right sum: q, and read the slope of its reciprocal root; left is w
+        SLOPE  = 9'b000100000,  // right <- slope: the other factor of the root
+        ROOT   = 9'b001000000,  // right <- left right: 1 / sqrt(q)
+        COS    = 9'b010000000,  // c1 <- left right sum: the cosine goes out
+        SIN    = 9'b100000000;  // n1 <- left right sum: the sine goes out
+    //                  multiplier       operands
+    localparam [9*7-1:0] AIM = {
+        /* 1        */ {                 LEFT | RIGHT},
+        /* 2 x x    */ {ADD            | LEFT | RIGHT | SECOND},
+        /* 3 y y    */ {READ},
+        /* 4        */ {                 SLOPE},
+        /* 5 w slope */ {ROOT          | LEFT},
+        /* 6 x root */ {COS            | LEFT | SECOND},
+        /* 7 y root */ {SIN}};
+    wire   to_left, to_right, second, add, read, to_slope, root, cosine, sine, idle;
+    wire   accept = in_valid && in_ready;
+    assign in_ready = idle && (!out_valid || out_ready);
+    schedule #(.LINES(7), .BITS(9), .TABLE(AIM)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+        .out_op({sine, cosine, root, to_slope, read, add, second, to_right, to_left}));
+
+    // Words of 16 bits, aligned to the left. The last step of the shift stands in the selectors of left and right
+    wire [15:0] x_in = {in_x, {(16-W){1'b0}}}, y_in = {in_y, {(16-W){1'b0}}};
+    wire [14:0] used = (x_in[14:0] ^ x_in[15:1]) | (y_in[14:0] ^ y_in[15:1]);
+    reg  [15:0] x, y;
+    // Redundant sign bits, by fours: the first group of used bits that is not empty, and the first bit in it
+    wire        some3 = used[14:11] != 0, some2 = used[10:7] != 0, some1 = used[6:3] != 0;
+    wire [1:0]  group = {!some3 && !some2, !some3 && (some2 || !some1)};
+    wire [3:0]  bits = group[1] ? (group[0] ? {used[2:0], 1'b1} : used[6:3]) : (group[0] ? used[10:7] : used[14:11]);
+    wire [3:0]  spare = {group, !bits[3] && !bits[2], !bits[3] && (bits[2] || !bits[1])};
+    reg  [3:0]  k;
+    reg  [1:0]  pick;  // what goes to right: 0 or 1 the coordinate, shifted by so much, 2 the slope, 3 the root
+    reg         zero;
+    wire [15:0] first = k[1] ? (second ? y << 2 : x << 2) : (second ? y : x);
+    reg  [15:0] coarse;
+    always @*
+        case (k[3:2])
+            2'd0: coarse = first;
+            2'd1: coarse = first << 4;
+            2'd2: coarse = first << 8;
+            default: coarse = first << 12;
+        endcase
+
+    // left and right have 20 fraction bits as coordinates, so that a product has 18 above the 22 that are dropped
+    reg  signed [21:0] left, right;
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire signed [43:0] product = left * right;
+    /* verilator lint_on UNUSEDSIGNAL */
+    localparam [19:0] HALF = 1 << 16 - U;  // rounds c1 and n1; q starts with 1, what two truncated squares lose
+    wire [19:0] start = U < 16 && to_right ? 20'd1 : HALF;
+    reg  [19:0] sum;
+    wire [19:0] total = product[41:22] + sum;
+    wire [20:0] w;
+    wire [19:0] slope;
+    reciprocal_root inverse (.clk(clk), .in_read(read), .in_q(total), .out_w(w), .out_slope(slope));
+    assign out_status = {2'd0, zero, 1'b0};
+
+    always @(posedge clk) begin
+        if (accept) begin
+            x    <= x_in;
+            y    <= y_in;
+            k    <= spare;
+            zero <= spare == 4'd15 && !x_in[15] && !y_in[15];
+        end
+        sum <= add ? total : start;
+        if (to_left || read)
+            left <= read ? {1'b0, w} : k[0] ? {coarse[14], coarse[14:0], 6'd0} : {coarse[15], coarse, 5'd0};
+        if (to_right || to_slope || root)
+            right <= pick[1] ? (pick[0] ? product[38:17] : {2'd0, slope})
+                   : pick[0] ? {coarse[14], coarse[14:0], 6'd0} : {coarse[15], coarse, 5'd0};
+        if (accept || read || to_slope)
+            pick <= accept ? {1'b0, spare[0]} : {1'b1, to_slope};
+        if (cosine && !zero)
+            out_c1 <= total[18:17-U];
+        if (sine && !zero)
+            out_n1 <= total[18:17-U];
+        out_valid <= sine || (out_valid && !out_ready);
+        if (rst) begin
+            out_c1    <= {2'b01, {U{1'b0}}};
+            out_n1    <= {(U+2){1'b0}};
+            out_valid <= 1'b0;
+        end
+    end
+endmodule
+`default_nettype wire
