@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import classic, codecs, cordic, paper, rational, table, vector
+from quadrance import classic, codecs, cordic, paper, rational, table, vector, vector_solve
 from quadrance.cores import Core
 from quadrance.fixed import wrap
 from quadrance.truth import Floats, floats
@@ -312,6 +312,100 @@ def rational_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     fine, cut = _rational_rho(p, target)
     turned = np.arcsin(np.minimum((fine + 2 * cut) / np.maximum(r, 1e-9), 1))
     return aim + 2 * radius * np.sin(turned / 2) + rational_aim(radius)
+
+
+# vector: two joints, inverse
+
+
+def _vector_root(v: ArrayLike) -> Floats:
+    """|n2^2 - v| of the root of v = 1 - c2^2 in kernel_vector_solve.
+
+    Twice the relative half of what the tangent loses, 1/16 b^2, b = 2 v / h: h = 2^-9, and 2^-14 below 2^-5; half a
+    unit of the slope, 2^-19 of 1/2 sqrt(v), or of 2^-5 of it; half a unit of the first factor; c2^2 to 2^-25. In the
+    first segment of all, below 2^-14, the tangent is up to 2^-17 off.
+    """
+    v = np.maximum(floats(v), 2.0**-40)
+    high = 2.0**-23 / v + v**1.5 * 2**-17 + 2**-22
+    low = 2.0**-33 / v + v**1.5 * 2**-12 + 2**-27
+    return np.where(v >= 2**-5, high, np.where(v >= 2**-14, low, 2.0**-17)) + 2**-25
+
+
+def _vector_inverse(q: ArrayLike) -> Floats:
+    """Relative error of 1/q' in kernel_vector_solve, q' the quadrance times the power of 4 that takes it to [1/4, 1).
+
+    Half of what the tangent loses at a border, 1/2 b^2, b = 2^10 q'; half a unit of the slope; of the first factor;
+    the cut of the product.
+    """
+    q = np.maximum(floats(q), 1)
+    q = q / 4.0 ** np.ceil(np.floor(np.log2(q) + 1) / 2)
+    return 2**-21 / q**2 + q**2 * 2**-17 + 2**-22 / q + 2**-24
+
+
+def vector_gap(p: Params, l1: int, l2: int) -> float:
+    """Error of the quadrance (LSB^2 of 16-bit words) that c2 of vector_ik2 stands for: the half that rounds the gap,
+    twice, the rounding of cfg_r, the cut of c2 to 25 bits. 16 at L1 = L2 = 2^13."""
+    words = vector_solve.config(p, cfg_l1=l1, cfg_l2=l2)
+    l1, l2 = (length << 16 - p["W"] for length in (l1, l2))
+    half = 2.0 ** (6 - 2 * words["cfg_e"]) if words["cfg_e"] < 4 else 0
+    return 2 * half + 2 * l1 * l2 * (1 / words["cfg_r"] + 2**-25)
+
+
+def _vector_quadrance(p: Params, l1: int, l2: int, n2: ArrayLike) -> Floats:
+    """By how much |k|^2 differs from q: the gap, and the root times L2^2; 16-bit words."""
+    gap, v = vector_gap(p, l1, l2), floats(n2) ** 2
+    l1, l2 = (length << 16 - p["W"] for length in (l1, l2))
+    moved = gap / max(l1 * l2, 1)
+    root = np.max([_vector_root(v - moved), _vector_root(v), _vector_root(v + moved)], axis=0)
+    return gap + l2 * l2 * root
+
+
+def vector_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+    """Tip of vector_ik2, the products of the answered words, for a target in reach; half a unit of each word included.
+
+    Parameters
+    ----------
+    p, l1, l2
+        Links in LSB.
+    rho, n2 : float arrays
+        Distance of the target from the shoulder, LSB; |sin theta2|.
+
+    Notes
+    -----
+    The tip is p |k|^2 / q where k, the tip of the arm with joint 1 at 0, is that of which joint 1 was worked out:
+
+    * `_vector_quadrance` / rho: the length of k. Next to the shoulder it is not small beside rho, and below
+      rho^2 = 4 times it, joint 1 is no unit vector any more: there the tip is within 4 (rho + its root).
+    * k1 and k2 have 4 fraction bits, about a half: 2^(1/2) / 32, twice for the length, once beside the words' k.
+    * The words: L2 and rho times 2^(1/2) / 2 of a unit.
+    * `_vector_inverse`, the cut of a and b to 1/8 LSB^2, of their shifted words to 2^-25, 1/q' <= 4.
+    """
+    unit = 2.0 ** (16 - p["W"])  # the core computes with words of 16 bits
+    rho, length = floats(rho) * unit, l2 * unit
+    wrong = _vector_quadrance(p, l1, l2, n2)
+    far = np.maximum(rho, 1e-9)
+    word = math.sqrt(0.5) / 2 ** p["U"]
+    stretch = 1 + wrong / far**2 + 0.05 / far
+    known = wrong / far + 2**0.5 * 3 / 32 + word * (length + rho) + rho * _vector_inverse(rho**2)
+    known = stretch * (known + 2**0.5 * (0.25 / far + 2**-23 * rho))
+    return np.where(rho**2 < 4 * wrong + 4, 4 * (rho + np.sqrt(wrong) + 1), known) / unit
+
+
+def vector_ik2_length(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+    """| |(c1, n1)| - 1 | of vector_ik2, units of 2^-U, for a target in reach with rho^2 > 4 `_vector_quadrance`.
+
+    |k| / |p|: half the relative error of the quadrance, k's fraction bits; 1/q'; the word.
+    """
+    rho = floats(rho) * 2.0 ** (16 - p["W"])
+    part = _vector_quadrance(p, l1, l2, n2) / (2 * rho**2) + 2**0.5 / 32 / rho + _vector_inverse(rho**2) + 2**-22
+    return (part * (1 + part) + 2**0.5 * 0.25 / rho**2) * 2.0 ** p["U"] + math.sqrt(0.5)
+
+
+VECTOR_NEAREST = 1.3
+"""Tip of vector_ik2 from the nearest point of a target out of reach, by L1 + L2 in units of 2^-U.
+
+Rounding of (c1, n1) 0.71; of 2/sqrt(q'): half of what the tangent loses 3/16 b^2, 0.19, half a unit of the slope 0.25
+at q' = 1 (not both), its first factor 0.06; the half unit in place of k2 0.06.
+"""
 
 
 # cordic

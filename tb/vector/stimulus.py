@@ -8,10 +8,13 @@ from quadrance.cores import Core, joints
 
 from tb.lib.stimulus import Vectors, extremes
 from tb.rational.stimulus import points
+from tb.vector import targets
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Link lengths: longest, none, one LSB, where the word just does not saturate and just does, some at random."""
+    if core.function in ("ik2", "ik3"):
+        return targets.configs(core, rng)
     high = (1 << core.params["W"]) - 1
     half = high >> 1
     pairs = [(high, high), (0, 0), (half, half + 1), (half + 1, half), (half, 1), (1, half), (0, half), (half + 1, 0),
@@ -40,6 +43,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
         return directions(core, rng)
+    if core.function in ("ik2", "ik3"):
+        return targets.corners(core, cfg, rng)
     x, y = points(core.params["W"])
     order = np.append(rng.permutation(np.arange(x.size)), rng.integers(0, x.size, x.size // 8))
     x, y = x[order], y[order]

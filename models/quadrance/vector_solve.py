@@ -1,0 +1,132 @@
+"""Bit-true models of the inverse cores of rtl/vector: joint words are unit vectors."""
+
+from __future__ import annotations
+
+from functools import cache
+from math import isqrt
+
+import numpy as np
+
+from quadrance.fixed import Ints, hold_last, ints, wrap
+
+Params = dict[str, int]
+
+GUARD = 4  # fraction bits of k1, k2 and rho below the coordinate's LSB; a constant 1 follows them
+FACTOR = 22  # bits of the first factor of a root or a reciprocal; a constant 1 follows them
+SUM = 3  # fraction bits of the sum of two products
+
+
+def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
+    """Words that the inverse cores want besides the lengths, all of lengths aligned to 16 bits.
+
+    `cfg_e` shifts the gap q - Q1 - Q2 so that 2 L1 L2 takes 32 or 33 bits, 2 e - 7 to the left; `cfg_q` is -Q1 - Q2
+    with the half that rounds this shift; `cfg_r` is 2^(56 - 2 e) / (2 L1 L2 + half), always less: a point in reach,
+    borders included, never seems out of it.
+    """
+    l1, l2 = (length << 16 - p["W"] for length in (cfg_l1, cfg_l2))
+    double = 2 * l1 * l2
+    e = min((33 - double.bit_length()) // 2, 15)
+    half = 1 << 6 - 2 * e if e < 4 else 0
+    ratio = ((1 << 56 - 2 * e) - 1) // max(double + half, 1)
+    # an arm of no length reaches no target but its shoulder: then the gap must not be 1
+    return {"cfg_q": half - l1 * l1 - l2 * l2 + (l1 == l2 == 0), "cfg_r": ratio, "cfg_e": e}
+
+
+@cache
+def _slopes() -> Ints:
+    """The words of kernel_vector_slopes.v: 4 ranges of 512 segments."""
+    table = np.zeros((4, 512), dtype=np.int64)
+    for a in range(512):
+        b = 2 * a + 1
+        for i in range(4 if a >= 128 else 2):
+            if i == 2:
+                table[i, a] = (((((2 * b * b + 1) << 36) // (b * b)) << 4) // (b * b) >> 4) + 1 >> 1
+            else:
+                square = ((8 * b * b - 1 if i < 2 else 8 * b * b + 3) << 40) // b**3
+                square = (square << 3, square >> 2, 0, (square << 23) // (b * b))[i]
+                table[i, a] = isqrt(square) + 1 >> 1
+    return table.ravel() & 0xFFFFF
+
+
+def _factor(word: Ints) -> Ints:
+    """The upper bits of a 26-bit first factor and the constant 1 behind them, 1.0 is 2^25."""
+    return (word >> 26 - FACTOR << 26 - FACTOR) + (1 << 25 - FACTOR)
+
+
+def _root(v: Ints) -> Ints:
+    """sqrt(v / 2^26) as a product with 49 fraction bits."""
+    low = v >> 21 == 0
+    e = np.where(low, v & 0x1FFFFF, v >> 5)
+    w = (e >> 11 << 16) + ((~e >> 11 & 1) << 15) + ((e & 0x7FF) << 4)
+    return _factor(w), _slopes()[512 * low + (e >> 12)]
+
+
+def _inverse(q: Ints, root: Ints) -> Ints:
+    """A quarter of 1/q, or of 2 / sqrt(q), q' = q / 2^25 from 1/4 to 1, as a product with 49 fraction bits."""
+    a, d = q >> 16, q & 0xFFFF
+    w = (a << 16) + np.where(root, ((~d >> 15 & 1) << 15) + ((d >> 15) << 14) + (~d >> 1 & 0x3FFF), ~d & 0xFFFF)
+    return _factor(w) * (_slopes()[1024 + 512 * ints(root) + (a & 511)] << 6)
+
+
+def _spare(q: Ints) -> Ints:
+    """Pairs of upper bits that a 32-bit q > 0 can spare; 15 for 0."""
+    bits = np.ceil(np.log2(np.maximum(q, 1) + 0.5)).astype(np.int64)
+    return (32 - bits) // 2 - (q == 0)
+
+
+def _turn(k1: Ints, k2: Ints, x: Ints, y: Ints) -> Ints:
+    """k1 x + k2 y, k with GUARD + 1 fraction bits, x and y with as many as asked for; the sum has SUM."""
+    cut = GUARD + 1 - SUM
+    return (k1 * x >> cut) + (k2 * y >> cut)
+
+
+def _shift(total: Ints, s: Ints) -> Ints:
+    """A sum with SUM fraction bits times 2^(2 s - 7), truncated, in 27 bits; it fits but next to the shoulder."""
+    return wrap(wrap(total, 34 + SUM) << 2 * s >> SUM + 7, 27)
+
+
+def _word(p: Params, product: Ints) -> Ints:
+    """A unit vector's coordinate, nearest (ties upward), of a product with 49 fraction bits."""
+    return wrap((product >> 48 - p["U"]) + 1 >> 1, p["U"] + 2)
+
+
+def _elbow(p: Params, x: Ints, y: Ints, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints,
+           cfg_e: Ints) -> tuple[Ints, ...]:
+    """(c1, n1, c2, n2, unreachable) of the target (x, y)."""
+    q = x * x + y * y
+    gap = q + cfg_q
+    n = gap << 2 * cfg_e >> 7
+    beyond = (n < -(1 << 26)) | (n >= 1 << 26)
+    product = np.where(beyond, 0, n) * cfg_r
+    clamped = beyond | (product < -(1 << 49)) | (product >= 1 << 49)
+    short = gap < 0
+    c2 = np.where(clamped, np.where(short, -1, 1) << 25, product >> 24)
+    fine = np.where(clamped, 0, product >> 23)  # c2 with a bit more
+    square = c2 * fine >> 25  # 2^26: the root of 1 - c2^2 would read 1
+    w, slope = _root(~square & 0x3FFFFFF)
+    w = np.where(clamped | (square >> 26 != 0), 1 << 25 - FACTOR, np.where(elbow == 1, -w, w))
+    k1 = (c2 * l2 >> 25 - GUARD) + (l1 << GUARD)
+    n2 = w * (slope << 6)
+    k2 = (n2 >> 24) * l2 >> 25 - GUARD
+    s = _spare(q)
+    inverse = _inverse(q << 2 * s >> 7, clamped)
+    k1 = np.where(clamped, np.where(k1 < 0, -1, 1) << 15 + GUARD + (s & 1), k1)
+    s = np.where(clamped, s >> 1, s)
+    k1, k2 = 2 * k1 + 1, 2 * k2 + 1
+    r = wrap(inverse >> 23, 27)
+    c1 = _shift(_turn(k1, k2, x, y), s) * r
+    n1 = _shift(_turn(-k2, k1, x, y), s) * r
+    c2 = np.where(clamped, np.where(short, -1, 1) << p["U"], _word(p, product))
+    return _word(p, c1), _word(p, n1), c2, _word(p, n2), clamped
+
+
+def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
+        cfg_e: Ints) -> dict[str, Ints]:
+    """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
+    x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
+        in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
+    x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
+    zero = (x == 0) & (y == 0)
+    c1, n1, c2, n2, clamped = _elbow(p, x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e)
+    return {"out_c1": hold_last(c1, ~zero, 1 << p["U"]), "out_n1": hold_last(n1, ~zero), "out_c2": c2, "out_n2": n2,
+            "out_status": ints(clamped) + 2 * ints(zero)}

@@ -1,0 +1,136 @@
+"""Models of the inverse vector cores against the float64 truth: tip error, flags, length of the words, held words."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from quadrance import bounds, vector_solve
+from quadrance.cores import all_cores
+
+LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16000, 300), (300, 16000), (768, 512), (30, 20),
+         (5, 2), (1, 1), (100, 100), (16384, 16384), (30000, 2000), (20000, 25000), (60000, 60000)]
+SETS = {core.id: core.params for core in all_cores() if core.model_name == "vector_solve.ik2"}
+P = {"W": 16, "F": 8, "U": 16}
+CASES = [pytest.param(p, l1 >> 16 - p["W"], l2 >> 16 - p["W"], id=f"{name}-{l1}-{l2}")
+         for name, p in SETS.items() for l1, l2 in LINKS]
+
+
+def _targets(p: dict[str, int], l1: int, l2: int, count: int = 60_000) -> tuple[np.ndarray, ...]:
+    """Targets from folded to stretched, a quarter of them at the borders of reach; both elbows."""
+    rng = np.random.default_rng(l1 + 3 * l2)
+    turn, radius = rng.uniform(-np.pi, np.pi, count), rng.uniform(abs(l1 - l2), l1 + l2, count)
+    near = rng.exponential(4, count // 4)
+    radius[::4] = np.where(rng.random(near.size) < 0.5, abs(l1 - l2) + near, l1 + l2 - near)
+    x, y = (np.rint(radius * part).astype(np.int64) for part in (np.cos(turn), np.sin(turn)))
+    high = 1 << p["W"] - 1
+    inside = (np.abs(x) < high) & (np.abs(y) < high)
+    return x[inside], y[inside], rng.integers(0, 2, count)[inside]
+
+
+def _answer(p: dict[str, int], l1: int, l2: int, x: np.ndarray, y: np.ndarray, elbow: object) -> dict[str, np.ndarray]:
+    return vector_solve.ik2(p, in_x=x, in_y=y, in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                            **vector_solve.config(p, cfg_l1=l1, cfg_l2=l2))
+
+
+def _tip(p: dict[str, int], out: dict[str, np.ndarray], l1: int, l2: int) -> tuple[np.ndarray, ...]:
+    c1, n1, c2, n2 = (out[f"out_{name}"] / 2 ** p["U"] for name in ("c1", "n1", "c2", "n2"))
+    a, b = l1 + l2 * c2, l2 * n2
+    return a * c1 - b * n1, a * n1 + b * c1
+
+
+def _in_reach(l1: int, l2: int, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    q = x * x + y * y
+    return (q > 0) & (q <= (l1 + l2) ** 2) & (q >= (l1 - l2) ** 2)
+
+
+def _sine(l1: int, l2: int, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    q = x * x + y * y  # exact in integers, for next to the borders the difference is small
+    return np.sqrt(((l1 + l2) ** 2 - q) * (q - (l1 - l2) ** 2.0)) / max(2 * l1 * l2, 1)
+
+
+@pytest.mark.parametrize(("p", "l1", "l2"), CASES)
+def test_ik2_puts_the_tip_within_its_bound(p: dict[str, int], l1: int, l2: int) -> None:
+    x, y, elbow = (word[_in_reach(l1, l2, *_targets(p, l1, l2)[:2])] for word in _targets(p, l1, l2))
+    out, rho, n2 = _answer(p, l1, l2, x, y, elbow), np.hypot(x, y), _sine(l1, l2, x, y)
+    assert not out["out_status"].any()  # nothing in reach is flagged, borders included
+    tip = _tip(p, out, l1, l2)
+    error = np.hypot(tip[0] - x, tip[1] - y)
+    assert np.all(error <= bounds.vector_ik2(p, l1, l2, rho, n2))
+    if p["W"] == 16 and l1 + l2 <= 16384:  # 64 units of Q7.8
+        assert np.max(error[rho >= 256], initial=0) <= 0.6
+    assert np.all(out["out_n2"] * (1 - 2 * elbow) >= 0)  # the elbow asked for
+    length2 = np.hypot(out["out_c2"], out["out_n2"]) - (1 << p["U"])
+    assert np.max(np.abs(length2)[n2 > 2**-6], initial=0) <= 1.5
+    far = (rho * 2.0 ** (16 - p["W"])) ** 2 > 4 * bounds._vector_quadrance(p, l1, l2, n2) + 4
+    length1 = np.abs(np.hypot(out["out_c1"], out["out_n1"]) - (1 << p["U"]))
+    assert np.all(length1[far] <= bounds.vector_ik2_length(p, l1, l2, rho, n2)[far])
+
+
+def test_ik2_keeps_joint_1_a_unit_vector() -> None:
+    """Cobra's links: within 2 words from a quarter of the reach on, within 9 down to the inner circle at 1280 LSB."""
+    x, y, elbow = _targets(P, 8320, 7040)
+    keep = _in_reach(8320, 7040, x, y)
+    out, rho = _answer(P, 8320, 7040, x[keep], y[keep], elbow[keep]), np.hypot(x, y)[keep]
+    away, n2 = np.abs(np.hypot(out["out_c1"], out["out_n1"]) - 65536), _sine(8320, 7040, x[keep], y[keep])
+    assert np.max(away[rho > 3840]) <= 2
+    assert np.max(away[n2 > 2**-6]) <= 3.5
+    assert np.max(away) <= 9
+
+
+@pytest.mark.parametrize(("p", "l1", "l2"), CASES)
+def test_ik2_out_of_reach_answers_the_nearest_point(p: dict[str, int], l1: int, l2: int) -> None:
+    rng, high = np.random.default_rng(5), 1 << p["W"] - 1
+    x, y, elbow = *rng.integers(-high, high, (2, 40_000)), rng.integers(0, 2, 40_000)
+    hole = rng.uniform(0, abs(l1 - l2), 10_000) + 1
+    turn = rng.uniform(-np.pi, np.pi, 10_000)
+    x[:10_000] = np.clip(np.rint(hole * np.cos(turn)), -high, high - 1)
+    y[:10_000] = np.clip(np.rint(hole * np.sin(turn)), -high, high - 1)
+    q, edge = x * x + y * y, bounds.vector_gap(p, l1, l2) / 4 ** (16 - p["W"])
+    far, near = q > (l1 + l2) ** 2 + edge, q < (l1 - l2) ** 2 - edge
+    out = _answer(p, l1, l2, x, y, elbow)
+    assert np.all(out["out_status"][far | near] & 1)
+    one = 1 << p["U"]
+    assert np.all(out["out_c2"][far] == one) and np.all(out["out_c2"][near] == -one)
+    assert not out["out_n2"][far | near].any()
+    keep = (far | near) & (q > 0)
+    nearest = np.where(near, abs(l1 - l2), l1 + l2)[keep] / np.sqrt(q[keep])
+    tip = [part[keep] for part in _tip(p, out, l1, l2)]
+    error = np.hypot(tip[0] - x[keep] * nearest, tip[1] - y[keep] * nearest)
+    assert np.max(error, initial=0) <= bounds.VECTOR_NEAREST * (l1 + l2) / 2 ** p["U"]
+
+
+@pytest.mark.parametrize(("l1", "l2"), [(0, 0), (0, 8192), (8192, 0), (65535, 0), (65535, 1), (1, 65535)])
+def test_ik2_degenerate_links_still_point_at_the_target(l1: int, l2: int) -> None:
+    x, y, elbow = _targets(P, 9000, 9000)
+    x = np.where((x == 0) & (y == 0), 1, x)
+    out = _answer(P, l1, l2, x, y, elbow)
+    length = np.hypot(out["out_c1"], out["out_n1"])
+    assert np.max(np.abs(length - 65536)) <= 2
+    if max(l1, l2) > 1000:
+        tip, scale = _tip(P, out, l1, l2), max(l1, l2) / np.hypot(x, y)
+        assert np.max(np.hypot(tip[0] - x * scale, tip[1] - y * scale)) <= min(l1, l2) + 2.5 * max(l1, l2) / 65536
+
+
+def test_ik2_holds_joint_1_at_the_shoulder() -> None:
+    x, y = np.array([0, 0, 5000, 0, 0]), np.array([0, 3000, 0, 0, 0])
+    out = _answer(P, 8192, 8192, x, y, np.zeros(5, dtype=np.int64))
+    assert out["out_status"].tolist() == [2, 0, 0, 2, 2]
+    assert (out["out_c1"][0], out["out_n1"][0]) == (65536, 0)
+    for name in ("out_c1", "out_n1"):
+        assert out[name][3] == out[name][4] == out[name][2]
+    assert out["out_c2"][0] == -65536
+
+
+def test_ik2_elbows_mirror_joint_2() -> None:
+    """The sine changes its sign: ties go upward, so within one word."""
+    x, y, _ = _targets(P, 8320, 7040)
+    up, down = (_answer(P, 8320, 7040, x, y, np.full(x.shape, elbow)) for elbow in (0, 1))
+    assert np.array_equal(up["out_c2"], down["out_c2"])
+    assert np.max(np.abs(up["out_n2"] + down["out_n2"])) <= 1
+
+
+def test_the_reciprocal_never_reaches_four() -> None:
+    """1/q' and 2 / sqrt(q') next to q' = 1/4, where the register of 1/q' ends."""
+    q = np.arange(1 << 23, (1 << 23) + (1 << 17))
+    for root in (0, 1):
+        assert np.max(vector_solve._inverse(q, np.full(q.shape, root)) >> 23) < 1 << 26
