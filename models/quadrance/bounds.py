@@ -126,9 +126,20 @@ def vector_tip(p: Params, joints: int, l1: float, l2: float) -> float:
     `vector_chain`, or 1/2 for one joint, in every coordinate; and the length of a rounded vector, off by sqrt(1/2) 2^-U
     at most, of every joint that turns a link.
     """
+    own, length = _vector_parts(p, joints, l1, l2)
+    return math.sqrt(max(joints, 2)) * own + length
+
+
+def vector_coordinate(p: Params, joints: int, l1: float, l2: float) -> float:
+    """One coordinate of vector_fk1 to vector_fk3 from that of the vectors' directions."""
+    return sum(_vector_parts(p, joints, l1, l2))
+
+
+def _vector_parts(p: Params, joints: int, l1: float, l2: float) -> tuple[float, float]:
+    """What a coordinate errs by itself, and what the lengths of rounded vectors move the tip."""
     off = math.sqrt(0.5) * 2.0 ** -p["U"]
     lengths = {1: l1, 2: l1 + 2 * l2, 3: 2 * l1 + 3 * l2}[joints]
-    return math.sqrt(max(joints, 2)) * (0.5 if joints == 1 else vector_chain(joints, 1 + off)) + 1.01 * lengths * off
+    return 0.5 if joints == 1 else vector_chain(joints, 1 + off), 1.01 * lengths * off
 
 
 def vector_length() -> float:

@@ -155,7 +155,47 @@ class Paper(Claim):
         return np.minimum(radius * (bounds.paper_nearest(self.p, self.joints, r) + yaw), 2 * radius) + 1e-6
 
 
-CLAIMS: dict[str, type[Claim]] = {"rational": Rational, "classic": Classic, "paper": Paper}
+class Table(Claim):
+    """rtl/table."""
+
+    def coordinate(self) -> float:
+        return bounds.table_forward(self.p, self.joints, self.l1, self.l2)
+
+
+class Vector(Claim):
+    """rtl/vector. The tip is that of the words' directions: their lengths belong to the error."""
+
+    words_in_law = True
+
+    def coordinate(self) -> float:
+        return bounds.vector_coordinate(self.p, self.joints, self.l1, self.l2)
+
+    def direction(self, r: Floats) -> Floats:
+        """The direction before both words are rounded is exact; of a rounded vector, sqrt(1/2) 2^-U and its length."""
+        return np.arcsin(np.sqrt(0.5) * 2.0 ** -self.p["U"] / (1 - 2 * bounds.vector_length())) + 1e-9 + 0 * r
+
+    def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
+        """Never flagged in reach; always where the quadrance is out by more than `vector_gap`."""
+        q, gap = (target * target).sum(axis=0), bounds.vector_gap(self.p, self.l1, self.l2) / 4.0 ** (16 - self.p["W"])
+        far, near = (self.l1 + self.l2) ** 2, (self.l1 - self.l2) ** 2
+        return (q > far + gap) | (q < near - gap), (q > far) | (q < near)
+
+    def reached(self, target: Ints) -> Floats:
+        """`vector_ik2` is about the products of the words; their directions differ by the lengths of the vectors."""
+        rho, q = np.hypot(*target), (target * target).sum(axis=0)
+        near, far = (self.l1 - self.l2) ** 2.0, (self.l1 + self.l2) ** 2
+        sine = np.sqrt(np.maximum((far - q) * (q - near), 0)) / max(2 * self.l1 * self.l2, 1)
+        length = bounds.vector_ik2_length(self.p, self.l1, self.l2, rho, sine) / 2 ** self.p["U"]
+        words = length * rho + self.l2 * 1.5 / 2 ** self.p["U"]
+        return bounds.vector_ik2(self.p, self.l1, self.l2, rho, sine) + np.minimum(words, rho)
+
+    def nearest(self, target: Ints) -> Floats:
+        """`VECTOR_NEAREST`, and the length of (c1, n1), two words."""
+        return (bounds.VECTOR_NEAREST + 2) * (self.l1 + self.l2) / 2 ** self.p["U"] + 0 * target[0]
+
+
+CLAIMS: dict[str, type[Claim]] = {"rational": Rational, "classic": Classic, "paper": Paper,
+                                 "table": Table, "vector": Vector}
 
 
 def angles(claim: Claim, answer: dict[str, Ints], exact: list[Floats]) -> list[Floats]:

@@ -203,13 +203,14 @@ def test_held_words_at_the_base(core: Core, share: tuple[float, float]) -> None:
     base = x == 0
     assert np.array_equal(answer["out_status"] & SINGULAR > 0, base)
     assert np.array_equal((answer["out_status"] & UNREACHABLE > 0)[base], np.full(5, claim.l1 != claim.l2))
-    for name in ("out_j1", "out_j3")[:claim.joints - 1]:
-        word = answer[name]
-        assert word[:2].tolist() == [0, 0] and word[3] == word[4] == word[2] and word[6] == word[5]
-    bits = core.outputs[1].width
-    off = np.abs((answer["out_j2"] - (1 << bits - 1) + (1 << bits - 1)) % (1 << bits) - (1 << bits - 1))[base]
+    found = joints(core.outputs)
+    for joint in found[:1] + found[2:]:
+        for name, zero in codecs.encode(joint, 0.0).items():
+            word = answer[name]
+            assert word[:2].tolist() == [zero, zero] and word[3] == word[4] == word[2] and word[6] == word[5]
+    off = np.abs(truth.difference(codecs.decode(found[1], answer), np.pi))[base]
     if claim.l1 != claim.l2:
-        assert off.max() <= claim.folded()
+        assert off.max() <= claim.folded() * truth.TURN / (4 * codecs.quadrant(found[1])) + 1e-12
 
 
 @LINKS
