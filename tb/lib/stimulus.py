@@ -78,7 +78,7 @@ def saturation(core: Core, cfg: dict[str, int]) -> Vectors:
 @cache
 def _edges(core: Core, cfg: tuple[tuple[str, int], ...]) -> tuple[tuple[int, ...], ...]:
     """Columns of `saturation`."""
-    lines, steps = 16, 32
+    lines = 16
     rng, names = np.random.default_rng(1), [port.name for port in core.inputs]
 
     def over(rows: np.ndarray) -> np.ndarray:
@@ -88,6 +88,7 @@ def _edges(core: Core, cfg: tuple[tuple[str, int], ...]) -> tuple[tuple[int, ...
     found = []
     for index, port in list(enumerate(core.inputs))[:2]:
         bits = port.width
+        steps = min(32, 1 << bits)
         still = rng.integers(0, 1 << bits, (len(names), lines))
         still[:, ::2] = (rng.integers(0, 8, still[:, ::2].shape) << bits - 3) + rng.integers(-2, 3, still[:, ::2].shape)
         rows = np.repeat(still & (1 << bits) - 1, steps, axis=1)
