@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of three joints whose words are unit vectors: two in a plane (vector_fk2) that stands upright and yaws.
+// Forward kinematics of three joints whose words are unit vectors: vector_fk2 in a plane that stands upright and yaws.
 //   rho, z = x, y of vector_fk2; x = rho c3, y = rho n3; rho keeps its sign and its fraction
 // Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 uQ(W-F).F; out_x ... out_z sQ(W-F).F, nearest, saturated.
 // Error: each coordinate within 0.64 LSB of the vectors as they are given, if none is longer than 1.
