@@ -42,6 +42,7 @@ module vector_fk3 #(
     vector_chain #(.JOINTS(3), .W(W), .U(U)) chain (
         .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),
         .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2), .in_c3(in_c3), .in_n3(in_n3),
-        .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_overflow(overflow));
+        .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z),
+        .out_overflow(overflow));
 endmodule
 `default_nettype wire
