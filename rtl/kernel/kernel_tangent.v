@@ -42,7 +42,7 @@ module kernel_tangent (
     // Schedule. start: x y k x_long zero <- in_x in_y
     localparam [2:0]
         LONG  = 3'b001,  // slope w <- x y k x_long: shift the longer coordinate
-        SHORT = 3'b010,  // factor <- x y k x_long w zero: shift the other one, times w
+        SHORT = 3'b010,  // factor <- x y k x_long w: shift the other one, times w
         GIVE  = 3'b100;  // - <- factor slope x y x_long zero: times the slope, the tangent
     //                       work
     localparam [3*3-1:0] AIM = {
@@ -100,14 +100,12 @@ module kernel_tangent (
             slope <= slopes[{!x_long, scaled[15], scaled[13:7]}];
             w     <= {scaled[15:7], ~scaled[6:0]};
         end
-        if (short && !zero)
-            factor <= first;
+        factor <= first;  // of SHORT, for the next clock; 0 at the origin
         out_valid <= give || (out_valid && !out_ready);
         if (out_take)
             fresh <= 1'b0;
         if (rst) begin
             fresh     <= 1'b1;
-            factor    <= 20'd0;
             out_valid <= 1'b0;
         end
     end
