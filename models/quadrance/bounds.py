@@ -51,7 +51,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
         return paper_forward(p, joints, l1, l2) if forward else paper_inverse(p, joints, l1, l2)
     if family == "table":
         return math.sqrt(joints + (joints == 1)) * table_forward(p, joints, l1, l2) if forward else \
-            0.0
+            table_direction(p) * l1
     if family == "vector":
         return vector_tip(p, joints, l1, l2) if forward else 0.0  # of ik1: the direction is exact
     if joints == 1:
@@ -647,6 +647,20 @@ def table_forward(p: Params, joints: int, l1: float, l2: float) -> float:
     if joints == 1:
         return 0.5 + root * l1
     return 0.5 + (joints - 1) * (root * (l1 + l2) + 2.0 ** -table.GUARD)
+
+
+def table_direction(p: Params) -> float:
+    """Angle (rad) from a target to the nearest direction that rounds to the word of table_ik1.
+
+    0.42 / 2^14 at A = 18. t = m / M errs by dt, the angle by dt / (1 + t^2):
+
+    * half of what the tangent of 1/M loses at a border, t 2^-17: 2^-18;
+    * half a unit of the slope s, 1 to 4: t 2^-16 / s / (1 + t^2), at most 2^-17 / s; the cut of m w to 19 bits,
+      2^-19 s: together at most 1.25 * 2^-17, at either end of s;
+    * half the sag of a chord of the arc tangent, 0.65 * 2^-18; the cut of its place, 2^-18;
+    * rounding of a knot and the cut of the rise, a unit of 2^-(A+2) turn either way.
+    """
+    return 2.0**-18 * (1 + 2.5 + 0.65 + 1) + 2 * math.pi / 2.0 ** (p["A"] + 2)
 
 
 # paper

@@ -251,3 +251,26 @@ def angle_chord(k: int, t: int, a: int, word: Ints, cosine: bool) -> Ints:
     b, place = a - t, ints(word) + (cosine << a - 2) & (1 << a) - 1
     knots, i = sine_knots(k, t), place >> b
     return knots[i] + ((knots[i + 1] - knots[i]) * (place & (1 << b) - 1) >> b)
+
+
+@cache
+def arc_knots(d: int) -> Ints:
+    """``arctan(i / 128)`` in 2^-d turn, i = -256 ... 256, half a sag outside the curve; 3/4 of 4 units are half a word.
+
+    The integers of angle_about_axis.v, operation by operation.
+    """
+    arc, found = 0, []
+    for i in range(257):
+        z = (i << 48) // (16384 + i * i) ** 2
+        found.append((arc + z >> 14) * 683565276)
+        z = (128 << 44) // (16384 + i * (i + 1))
+        square = (z >> 14) * (z >> 14) >> 30
+        arc += z - (z * square >> 30) // 3 + ((z * square >> 30) * square >> 30) // 5
+    return ints([(3 << 62 - d) + s >> 62 - d for s in [-s for s in found[:0:-1]] + found])
+
+
+def angle_about_axis(a: int, axis: Ints, tangent: Ints) -> Ints:
+    """Binary angle of a bits: quarter turns and the arc tangent of tangent / 2^18, -2 to 2, nearest."""
+    knots, i = arc_knots(a + 2), (tangent >> 11) + 256
+    arc = knots[i] + ((knots[i + 1] - knots[i]) * (tangent & 0x7FF) >> 11)
+    return (axis << a) + arc >> 2 & (1 << a) - 1

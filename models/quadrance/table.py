@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from quadrance import codecs
-from quadrance.fixed import Ints, ints, round_shift, saturate
+from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 
 Params = dict[str, int]
 
@@ -55,3 +57,28 @@ def fk3(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints, cfg_l1: Ints, cfg_l
     rho, z = (value + 1 for value in _sums(p, 3, in_j1, in_j2, cfg_l1, cfg_l2))
     x, y = ((rho * root >> p["W"] + 1) + 1 for root in _unit(p, 3, in_j3))
     return _coordinates(p, "xyz", [x, y, z], GUARD)
+
+
+# Inverse
+
+
+@cache
+def _reciprocal_slopes() -> Ints:
+    """2^15 / t^2 in the middle of 128 segments of M from 1/2, then of 128 from -1, as kernel_tangent.v computes it."""
+    pairs = [(257 + 2 * i, 1) for i in range(128)] + [(511 - 2 * i, -1) for i in range(128)]
+    return ints([((((64 * b + sign) * (2 * b * b + 1) << 27) // b**3 // b**2) + 1) >> 1 for b, sign in pairs])
+
+
+def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
+    """``j1 = atan2(y, x)``, nearest; at the origin the last angle stays (0 before there was one)."""
+    x, y = (ints(word) << 16 - p["W"] for word in np.broadcast_arrays(in_x, in_y))
+    zero, bits = (x == 0) & (y == 0), [np.ceil(np.log2((word ^ word >> 63) + 1)) for word in (x, y)]
+    k = 15 - np.maximum(*bits).astype(np.int64)
+    x_long = np.where(k < 15, bits[0] == 15 - k, x == -1)  # of 0 and -1 the latter is longer
+    long, short = (np.where(pick, x, y) << k for pick in (x_long, ~x_long))
+    slope = _reciprocal_slopes()[wrap(long >> 7, 7, signed=False) + 128 * (long < 0)]
+    factor = wrap(short * (long ^ 0x7F) >> 11, 20)
+    tangent = wrap(factor * np.where(x_long, slope, -slope) >> 16, 20)
+    axis = np.where(x_long, 2 * (x < 0), 1 + 2 * (y < 0))
+    word = codecs.angle_about_axis(p["A"], axis, tangent)
+    return {"out_j1": hold_last(word, ~zero), "out_status": 2 * ints(zero)}

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from quadrance import bounds, cores, table, truth
+from quadrance import bounds, codecs, cores, table, truth
 
 LISTED = {core.id: core for core in cores.all_cores() if core.family == "table"}
 FINE = {"W": 18, "F": 8, "A": 20}
@@ -108,3 +108,68 @@ def test_an_arm_that_leans_back_lands_behind_the_yaw_axis():
     answer = table.fk3(DEFAULT, in_j1=np.array([3 << 15]), in_j2=np.array([0]), in_j3=np.array([0]), cfg_l1=1000,
                        cfg_l2=1000)
     assert answer["out_x"][0] == -1414 and answer["out_y"][0] == 0 and answer["out_z"][0] == 1414
+
+
+# Inverse
+
+
+def _cell_error(a: int, x: np.ndarray, y: np.ndarray, word: np.ndarray) -> np.ndarray:
+    """Angle (rad) from (x, y) to the nearest direction that rounds to `word`."""
+    theta = np.arctan2(y, x)
+    return np.abs(truth.difference(codecs.within_cell(cores.Port("j", a, False, "angle"), word, theta), theta))
+
+
+@pytest.mark.parametrize("a", [10, 16, 18, 24])
+def test_ik1_error(a):
+    """Of all lengths, half of them with a coordinate where the tables' error is largest; 0.42 LSB at 2^14 at A = 18."""
+    p = DEFAULT | {"A": a}
+    rng = np.random.default_rng(4)
+    angle, size = rng.uniform(-np.pi, np.pi, 400_000), np.exp(rng.uniform(0, np.log(46000), 400_000))
+    x, y = (np.clip(np.round(size * f(angle)), -32768, 32767).astype(np.int64) for f in (np.cos, np.sin))
+    x[:100_000] = rng.choice([-1, 1], 100_000) * rng.integers(16384, 16600, 100_000)
+    keep = (x != 0) | (y != 0)
+    x, y = x[keep], y[keep]
+    found = _cell_error(a, x, y, table.ik1(p, in_x=x, in_y=y)["out_j1"]).max()
+    assert found <= bounds.table_direction(p)
+    assert a < 18 or 0.2 < found * 2**14 < 0.42
+
+
+@pytest.mark.parametrize("p", [LISTED["table_ik1-W8A24"].params, {"W": 8, "F": 4, "A": 18}], ids=["A24", "A18"])
+def test_ik1_error_of_every_short_point(p):
+    x, y = (grid.ravel() for grid in np.meshgrid(np.arange(-128, 128), np.arange(-128, 128)))
+    answer = table.ik1(p, in_x=x, in_y=y)
+    zero = (x == 0) & (y == 0)
+    assert (answer["out_status"] == np.where(zero, 2, 0)).all()
+    assert _cell_error(p["A"], x[~zero], y[~zero], answer["out_j1"][~zero]).max() <= bounds.table_direction(p)
+
+
+def test_ik1_error_where_the_tangent_is_longest():
+    """M one bit longer than its half, m all of it: the tangent comes next to -2 and 2 and may not go beyond."""
+    edge = np.append(np.arange(32700, 32768), -32768)
+    m, long = (grid.ravel() for grid in np.meshgrid(edge, np.arange(16384, 16450)))
+    for x, y in ((m, long), (long, m), (-m, long), (long, -m), (m, -long), (-long, m), (-m, -long), (-long, -m)):
+        x, y = np.clip(x, -32768, 32767), np.clip(y, -32768, 32767)
+        word = table.ik1(DEFAULT, in_x=x, in_y=y)["out_j1"]
+        assert _cell_error(18, x, y, word).max() <= bounds.table_direction(DEFAULT)
+
+
+def test_ik1_is_exact_on_every_axis():
+    length = np.arange(1, 1 << 15)
+    for k, (c, n) in enumerate([(1, 0), (0, 1), (-1, 0), (0, -1)]):
+        assert (table.ik1(DEFAULT, in_x=c * length, in_y=n * length)["out_j1"] == k << 16).all()
+
+
+def test_ik1_holds_the_last_word_where_there_is_no_direction():
+    answer = table.ik1(DEFAULT, in_x=np.array([0, 0, 0, -5, 0]), in_y=np.array([0, 7, 0, 0, 0]))
+    assert answer["out_j1"].tolist() == [0, 1 << 16, 1 << 16, 2 << 16, 2 << 16]
+    assert answer["out_status"].tolist() == [2, 0, 2, 0, 2]
+
+
+@pytest.mark.parametrize("length", [1000, 8320, 16384])
+def test_one_joint_there_and_back(length):
+    """ik1 of fk1 returns the direction within both bounds: the tip's distance, 1 LSB, and ik1's own."""
+    word = np.arange(1 << 18)
+    tip = table.fk1(DEFAULT, in_j1=word, cfg_l1=length)
+    back = table.ik1(DEFAULT, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
+    turned = _cell_error(18, *truth.fk1(_angle(DEFAULT, word), length), back)
+    assert turned.max() <= 1.0 / (length - 1) + bounds.table_direction(DEFAULT)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of one joint: x = L1 cos j1, y = L1 sin j1.
 // Formats: in_j1 angle of A bits, cfg_l1 uQ(W-F).F, out_x and out_y sQ(W-F).F, nearest, saturated.
-// Error: a coordinate 0.50 + 1.63 L1 / 2^16 LSB, L1 in LSB: 0.91 at 2^14 (64 units in Q7.8), 0.78 measured.
+// Error: a coordinate 0.50 + 1.62 L1 / 2^16 LSB, L1 in LSB: 0.91 at 2^14 (64 units in Q7.8), 0.77 measured.
 // Latency 3, II 2: one table and two products serve x, then y.
 // Status: overflow (a coordinate was saturated).
 // Source: the definition; sine table with linear interpolation. Model: table.fk1

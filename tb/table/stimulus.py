@@ -35,6 +35,19 @@ def _words(core: Core, rng: np.random.Generator) -> dict[str, np.ndarray]:
     return {port.name: word for port, word in zip(core.inputs, words)}
 
 
+def _points(core: Core, rng: np.random.Generator) -> Vectors:
+    """Every pair of 0, powers of two of both signs and their neighbours; the origin first and between others."""
+    high = 1 << core.params["W"] - 1
+    near = {sign * (1 << i) + j for i in range(core.params["W"]) for j in (-1, 0, 1) for sign in (-1, 1)}
+    edge = np.array(sorted(value for value in near if -high <= value < high))
+    x, y = (grid.ravel() for grid in np.meshgrid(edge, edge))
+    order = rng.permutation(x.size)
+    zero = rng.random(x.size) < 0.05
+    zero[:2] = True
+    return {"in_x": np.where(zero, 0, x[order]), "in_y": np.where(zero, 0, y[order])}
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
-    return _words(core, np.random.default_rng(1))
+    rng = np.random.default_rng(1)
+    return _words(core, rng) if core.function.startswith("fk") else _points(core, rng)

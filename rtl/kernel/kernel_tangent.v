@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Direction of (x, y) about an axis: the axis and the tangent of the angle from it, anticlockwise, without a length.
+//   tangent = m / M, M the coordinate that is longer in bits, m the other one; -m / M about the y axis
+// Both are shifted left until M fills its word; 1/M = w * slope, the tangent of 1/M in the middle of a segment, where w
+// is wiring of M: two products, and no addend.
+// Formats: in_x, in_y s16, any fraction; out_tangent s2.18; out_axis u2.0 quarter turns; both in the clock of out_take.
+// Error: 0.21 * 2^-14 rad of direction. Latency 4, II 4.
+// Status: singular (x = y = 0: no out_take but, after a reset, one of axis 0 and tangent 0).
+// Source: 1/M by tangents as reciprocal_product. Model: table.ik1
+`default_nettype none
+module kernel_tangent (
+    input  wire               clk,
+    input  wire               rst,
+    input  wire               in_valid,
+    output wire               in_ready,
+    input  wire signed [15:0] in_x,
+    input  wire signed [15:0] in_y,
+    output reg                out_valid,
+    input  wire               out_ready,
+    output wire               out_take,
+    output wire [1:0]         out_axis,
+    output wire [19:0]        out_tangent,
+    output wire [3:0]         out_status
+);
+    // 2^15 / t^2 in the middle t = b / 512 of 128 segments, M from 1/2, then of 128, M from -1; then all negative.
+    // Raised by half of what the tangent loses at a border, 1 / 2b^2, and by the unit that w lacks, 1 / 64b of t.
+    function [17:0] slope_at(input [8:0] i);
+        reg [63:0] b, raised;
+        begin
+            b = i[7] ? 64'd511 - {56'd0, i[6:0], 1'b0} : 64'd257 + {56'd0, i[6:0], 1'b0};
+            raised = (i[7] ? 64 * b - 1 : 64 * b + 1) * (2 * b * b + 1);
+            raised = ((raised << 27) / (b * b * b) / (b * b) + 1) >> 1;
+            slope_at = i[8] ? -raised[17:0] : raised[17:0];
+        end
+    endfunction
+    reg [17:0] slopes[0:511];
+    integer    i;
+    initial
+        for (i = 0; i < 512; i = i + 1)
+            slopes[i] = slope_at(i[8:0]);
+
+    // Schedule. start: x y k x_long zero <- in_x in_y
+    localparam [2:0]
+        LONG  = 3'b001,  // slope w <- x y k x_long: shift the longer coordinate
+        SHORT = 3'b010,  // factor <- x y k x_long w: shift the other one, times w
+        GIVE  = 3'b100;  // - <- factor slope x y x_long zero: times the slope, the tangent
+    //                       work
+    localparam [3*3-1:0] AIM = {
+        /* 1 M           */ {LONG},
+        /* 2 m w         */ {SHORT},
+        /* 3 m w slope   */ {GIVE}};
+    wire   long, short, give, idle;
+    wire   accept = in_valid && in_ready;
+    assign in_ready = idle && (!out_valid || out_ready);
+    schedule #(.LINES(3), .BITS(3), .TABLE(AIM)) control (
+        .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op({give, short, long}));
+
+    wire [14:0]  used = (in_x[14:0] ^ in_x[15:1]) | (in_y[14:0] ^ in_y[15:1]);
+    wire [3:0]   spare;
+    wire [15:0]  mirrored;  // x from its first bit below the sign on
+    genvar       g;
+    generate
+        for (g = 0; g < 15; g = g + 1) begin : g_mirror
+            assign mirrored[g] = in_x[14-g];
+        end
+    endgenerate
+    assign mirrored[15] = 1'b0;
+    reg  [3:0]   k;
+    reg  [15:0]  x, y;
+    reg          x_long, zero;
+    reg          fresh;   // nothing was taken since reset: the origin gives axis 0 and tangent 0
+    wire [15:0]  scaled;
+    normalise #(.B(16)) shift (.in_used(used), .out_k(spare), .in_k(k), .in_x(x_long == short ? y : x), .out_x(scaled));
+
+    reg  [15:0]  w;       // of M, less one unit
+    reg  [17:0]  slope;
+    reg  [19:0]  factor;  // m w
+    wire         same;
+    wire [10:0]  low;
+    wire [19:0]  first;
+    assign {same, first, low} = $signed(scaled) * $signed(w);
+    wire [1:0]   above;  // copies of the sign
+    wire [15:0]  below;
+    assign {above, out_tangent, below} = $signed(factor) * $signed(slope);
+
+    assign out_take = give && (!zero || fresh);
+    assign out_axis = {x_long ? x[15] : y[15], !x_long && !zero};
+    assign out_status = {2'd0, zero, 1'b0};
+    wire   unused = &{1'b0, same, low, above, below};
+
+    always @(posedge clk) begin
+        if (accept) begin
+            x      <= in_x;
+            y      <= in_y;
+            k      <= spare;
+            x_long <= in_x[15] ^ mirrored[spare];
+            zero   <= used == 0 && !in_x[15] && !in_y[15];
+        end
+        if (long) begin
+            slope <= slopes[{!x_long, scaled[15], scaled[13:7]}];
+            w     <= {scaled[15:7], ~scaled[6:0]};
+        end
+        factor <= first;  // of SHORT, for the next clock; 0 at the origin
+        out_valid <= give || (out_valid && !out_ready);
+        if (out_take)
+            fresh <= 1'b0;
+        if (rst) begin
+            fresh     <= 1'b1;
+            out_valid <= 1'b0;
+        end
+    end
+endmodule
+`default_nettype wire
