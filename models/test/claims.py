@@ -161,6 +161,9 @@ class Table(Claim):
     def coordinate(self) -> float:
         return bounds.table_forward(self.p, self.joints, self.l1, self.l2)
 
+    def direction(self, r: Floats) -> Floats:
+        return bounds.table_direction(self.p) + 0 * r
+
 
 class Vector(Claim):
     """rtl/vector. The tip is that of the words' directions: their lengths belong to the error."""
