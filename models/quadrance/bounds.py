@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import classic, cordic, paper, rational, vector_solve
+from quadrance import classic, cordic, paper, rational, vector, vector_solve
 from quadrance.cores import Core
 from quadrance.fixed import wrap
 from quadrance.truth import Floats, floats
@@ -49,6 +49,8 @@ def tip(core: Core, l1: int, l2: int) -> float:
         return math.sqrt(0.5) if forward else 0.0
     if family == "paper":
         return paper_forward(p, joints, l1, l2) if forward else paper_inverse(p, l1, l2)
+    if family == "vector":
+        return vector_tip(p, joints, l1, l2) if forward else 0.0  # of ik1: the direction is exact
     if joints == 1:
         if forward:
             return 1.0 if family == "rational" else classic_fk1(p, l1)
@@ -99,6 +101,42 @@ def spread_chord(u: int) -> float:
     cut 0.022 at U = 16. 0.824 at U = 16, 1.023 at U = 17.
     """
     return 0.5 + 2.0 ** (u - 18.5) + 0.125 + 0.022 * 2.0 ** (u - 16)
+
+
+# vector
+
+
+def vector_chain(joints: int, length: float = 1.0) -> float:
+    """A coordinate of vector_fk2 and vector_fk3 against the vectors as they are given, none longer than `length`.
+
+    In units of 2^-GUARD: A and B are each cut by less than 1, or B's complement is 1 low, together at most sqrt(2)
+    across the vector that turns them; its two products are each cut by less than 1. The third joint turns what is off
+    so far, and cuts once more. Rounding 1/2. 0.61 and 0.64 for unit vectors.
+    """
+    cut = 2 + math.sqrt(2) * length
+    return 0.5 + (cut if joints == 2 else cut * max(length, 1.0) + 1) / 2**vector.GUARD
+
+
+def vector_tip(p: Params, joints: int, l1: float, l2: float) -> float:
+    """Tip of vector_fk1 to vector_fk3 from that of the vectors' directions.
+
+    `vector_chain`, or 1/2 for one joint, in every coordinate; and the length of a rounded vector, off by sqrt(1/2) 2^-U
+    at most, of every joint that turns a link.
+    """
+    off = math.sqrt(0.5) * 2.0 ** -p["U"]
+    lengths = {1: l1, 2: l1 + 2 * l2, 3: 2 * l1 + 3 * l2}[joints]
+    return math.sqrt(max(joints, 2)) * (0.5 if joints == 1 else vector_chain(joints, 1 + off)) + 1.01 * lengths * off
+
+
+def vector_length() -> float:
+    """How far the length of (c1, n1) of vector_ik1 is from 1 before both are rounded; its direction is exact.
+
+    The tangent, balanced: 3 / 16 b^2 at segment b = 2 a + 1; half a unit of its slope; the cut of the root to 2^-18;
+    the squares' cut, one unit of 2^-18 in q either way. The greatest sum is 0.95 * 2^-16, at q = 2.
+    """
+    b = np.arange(257, 2050, 2.0)
+    q, slope = b / 2**10, 2.0**32 / b**1.5
+    return float(np.max(3 / (16 * b * b) + 0.5 / slope + 2.0**-19 * np.sqrt(q) + 2.0**-19 / q))
 
 
 # rational: one joint
@@ -281,7 +319,7 @@ def vector_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Fl
     return np.where(rho**2 < 4 * wrong + 4, 4 * (rho + np.sqrt(wrong) + 1), known) / unit
 
 
-def vector_length(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+def vector_ik2_length(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
     """| |(c1, n1)| - 1 | of vector_ik2, units of 2^-U, for a target in reach with rho^2 > 4 `_vector_quadrance`.
 
     |k| / |p|: half the relative error of the quadrance, k's fraction bits; 1/q'; the word.

@@ -63,7 +63,7 @@ def test_ik2_puts_the_tip_within_its_bound(p: dict[str, int], l1: int, l2: int) 
     assert np.max(np.abs(length2)[n2 > 2**-6], initial=0) <= 1.5
     far = (rho * 2.0 ** (16 - p["W"])) ** 2 > 4 * bounds._vector_quadrance(p, l1, l2, n2) + 4
     length1 = np.abs(np.hypot(out["out_c1"], out["out_n1"]) - (1 << p["U"]))
-    assert np.all(length1[far] <= bounds.vector_length(p, l1, l2, rho, n2)[far])
+    assert np.all(length1[far] <= bounds.vector_ik2_length(p, l1, l2, rho, n2)[far])
 
 
 def test_ik2_keeps_joint_1_a_unit_vector() -> None:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of two or three joints that are unit vectors, on two multipliers and no table.
-//   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: rho = x, z = y, then x = rho c3, y = rho n3
-// Formats: c, n s2.U (1.0 is 2^U), of any length; A, B, rho s(W+2+G) with G bits below the LSB of a coordinate, to which
-// every product is truncated; outputs to nearest (ties upward), saturated.
+//   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: rho, z = x, y; x = rho c3, y = rho n3
+// Formats: c, n s2.U (1.0 is 2^U), of any length; A, B, rho s(W+2+G) with G bits below the LSB of a coordinate, to
+// which every product is truncated; outputs to nearest (ties upward), saturated.
 // Exact in its range: (L1 + L2 |v2|) |v1| (|v3| or 1) below 2^(W+1) LSB; beyond it a coordinate wraps.
 // Latency and II: lines of the table + 1. Overflow: a coordinate was saturated.
 // Models: vector.fk2, vector.fk3

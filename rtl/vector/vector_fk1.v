@@ -40,7 +40,7 @@ module vector_fk1 #(
     wire signed [W+U+2:0] along = in_c1 * length, across = n * length;
     /* verilator lint_on UNUSEDSIGNAL */
 
-    // One fraction bit each. Of x and y one is a product, the other the half that rounds it: the adder needs no selector
+    // One fraction bit each. Of x and y one is a product, the other the half that rounds it: no selector is needed
     localparam [W+2:0] HALF = 1;
     reg  [W+2:0] x, y;
     wire [W+2:0] sum = x + y;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of two joints in the plane, whose words are unit vectors: no sine, no cosine and no table of either.
+// Forward kinematics of two joints in the plane, whose words are unit vectors: products only, no table.
 //   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2
 // Formats: in_c1 ... in_n2 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 uQ(W-F).F; out_x, out_y sQ(W-F).F, nearest, saturated.
-// Error: each coordinate within 0.64 LSB of the vectors as they are given, which may have any length.
+// Error: each coordinate within 0.61 LSB of the vectors as they are given, if none is longer than 1.
 // Latency 4, II 4; the schedule is in vector_chain.v.
 // Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 84 and 96 (what eqs. 11-17 and Table II mean). Model: vector.fk2

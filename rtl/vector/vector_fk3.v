@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of three joints whose words are unit vectors: two in a plane (vector_fk2) that stands upright and yaws.
+// Forward kinematics of three joints whose words are unit vectors: vector_fk2 in a plane that stands upright and yaws.
 //   rho, z = x, y of vector_fk2; x = rho c3, y = rho n3; rho keeps its sign and its fraction
 // Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 uQ(W-F).F; out_x ... out_z sQ(W-F).F, nearest, saturated.
-// Error: each coordinate within 0.67 LSB of the vectors as they are given, which may have any length.
+// Error: each coordinate within 0.64 LSB of the vectors as they are given, if none is longer than 1.
 // Latency 6, II 6; the schedule is in vector_chain.v.
 // Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 24-31 in vector form. Model: vector.fk3
@@ -42,6 +42,7 @@ module vector_fk3 #(
     vector_chain #(.JOINTS(3), .W(W), .U(U)) chain (
         .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),
         .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2), .in_c3(in_c3), .in_n3(in_n3),
-        .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_overflow(overflow));
+        .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z),
+        .out_overflow(overflow));
 endmodule
 `default_nettype wire

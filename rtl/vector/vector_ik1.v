@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of one joint: the unit vector (c1, n1) = (x, y) / |(x, y)|, by one multiplier; no length is needed.
+// Inverse kinematics of one joint: the unit vector (c1, n1) = (x, y) / |(x, y)|, by one multiplier.
 //   q = x^2 + y^2 of x and y without their common redundant sign bits; c1 = x / sqrt(q), n1 = y / sqrt(q)
 // Formats: in_x, in_y s(W-F).F; out_c1, out_n1 s2.U (1.0 is 2^U), nearest (ties upward).
 // Error: (c1, n1) is a vector exactly along (x, y), of length 1 within 2^-16, each coordinate to nearest.
@@ -41,15 +41,15 @@ module vector_ik1 #(
         ROOT   = 9'b001000000,  // right <- left right: 1 / sqrt(q)
         COS    = 9'b010000000,  // c1 <- left right sum: the cosine goes out
         SIN    = 9'b100000000;  // n1 <- left right sum: the sine goes out
-    //                  multiplier       operands
+    //                 work
     localparam [9*7-1:0] AIM = {
-        /* 1        */ {                 LEFT | RIGHT},
-        /* 2 x x    */ {ADD            | LEFT | RIGHT | SECOND},
-        /* 3 y y    */ {READ},
-        /* 4        */ {                 SLOPE},
-        /* 5 w slope */ {ROOT          | LEFT},
-        /* 6 x root */ {COS            | LEFT | SECOND},
-        /* 7 y root */ {SIN}};
+        /* x       */ {LEFT | RIGHT},
+        /* x x     */ {ADD | LEFT | RIGHT | SECOND},
+        /* y y     */ {READ},
+        /* slope   */ {SLOPE},
+        /* root    */ {ROOT | LEFT},
+        /* x root  */ {COS | LEFT | SECOND},
+        /* y root  */ {SIN}};
     wire   to_left, to_right, second, add, read, to_slope, root, cosine, sine, idle;
     wire   accept = in_valid && in_ready;
     assign in_ready = idle && (!out_valid || out_ready);
@@ -63,7 +63,7 @@ module vector_ik1 #(
     // Redundant sign bits, by fours: the first group of used bits that is not empty, and the first bit in it
     wire        some3 = used[14:11] != 0, some2 = used[10:7] != 0, some1 = used[6:3] != 0;
     wire [1:0]  group = {!some3 && !some2, !some3 && (some2 || !some1)};
-    wire [3:0]  bits = group[1] ? (group[0] ? {used[2:0], 1'b1} : used[6:3]) : (group[0] ? used[10:7] : used[14:11]);
+    wire [3:1]  bits = group[1] ? (group[0] ? used[2:0] : used[6:4]) : (group[0] ? used[10:8] : used[14:12]);
     wire [3:0]  spare = {group, !bits[3] && !bits[2], !bits[3] && (bits[2] || !bits[1])};
     reg  [3:0]  k;
     reg  [1:0]  pick;  // what goes to right: 0 or 1 the coordinate, shifted by so much, 2 the slope, 3 the root

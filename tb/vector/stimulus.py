@@ -1,4 +1,4 @@
-"""Corners of rtl/vector: unit vectors about every border, vectors of other lengths, saturation, undefined directions."""
+"""Corners of rtl/vector: vectors about every border, of any length, saturation, undefined directions."""
 
 from __future__ import annotations
 
