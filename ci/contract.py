@@ -79,6 +79,8 @@ def observed(core: Core, names: dict[str, int], work: Path) -> dict[str, dict[in
                    for way, name, width in ports(core) if name.startswith("in_") and way == "in" and name != "in_valid")
     fixed = "".join(f"        {port.name} = {{{', '.join(['$random'] * ((port.width + 31) // 32))}}};\n"
                     for port in core.cfg)
+    # drawn anew where no sample is inside: a register that only copies its configuration is not control
+    idle = "        if (age == 0 && !(in_valid && in_ready)) begin\n" + fixed.replace(" = ", " <= ") + "        end\n"
     shown = ["age", *(f"dut.{name}" for name in names)]
     (work / "observe.v").write_text(
         f"module observe;\n    reg clk = 0;\n{wires}    {_instance(core)}\n"
@@ -87,6 +89,7 @@ def observed(core: Core, names: dict[str, int], work: Path) -> dict[str, dict[in
         f"        repeat ({2 * CLOCKS}) #1 clk = ~clk;\n        $finish;\n    end\n"
         "    always @(posedge clk) begin\n"
         f"        if (!rst) $display(\"{' '.join(['%b'] * len(shown))}\", {', '.join(shown)});\n{draw}"
+        f"{idle}"
         "        rst <= $random % 512 == 0;\n        in_valid <= in_valid && !in_ready && !rst || $random % 2 == 0;\n"
         "        out_ready <= $random % 3 == 0;\n    end\nendmodule\n")
     tools.run("iverilog", "-g2005", "-o", work / "observe.vvp", work / "observe.v", *core.sources)

@@ -31,8 +31,8 @@ module kernel_vector_path #(
     assign {turn, to_k2, to_k1, left_from, right_from, add_l1, add_half,
             sin1, cos1, halve, sin2, inverse, root, cos2, gap} = in_op;
 
-    // The two multipliers: squares, then a point seen from a turned axis. At first minus_q makes q the gap; the bytes
-    // that q can spare come from `sum`, before it, which also keeps the two adders apart (Yosys merges them at a cost).
+    // The two multipliers: squares, then a point seen from a turned axis. At first minus_q makes q the gap. in_q comes
+    // from in front of it, which also keeps the two adders apart (Yosys merges them at a cost).
     reg                elbow, clamped, zero, beyond, short;
     reg         [21:0] k1, k2;
     reg                odd;  // constant 1 behind the last bit of k1 and k2; coordinates have none
@@ -93,20 +93,20 @@ module kernel_vector_path #(
 
         if (in_start)
             s <= cfg_e;
-        if (cos2)
-            s[3:2] <= coarse;
-        if (root)
+        if (cos2) begin
+            s[3:2]  <= coarse;
+            clamped <= outside;
+        end
+        if (root) begin
             s[1:0] <= fine;
+            zero   <= none;
+        end
         if (halve && clamped)
             s <= s >> 1;
         if (gap) begin
             beyond <= over;
             short  <= total[36];
         end
-        if (cos2)
-            clamped <= outside;
-        if (root)
-            zero <= none;
 
         l1   <= cfg_l1;
         half <= add_half;
@@ -140,14 +140,10 @@ module kernel_vector_path #(
             out_c2 <= outside ? {short, 1'b1, {U{1'b0}}} : unit;
         if (sin2)
             out_n2 <= unit;
-        if (cos1 && !zero)
-            out_c1 <= unit;
-        if (sin1 && !zero)
-            out_n1 <= unit;
-        if (rst) begin
-            out_c1 <= {2'b01, {U{1'b0}}};
-            out_n1 <= {(U+2){1'b0}};
-        end
+        if (rst || cos1 && !zero)
+            out_c1 <= rst ? {2'b01, {U{1'b0}}} : unit;
+        if (rst || sin1 && !zero)
+            out_n1 <= rst ? {(U+2){1'b0}} : unit;
     end
 endmodule
 `default_nettype wire
