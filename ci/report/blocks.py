@@ -13,7 +13,7 @@ from pathlib import Path
 
 from quadrance.cores import Core
 
-from ci.report.comparison import pareto, where_cordic_is_smaller
+from ci.report.comparison import pareto, smaller
 from ci.report.documents import listed
 from ci.report.paper import paper_tables
 from ci.report.rows import Row, name
@@ -27,7 +27,7 @@ FIGURES = re.compile(r"(<!-- figures:([^>]*?) -->\n).*?(<!-- /figures -->)", re.
 def made(report: dict) -> dict[str, str]:
     """The README's blocks by name."""
     paper = "\n\n".join(f"**{table.title}**\n\n{table.markdown()}" for table in paper_tables(report))
-    return dict(zip(BLOCKS, (headline_table(report).markdown(), where_cordic_is_smaller(report),
+    return dict(zip(BLOCKS, (headline_table(report).markdown(), "\n\n".join(smaller(report)),
                              paper or "No core of the paper's functions yet.",
                              listed(pareto(report), "No function has both families yet."))))
 

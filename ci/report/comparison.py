@@ -23,21 +23,23 @@ METRICS: tuple[tuple[str, str, Callable[[Row], float | None]], ...] = (
 )
 
 
-def rivals(report: dict) -> dict[str, tuple[Row | None, Row | None]]:
-    """Function -> the first rational core and the first iterative CORDIC core of Q7.8, where there is one of either."""
+def leaders(report: dict) -> dict[str, dict[str, Row]]:
+    """Function -> family -> its first core of Q7.8, of CORDIC the iterative one; families that have one."""
     found = {}
     for function in KINEMATIC:
-        rows = leading(q7_8(pick(report, [function])))
-        rational = next((row for row in rows if row["family"] == "rational"), None)
-        cordic = next((row for row in rows if kind(row) == "iterative"), None)
-        if rational or cordic:
-            found[function] = rational, cordic
+        of: dict[str, Row] = {}
+        for row in leading(q7_8(pick(report, [function]))):
+            if row["family"] != "classic" or kind(row) == "iterative":
+                of.setdefault(row["family"], row)
+        if of:
+            found[function] = of
     return found
 
 
-def where_cordic_is_smaller(report: dict) -> str:
-    """One sentence: in which of the area columns, and for which functions, the iterative CORDIC core is smaller."""
-    pairs = {function: pair for function, pair in rivals(report).items() if all(pair)}
+def where_cordic_is_smaller(report: dict, family: str) -> str:
+    """One sentence: in which area columns, for which functions, iterative CORDIC is smaller than a family's cores."""
+    pairs = {function: (of[family], of["classic"]) for function, of in leaders(report).items()
+             if family in of and "classic" in of}
     clauses = []
     for label, measure in (("logic when there are no DSP blocks", without_dsp), ("logic beside DSP blocks", area_of),
                            ("DSP blocks", lambda row: row["area"]["cyclonev"]["dsp"]),
@@ -49,8 +51,15 @@ def where_cordic_is_smaller(report: dict) -> str:
                 f"for {', '.join(smaller)}"
             clauses.append(f"in {label} {which} ({_range(theirs, smaller)} against {_range(ours, smaller)})")
     if not pairs:
-        return "No function has both families yet."
-    return f"Iterative CORDIC is smaller {_join(clauses)}." if clauses else "Iterative CORDIC is nowhere smaller."
+        return f"No function has both `{family}_*` and iterative CORDIC yet."
+    if not clauses:
+        return f"Iterative CORDIC is nowhere smaller than `{family}_*`."
+    return f"Iterative CORDIC is smaller than `{family}_*` {_join(clauses)}."
+
+
+def smaller(report: dict) -> list[str]:
+    """Where CORDIC is smaller than the tables, with which it shares its joint word, and than the spreads."""
+    return [where_cordic_is_smaller(report, family) for family in ("table", "rational")]
 
 
 def _range(values: dict[str, float], functions: list[str]) -> str:

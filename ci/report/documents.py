@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ci.report.comparison import cordic_wins, pareto, where_cordic_is_smaller
+from ci.report.comparison import cordic_wins, pareto, smaller
 from ci.report.paper import paper_tables
 from ci.report.rows import KINEMATIC, number, pick, primitives
 from ci.report.tables import Table, accuracy_table, cost_table, glance_table, primitive_table
@@ -82,7 +82,7 @@ def markdown(report: dict) -> str:
     for table in paper_tables(report):
         parts += [f"### {table.title}", table.markdown()]
     parts += ["## Rational against iterative CORDIC", listed(pareto(report), "No function has both yet."),
-              where_cordic_is_smaller(report)]
+              *smaller(report)]
     parts += ["## Where CORDIC wins", "Best classic core against best rational core, figure by figure:",
               listed(cordic_wins(report), "In none of the figures.")]
     versions = ", ".join(f"{tool} {version}" for tool, version in report["tools"].items())

@@ -18,7 +18,8 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 from matplotlib.colors import LogNorm  # noqa: E402
 
-COLOUR = {"paper": "tab:orange", "rational": "tab:green", "classic": "tab:blue"}
+COLOUR = {"vector": "tab:red", "table": "tab:purple", "rational": "tab:green", "classic": "tab:blue",
+          "paper": "tab:orange"}
 MARKER = dict(zip(KINEMATIC, "os^DvP"))
 CODE = [Path(__file__), *(Path(__file__).with_name(name) for name in ("labels.py", "paper.py", "rows.py")), SOURCE]
 FLOOR = 1e-3  # LSB: smaller errors are drawn as this
@@ -101,7 +102,7 @@ def _accuracy(rows: list[Row]) -> pyplot.Figure:
 def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]]) -> pyplot.Figure:
     """Error over the workspace of two joints, a panel for each function, kind of error and family."""
     panels = [(function, what) for function in MAPPED for what in ("arithmetic", "words")]
-    figure, grid = pyplot.subplots(len(panels), len(FAMILIES), figsize=(12, 15), layout="constrained")
+    figure, grid = pyplot.subplots(len(panels), len(FAMILIES), figsize=(4 * len(FAMILIES), 15), layout="constrained")
     scale = LogNorm(0.01, 1000, clip=True)
     reach = (trajectory["l1_mm"] + trajectory["l2_mm"]) / trajectory["mm_per_unit"]
     image = pyplot.cm.ScalarMappable(scale, "viridis")

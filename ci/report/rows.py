@@ -8,7 +8,7 @@ Row = dict  # one element of report["cores"]; see `run.row_of`
 
 KINEMATIC = {"fk1": "forward, 1 joint", "fk2": "forward, 2 joints", "fk3": "forward, 3 joints",
              "ik1": "inverse, 1 joint", "ik2": "inverse, 2 joints", "ik3": "inverse, 3 joints"}
-FAMILIES = ("paper", "rational", "classic")
+FAMILIES = ("vector", "table", "rational", "classic", "paper")
 MAPPED = ("fk2", "ik2")  # functions with a map of the workspace
 
 

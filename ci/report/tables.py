@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ci.report.comparison import rivals
+from ci.report.comparison import leaders
 from ci.report.rows import KINEMATIC, Row, area_of, greatest_error, leading, name, number, part, pick, q7_8, without_dsp
+
+HEADLINE = {"vector": "unit vector: `vector_*`", "table": "binary angle: `table_*`",
+            "classic": "binary angle, CORDIC: `classic_*_iter`", "rational": "spread: `rational_*`"}
 
 
 @dataclass(frozen=True)
@@ -87,17 +90,15 @@ def glance_table(report: dict) -> Table:
 
 
 def headline_table(report: dict) -> Table:
-    """The README's six rows: what a function costs by rational trigonometry and by iterative CORDIC."""
-    def half(row: Row | None) -> tuple[str, ...]:
+    """The README's six rows: what a function costs with each kind of joint word, and by iterative CORDIC."""
+    def cell(row: Row | None) -> str:
         if row is None:
-            return ("–",) * 4
-        return area(row), cycles(row), number(row["latency_ns"]), number(row["total_mm"])
+            return "–"
+        return f"{area(row)}; {cycles(row)} cycles, {number(row['latency_ns'])} ns; {number(row['total_mm'])} mm"
 
-    lines = tuple((f"`{function}` {KINEMATIC[function]}", *half(rational), *half(cordic))
-                  for function, (rational, cordic) in rivals(report).items())
-    return Table("Rational against iterative CORDIC", (
-        "", "`rational_*`: ALUT + DSP + memory", "cycles", "ns", "worst error, mm",
-        "`classic_*_iter` (CORDIC): ALUT + DSP + memory", "cycles", "ns", "worst error, mm"), lines)
+    lines = tuple((f"`{function}` {KINEMATIC[function]}", *(cell(found.get(family)) for family in HEADLINE))
+                  for function, found in leaders(report).items())
+    return Table("Area, latency and worst error by joint word", ("", *HEADLINE.values()), lines)
 
 
 def page_table(rows: Iterable[Row]) -> Table:

@@ -7,7 +7,7 @@ import sys
 from rich.console import Console
 from rich.table import Table as Grid
 
-from ci.report.comparison import cordic_wins, pareto, where_cordic_is_smaller
+from ci.report.comparison import cordic_wins, pareto, smaller
 from ci.report.documents import trajectory_note
 from ci.report.paper import paper_tables
 from ci.report.rows import KINEMATIC, pick, primitives
@@ -33,7 +33,7 @@ def show(report: dict) -> None:
     for table in tables:
         if table.rows:
             console.print(_grid(table))
-    for title, sentences in (("Rational against iterative CORDIC", [*pareto(report), where_cordic_is_smaller(report)]),
+    for title, sentences in (("Rational against iterative CORDIC", [*pareto(report), *smaller(report)]),
                              ("Where CORDIC wins", cordic_wins(report))):
         if sentences:
             console.print(f"[bold]{title}[/bold]")
