@@ -76,7 +76,8 @@ def _area(rows: list[Row]) -> pyplot.Figure:
             labels.append((axis, points))
         axes[0].set_ylabel("Cyclone V ALUT (proxy for LE), DSP blocks not counted")
     figure.suptitle("Area against latency. Red: vector, purple: table, green: rational, blue: CORDIC, "
-                    "orange: paper's circuits; hollow: printed at 50 MHz\n(*the area is that of its parallel CORDIC, the cycles are those of its iterative one)")
+                    "orange: paper's circuits; hollow: printed at 50 MHz\n"
+                    "(*the area is that of its parallel CORDIC, the cycles are those of its iterative one)")
     figure.tight_layout(rect=(0, 0, 1, 0.98))
     for axis, points in labels:
         label(axis, points)
