@@ -96,7 +96,7 @@ def test_changed_tools_arm_and_code_are_found(committed, monkeypatch, tmp_path):
 
 
 def test_a_changed_number_in_the_readme_or_on_a_page_is_found(committed, tmp_path):
-    edit(tmp_path / "README.md", "| 120 + 1 DSP |", "| 110 + 1 DSP |")
+    edit(tmp_path / "README.md", "| 120 + 1 DSP; ", "| 110 + 1 DSP; ")
     edit(tmp_path / "rtl" / "rational" / "README.md", "| 120 |", "| 110 |")
     assert committed() == ["README.md: a report block is not what report.json generates",
                            "rtl/rational/README.md: a figures block is not what report.json generates"]

@@ -53,7 +53,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
         return math.sqrt(joints + (joints == 1)) * table_forward(p, joints, l1, l2) if forward else \
             table_direction(p) * l1
     if family == "vector":
-        return vector_tip(p, joints, l1, l2) if forward else 0.0  # of ik1: the direction is exact
+        return vector_tip(p, joints, l1, l2) if forward else 1e-9 * l1 if joints == 1 else 2.0  # ik1: float64 alone
     if joints == 1:
         if forward:
             return 1.0 if family == "rational" else classic_fk1(p, l1)

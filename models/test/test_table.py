@@ -116,7 +116,8 @@ def test_an_arm_that_leans_back_lands_behind_the_yaw_axis():
 def _cell_error(a: int, x: np.ndarray, y: np.ndarray, word: np.ndarray) -> np.ndarray:
     """Angle (rad) from (x, y) to the nearest direction that rounds to `word`."""
     theta = np.arctan2(y, x)
-    return np.abs(truth.difference(codecs.within_cell(cores.Port("j", a, False, "angle"), word, theta), theta))
+    within = codecs.within_cell((cores.Port("j", a, False, "angle"),), {"j": word}, theta)
+    return np.abs(truth.difference(within, theta))
 
 
 @pytest.mark.parametrize("a", [10, 16, 18, 24])

@@ -82,7 +82,8 @@ def _edges(core: Core, cfg: tuple[tuple[str, int], ...]) -> tuple[tuple[int, ...
     rng, names = np.random.default_rng(1), [port.name for port in core.inputs]
 
     def over(rows: np.ndarray) -> np.ndarray:
-        answer = core.model(core.params, **dict(zip(names, rows)), **dict(cfg))
+        words = {port.name: wrap(row, port.width, port.signed) for port, row in zip(core.inputs, rows)}
+        answer = core.model(core.params, **words, **dict(cfg))
         return np.broadcast_to(answer["out_status"] & 4 > 0, rows.shape[1:])
 
     found = []
@@ -106,7 +107,10 @@ def _edges(core: Core, cfg: tuple[tuple[str, int], ...]) -> tuple[tuple[int, ...
         for step in (-1, 0, 1, 2):
             at[index] = low + step & (1 << bits) - 1
             found.append(at.copy())
-    return tuple(tuple(column.tolist()) for column in np.concatenate(found, axis=1)) if found else ((),) * len(names)
+    if not found:
+        return ((),) * len(names)
+    return tuple(tuple(wrap(column, port.width, port.signed).tolist())
+                 for port, column in zip(core.inputs, np.concatenate(found, axis=1)))
 
 
 def joined(first: Vectors, second: Vectors) -> Vectors:

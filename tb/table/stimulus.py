@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 from quadrance import codecs
-from quadrance.cores import Core
+from quadrance.cores import Core, joints
 from quadrance.fixed import wrap
 
+from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Link lengths: longest, none, the longest that never saturate, one link alone, one LSB, and some at random."""
+    """Link lengths: longest, one that saturates near the axes, none, the longest that never saturate, one link alone, one LSB, and some at random."""
     if not core.cfg:
         return [{}]
     high = (1 << core.params["W"]) - 1
     half = high >> 2
-    pairs = [(high, high), (0, 0), (half, half), (high, 1), (1, high), (0, high >> 1), (high >> 1, 0), (768, 512),
+    part = 5 * (high >> 3)  # alone it saturates an axis, not every direction
+    pairs = [(high, high), (part, 1), (0, 0), (half, half), (high, 1), (1, high), (0, high >> 1), (high >> 1, 0), (768, 512),
              *rng.integers(0, high, (2, 2), endpoint=True).tolist(), *rng.integers(0, half, (2, 2)).tolist()]
     names = [port.name for port in core.cfg]
     return [dict(zip(names, pair)) for pair in pairs]
@@ -24,7 +26,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
 
 def _words(core: Core, rng: np.random.Generator) -> dict[str, np.ndarray]:
     """Joint words at quadrant borders, at borders of table segments of every size, and joints that add up to such."""
-    near = [codecs.border_words(port) for port in core.inputs]
+    near = [words for joint in joints(core.inputs) for words in codecs.border_words(joint).values()]
     a = core.params["A"]
     ends = (rng.integers(0, 1 << 13, 512) << a - 13 if a >= 13 else rng.integers(0, 1 << a, 512)) \
         + rng.integers(-1, 2, 512)
@@ -50,4 +52,6 @@ def _points(core: Core, rng: np.random.Generator) -> Vectors:
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     rng = np.random.default_rng(1)
-    return _words(core, rng) if core.function.startswith("fk") else _points(core, rng)
+    if core.function.startswith("fk"):
+        return stimulus.joined(_words(core, rng), stimulus.saturation(core, cfg))
+    return _points(core, rng)

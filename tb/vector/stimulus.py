@@ -6,6 +6,7 @@ import numpy as np
 from quadrance import codecs
 from quadrance.cores import Core, joints
 
+from tb.lib import stimulus
 from tb.lib.stimulus import Vectors, extremes
 from tb.rational.stimulus import points
 from tb.vector import targets
@@ -42,7 +43,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
-        return directions(core, rng)
+        return stimulus.joined(directions(core, rng), stimulus.saturation(core, cfg))
     if core.function in ("ik2", "ik3"):
         return targets.corners(core, cfg, rng)
     x, y = points(core.params["W"])
