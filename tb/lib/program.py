@@ -18,7 +18,7 @@ from tb.lib import tools
 OPTIMISE = "-O1"  # the build costs more than the runs it speeds up
 SOURCES = [Path(__file__).with_name(name) for name in ("program.cpp", "bulk.cpp")]
 COCOTB = Path(cocotb.__file__).parent
-RUNTIME = ("verilated", "verilated_cov", "verilated_dpi", "verilated_vpi", "verilated_threads")
+RUNTIME = ("verilated", "verilated_dpi", "verilated_vpi", "verilated_threads")
 HEADERS = ("verilated.h", "verilated_vpi.h", "verilated_dpi.h", "cstdint", "cstdio", "cstdlib", "memory", "string",
            "vector")
 
@@ -65,7 +65,7 @@ def _runtime() -> tuple[Path, list[Path]]:
         header.write_text("".join(f"#include <{name}>\n" for name in HEADERS))
         jobs = {folder / "headers.h.gch": ["-x", "c++-header", header]}
         jobs |= {folder / f"{name}.o": ["-c", include / f"{name}.cpp"]
-                 for name in RUNTIME}
+                 for name in (*RUNTIME, *["verilated_cov"] * _coverage())}
 
         def compile(target: Path) -> None:
             if not target.exists():

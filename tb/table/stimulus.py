@@ -12,14 +12,14 @@ from tb.lib.stimulus import Vectors
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Link lengths: longest, one that saturates near the axes, none, the longest that never saturate, one link alone, one LSB, and some at random."""
+    """Link lengths: longest, near the edge of saturation, none, one link alone, one LSB, and some at random."""
     if not core.cfg:
         return [{}]
     high = (1 << core.params["W"]) - 1
     half = high >> 2
     part = 5 * (high >> 3)  # alone it saturates an axis, not every direction
-    pairs = [(high, high), (part, 1), (0, 0), (half, half), (high, 1), (1, high), (0, high >> 1), (high >> 1, 0), (768, 512),
-             *rng.integers(0, high, (2, 2), endpoint=True).tolist(), *rng.integers(0, half, (2, 2)).tolist()]
+    pairs = [(high, high), (part, 1), (0, 0), (half, half), (high, 1), (1, high), (0, high >> 1), (high >> 1, 0),
+             (768, 512), *rng.integers(0, high, (2, 2), endpoint=True).tolist(), *rng.integers(0, half, (2, 2)).tolist()]
     names = [port.name for port in core.cfg]
     return [dict(zip(names, pair)) for pair in pairs]
 
