@@ -19,7 +19,8 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     half = high >> 2
     part = 5 * (high >> 3)  # alone it saturates an axis, not every direction
     pairs = [(high, high), (part, 1), (0, 0), (half, half), (high, 1), (1, high), (0, high >> 1), (high >> 1, 0),
-             (768, 512), *rng.integers(0, high, (2, 2), endpoint=True).tolist(), *rng.integers(0, half, (2, 2)).tolist()]
+             (768, 512), *rng.integers(0, high, (2, 2), endpoint=True).tolist(),
+             *rng.integers(0, half, (2, 2)).tolist()]
     names = [port.name for port in core.cfg]
     return [dict(zip(names, pair)) for pair in pairs]
 
