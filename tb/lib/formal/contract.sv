@@ -18,22 +18,25 @@ module contract #(parameter LATENCY = 1, II = 1, WO = 1, WC = 1) (
         if (II > 1) assign early = |age[II-2:0];
         else        assign early = 1'b0;
     endgenerate
-    integer i, j;
     always @(posedge clk)
         if (rst) age <= 0;
         else if (move) age <= {age, in_valid && in_ready};
 
-    reg clash;  // two samples less than II clocks apart; without an adder, for wide sums are cut (cut.v)
-    always @* begin
-        clash = 1'b0;
-        for (i = 0; i < LATENCY; i = i + 1)
-            for (j = i + 1; j < LATENCY && j < i + II; j = j + 1) clash = clash | age[i] & age[j];
-    end
+    // two samples less than II clocks apart; without an adder, for wide sums are cut (cut.v)
+    wire [LATENCY+II-1:0] older = age;
+    wire [LATENCY-1:0] clash;
+    genvar g;
+    generate
+        for (g = 0; g < LATENCY; g = g + 1) begin : g_clash
+            if (II > 1) assign clash[g] = age[g] && |older[g+1 +: II-1];
+            else        assign clash[g] = 1'b0;
+        end
+    endgenerate
 
     always @* if (live) begin
         assert (in_ready == (move && !early));
         assert (out_valid == last);
-        assert (!clash);
+        assert (clash == 0);
     end
 
     // configuration may change while nothing is inside
