@@ -72,7 +72,8 @@ def test_the_total_is_made_of_its_parts(one):
     if one.function.startswith("fk"):
         assert np.all(found.total <= found.arithmetic + found.quantisation + 1e-9)
         assert np.all(found.total >= np.abs(found.arithmetic - found.quantisation) - 1e-9)
-        assert found.total.max() >= 0.99 * max(parts)  # the parts are greatest at different samples
+        # words of a vector cost so little that the greatest parts need not meet in one sample
+        assert found.total.max() >= max(parts) - (min(parts) if one.family == "vector" else 1e-9)
     else:
         assert found.total.max() >= (0.99 if one.params.get("S") != 8 else 0.9) * max(parts)
 
