@@ -56,7 +56,8 @@ module angle_of_vector #(
         next = ROUND - ARCS[64*256 +: 64] >> 62 - D;
         for (i = -256; i < 256; i = i + 1) begin
             here = next[D-2:0];
-            next = ROUND + (i < -1 ? -ARCS[64*(-i-1) +: 64] : ARCS[64*(i < 0 ? 0 : i+1) +: 64]) >> 62 - D;
+            next = i < -1 ? -ARCS[64*(-i-1) +: 64] : ARCS[64*(i < 0 ? 0 : i+1) +: 64];
+            next = ROUND + next >> 62 - D;
             chords[i & 511] = {here, next[D-10:0] - here[D-10:0]};
         end
     end
