@@ -63,10 +63,10 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
 
 
 def _marks(core: Core, simulator: str, usable: list[str]) -> list[pytest.MarkDecorator]:
-    """Every core in both simulators; its further parameter sets under Verilator, in the long run in both."""
-    if simulator == "icarus" and not core.first_set:
+    """The first parameter set of every core in both simulators; the further sets in the long run: they have bulk runs."""
+    if not core.first_set:
         return [pytest.mark.slow]
-    return [pytest.mark.full] + [pytest.mark.smoke] * (core.first_set and simulator == usable[0])
+    return [pytest.mark.full] + [pytest.mark.smoke] * (simulator == usable[0])
 
 
 def family(name: str):
