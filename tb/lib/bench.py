@@ -25,7 +25,7 @@ with open(os.environ["QUADRANCE_CORE"], "rb") as _file:
 CLOCKED = CORE.clocked
 FIXED = CLOCKED and CORE.latency is not None
 LATENCY, II = CORE.latency or 8, CORE.ii or 1
-# A clock costs as much here as a thousand in the bulk run: the bench has every kind of sample, the bulk run their number.
+# A clock here costs as much as a thousand in the bulk run: here is every kind of sample, there is their number.
 RESETS = 60
 CLOCKS = 1_000  # about as many for the corners of all configurations
 SAMPLES = 20

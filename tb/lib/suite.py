@@ -63,7 +63,7 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
 
 
 def _marks(core: Core, simulator: str, usable: list[str]) -> list[pytest.MarkDecorator]:
-    """The first parameter set of every core in both simulators; the further sets in the long run: they have bulk runs."""
+    """The first parameter set of every core in both simulators; further sets, which have bulk runs, in the long run."""
     if not core.first_set:
         return [pytest.mark.slow]
     return [pytest.mark.full] + [pytest.mark.smoke] * (simulator == usable[0])
