@@ -475,9 +475,10 @@ nine shifts and the mirror, 7 units of 32."""
 def cordic_angle(p: Params, guard: int, magnitude: bool) -> tuple[float, float]:
     """Angle of a vectoring engine: (LSB of 2^-A turn, LSB times length); the bound at a length is a + b / length.
 
-    Rounding 1/2; the residual atan 2^-last; the constants' rounding; where x stops growing early (no magnitude), what
-    is left to turn times its relative lack. Times 1/length: x mirrored 1 unit high or low, y's minus 1/2 unit a step
-    (halved each step), x rounded down 1/2 unit a step (weighed with the angle left), the bits the division drops.
+    Rounding 1/2; the residual atan 2^-last; the constants' rounding; the complements, 1/2 a step, of which 8 units are
+    centred; where x stops growing early (no magnitude), what is left to turn times its relative lack. Times 1/length:
+    x mirrored 1 unit high or low, y's minus 1/2 unit a step (halved each step), x rounded down 1/2 unit a step (weighed
+    with the angle left), the bits the division drops.
     """
     turn = 2 ** p["A"] / (2 * math.pi)
     half = (p["W"] + 1) // 2
@@ -487,7 +488,7 @@ def cordic_angle(p: Params, guard: int, magnitude: bool) -> tuple[float, float]:
     constants = sum(abs((cordic.angle(i, bits) >> i) + 0.5 - math.atan(2.0**-i) * turn / unit) for i in range(last + 1))
     grows = half if magnitude else (p["W"] + 1) // 3
     early = sum(2.0**-i * 4.0**-i for i in range(grows + 1, last + 1)) * turn
-    fixed = 0.5 + 2.0**-last * turn + (constants + 0.5) * unit + early
+    fixed = 0.5 + 2.0**-last * turn + (constants + abs(8 - (last + 1) / 2)) * unit + early
     dropped = 2.0 ** (half // 2 - half)  # of the division: two words cut at 2^(half / 2) LSB, scaled by 2^half
     return fixed, turn * (2.5 * 2.0**-guard + 2 * dropped / 1.6468)
 
@@ -673,7 +674,8 @@ def paper_reach(p: Params) -> float:
     two products by 2^-G each, of a quadrance: over twice the distance.
     """
     i = p["W"] - 1 - p["F"]
-    n, g = max(p["S"] + 1, p["W"] - 1), min(p["S"], 27 - 2 * i)
+    n = max(p["S"] + 1, p["W"] - 1)
+    g = min(p["S"], 27 - 2 * i, 2 * (n + 1 - i))
     return 2.0 ** p["F"] * (1.5 * 2.0 ** (i - n) + 4 * 2.0**-g / 2 ** (i + 1))
 
 
@@ -686,7 +688,8 @@ def paper_forward(p: Params, joints: int, l1: float, l2: float) -> float:
     2^(-G/2) units; b is truncated by 2^(I-N) units. sqrt(n) for the coordinates' own truncation.
     """
     i = p["W"] - 1 - p["F"]
-    n, g = max(p["S"] + 1, p["W"] - 1), min(p["S"], 27 - 2 * i)
+    n = max(p["S"] + 1, p["W"] - 1)
+    g = min(p["S"], 27 - 2 * i, 2 * (n + 1 - i))
     d, q = paper.DIGITS * -(-(p["S"] + 1) // paper.DIGITS), 2 * i + g
     share = 2.0 ** (-d / 2) + math.sqrt(3 * 2.0**-n) + 2.0 ** (-q / 2)
     units = (joints + 1) * 2.0 ** (-g / 2) + 2.0 ** (i - n)
