@@ -111,8 +111,8 @@ def digest(core: Core, count: int) -> str:
     """Of all that a verdict follows from but the seed: sources, bench, how mutants are made and proved equal, tools."""
     bench = [tools.ROOT / name for name in (*BENCH, f"tb/{core.family}/stimulus.py")]
     texts = [path.read_text() for path in (*core.sources, *bench)]
-    return cache.digest([texts, mutate.preparation(core), equivalence.GRAPH, equivalence.MERGE, tools.versions(),
-                         core.params, count])
+    return cache.digest([texts, mutate.preparation(core), equivalence.GRAPH,
+                         equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
 
 
 def judged(core: str, count: int, seed: int) -> dict:
