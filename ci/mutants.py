@@ -2,8 +2,9 @@
 
 Each mutant (ci/mutate.py) goes through the bulk run of its core and, when it lives, through the cocotb bench, under
 Verilator and then, its resets, under Icarus. A kill is a failed comparison or a failed test, nothing else. A survivor
-is proved equivalent (no input sequence after a reset tells it from the core) or it counts against the bench. The seed is the day's, or SEED. Writes reports/mutants.json and, from it, reports/mutants.md; a core whose
-sources, bench and tools are still those of its verdict there is not broken again (--fresh: it is).
+is proved equivalent (no input sequence after a reset tells it from the core) or it counts against the bench. The seed
+is the day's, or SEED. Writes reports/mutants.json and, from it, reports/mutants.md; a core whose sources, bench and
+tools are still those of its verdict there is not broken again (--fresh: it is).
 """
 
 from __future__ import annotations
