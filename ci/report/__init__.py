@@ -10,4 +10,4 @@ DEFAULT_ARM = "cobra600"
 REPORTS = tools.ROOT / "reports"  # of the default arm, committed
 OTHERS = tools.BUILD / "report"  # of any other arm, a folder each
 README = tools.ROOT / "README.md"
-PLOTS = ("area_latency.png", "accuracy.png", "tip_error_map.png")
+PLOTS = ("area_latency.png", "accuracy.png", "tip_error_map.png", "verdict.png")

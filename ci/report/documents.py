@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ci.report import designs, judgement, verdict
 from ci.report.comparison import cordic_wins, pareto, smaller
 from ci.report.paper import paper_tables
 from ci.report.rows import KINEMATIC, number, pick, primitives
@@ -41,6 +42,25 @@ spread bits, `classic_*` at 16 angle bits). Each cell is the family's smallest f
 column may come from two cores."""
 
 
+VERDICT_NOTE = """\
+Each core stands with the shortest words whose *total* error at the tip (words and arithmetic, the greatest over the
+arm's workspace, borders of the words included) is at most the target; LSB are those of Q7.8, whatever the core's own
+words are. Coordinates have as few bits before the point as the arm's reach needs. A core in several architectures
+stands with each of them.
+
+- **words**: the parameters with the fewest bits in all, of as many bits the sharpest; other parameters are those of the
+  core's first set.
+- **total LSB**: the error that is reached.
+- **ALUT + DSP + memory**, **cycles**, **ns**, **ALUT, no DSP**: as above. *Every block as ALUTs* counts a DSP block as
+  {dsp} ALUTs and a memory block as {mem}: their share of a Cyclone V 5CEA4."""
+
+SCENARIO_NOTE = """\
+Rows of whole tasks at {target}: a codec at every joint in front of a forward core or behind an inverse one, where its
+own words are others. Areas are the sum of the parts, cycles one after the other, times at the slowest clock of them;
+the parts were not synthesised together. `word` is the parameter of the joint word outside. A core that is absent has no
+codec yet, or does not reach the target."""
+
+
 def trajectory_note(report: dict) -> str:
     """What was run, in one paragraph."""
     arm = report["trajectory"]
@@ -61,6 +81,24 @@ def _titled(table: Table, *after: str) -> list[str]:
     return [f"## {table.title}", table.markdown(), *after]
 
 
+def _verdict(found: dict) -> list[str]:
+    """The verdict at equal accuracy: tables, picture, scenarios, sentences."""
+    parts = ["## The verdict at equal accuracy", VERDICT_NOTE.format(**designs.RULES["price"])]
+    for function in KINEMATIC:
+        if verdict.plain(found, function):
+            table = verdict.target_table(found, function)
+            parts += [f"### {table.title}", table.markdown(), listed(
+                [judgement.who_wins(found, function, target) for target in verdict.TARGETS], "")]
+    parts += ["![Area against latency at equal accuracy](verdict.png)", "### Tasks, codecs included",
+              SCENARIO_NOTE.format(target=designs.RULES["scenario"])]
+    for way, word in verdict.SCENARIOS:
+        table = verdict.scenario_table(found, way, word)
+        parts += [f"**{table.title[0].upper()}{table.title[1:]}**",
+                  table.markdown() if table.rows else "No core reaches it with what is built."]
+    return [*parts, "### What rational trigonometry itself changes", judgement.itself_at(found),
+            listed(judgement.itself(found), "")]
+
+
 def markdown(report: dict) -> str:
     """The whole of report.md."""
     kinematic, others = pick(report, KINEMATIC), primitives(report)
@@ -73,6 +111,8 @@ def markdown(report: dict) -> str:
                   *_titled(accuracy_table("Accuracy at the tip", kinematic), ERROR_COLUMNS, "![Accuracy](accuracy.png)",
                            "Over the workspace of two joints (elbow 0), the same scale everywhere:",
                            "![Tip error over the workspace](tip_error_map.png)")]
+    if report.get("verdict"):
+        parts += _verdict(report["verdict"])
     if others:
         parts += _titled(cost_table("Primitives", others))
         table = primitive_table(others)
