@@ -25,9 +25,9 @@ COST_COLUMNS = """\
 ERROR_COLUMNS = """\
 Errors are distances at the tip of the arm; one LSB is 2^-F units.
 
-- **max, rms** (LSB and mm; the first is *arithmetic* above): arithmetic alone, against float64 on the same input words,
-  along the trajectory.
-- **sweep**: the same over random and border inputs instead of the trajectory.
+- **max, rms** (LSB and mm): arithmetic alone, against float64 on the same input words, along the trajectory.
+- **sweep**: the same over random and border inputs. The greater of both is *arithmetic* above,
+  and what is compared below.
 - **words**: the greatest error over the arm's workspace, borders of the words included, of an exact core of the same
   words: what rounding joints, targets and links costs, for inverse cores also the answered joint words.
 - **total**: the greatest error of words and arithmetic together over the same samples: where the tip of the real core

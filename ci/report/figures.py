@@ -11,7 +11,7 @@ from ci.cache import digest
 from ci.report import PLOTS, code, designs, verdict
 from ci.report.labels import label
 from ci.report.paper import PAPER, SOURCE
-from ci.report.rows import FAMILIES, KINEMATIC, MAPPED, Row, area_of, name, number, part, pick, q7_8
+from ci.report.rows import FAMILIES, KINEMATIC, MAPPED, Row, area_of, greatest_error, name, number, pick, q7_8
 
 matplotlib.use("Agg")
 
@@ -87,14 +87,14 @@ def _area(rows: list[Row]) -> pyplot.Figure:
 
 
 def _accuracy(rows: list[Row]) -> pyplot.Figure:
-    """A bar a core for its arithmetic on the trajectory, and one for its words over the workspace."""
+    """A bar a core for its greatest arithmetic error, and one for its words over the workspace."""
     figure, axis = pyplot.subplots(figsize=(11, 1.5 + 0.36 * max(len(rows), 1)))
     for i, row in enumerate(rows):
-        axis.barh(i + 0.2, max(part(row, "error_lsb", "max"), FLOOR), 0.38, color=COLOUR[row["family"]])
+        axis.barh(i + 0.2, max(greatest_error(row), FLOOR), 0.38, color=COLOUR[row["family"]])
         axis.barh(i - 0.2, max(row["words_lsb"] or 0, FLOOR), 0.38, color="lightgrey")
     axis.set_yticks(range(len(rows)), [name(row) for row in rows], fontsize=8)
-    axis.set(xscale="log", xlabel="greatest error at the tip, LSB (coloured: arithmetic on the trajectory; "
-             "grey: rounding of the words, over the workspace)")
+    axis.set(xscale="log", xlabel="greatest error at the tip, LSB (coloured: arithmetic, on the trajectory and "
+             "in the sweep; grey: rounding of the words, over the workspace)")
     axis.axvline(1, color="black", linewidth=0.8)
     axis.invert_yaxis()
     axis.grid(True, axis="x", alpha=0.25)
