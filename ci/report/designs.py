@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import tomllib
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -88,6 +88,12 @@ def rule(name: str) -> str:
 
 
 @cache
+def _entries() -> dict[str, tuple[str, str, dict, str, dict]]:
+    """The entries of the list by the core's name."""
+    return {entry[3]: entry for entry in cores.listed((cores.RTL / "cores.toml").read_text())}
+
+
+@cache
 def _at(name: str, params: tuple[tuple[str, int], ...]) -> Core | None:
     core, wanted = cores.find(name), dict(params)
     try:
@@ -95,7 +101,11 @@ def _at(name: str, params: tuple[tuple[str, int], ...]) -> Core | None:
                      for clause in rule(name).split("||"))
     except ValueError:  # no rule of its own, or none that is a formula: Verilator knows
         broken = bool(legal.verdict(core, wanted))
-    return None if broken else legal.at(core, wanted)
+    if broken:
+        return None
+    family, function, shared, _, own = _entries()[name]
+    label = "".join(f"{key}{value}" for key, value in params)
+    return cores.expand(family, function, shared, name, own | {"sets": {label: wanted}}, core.sources)[0]
 
 
 def at(name: str, params: dict[str, int]) -> Core | None:
@@ -163,6 +173,19 @@ def _recoded(codec: Core, words: dict[str, Ints], old: list[tuple[Port, ...]], n
     return found
 
 
+@lru_cache(8)
+def _workspace(shape: Core, arm: Arm, samples: int) -> accuracy.Case:
+    return accuracy.workspace_case(shape, arm, samples, np.random.default_rng(1))
+
+
+def workspace(core: Core, arm: Arm, samples: int) -> accuracy.Case:
+    """The workspace in the core's words: the same for all that have as wide joint words and as many fraction bits."""
+    shape = replace(core, name="", family="", architecture="", set_id="", params={"F": core.params["F"]}, latency=0,
+                    ii=0, sources=(), cfg=(), model_name="", first_set=True, illegal=(), status=None,
+                    inputs=tuple(replace(port, width=port.width if port.type else 0) for port in core.inputs))
+    return replace(_workspace(shape, arm, samples), cfg=accuracy.config(core, arm))
+
+
 def total(design: Design, values: Values, arm: Arm, samples: int) -> float:
     """Greatest total error over the workspace, LSB of Q7.8; infinite for an illegal set."""
     made = parts(design, values)
@@ -170,7 +193,7 @@ def total(design: Design, values: Values, arm: Arm, samples: int) -> float:
         return float("inf")
     core, codec = (*made, None)[:2]
     outer = seen(design, core, codec)
-    case = accuracy.workspace_case(outer, arm, samples, np.random.default_rng(1))
+    case = workspace(outer, arm, samples)
     words, inner, outside = case.inputs, joint_ports(core), joint_ports(outer)
     forward = core.function.startswith("fk")
     if codec and forward:
