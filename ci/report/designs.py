@@ -47,14 +47,28 @@ def word_type(core: Core) -> str:
     return joint_ports(core)[0][0].type
 
 
+def _turns(core: Core) -> tuple[str, str] | None:
+    """The types of the joint words that a stream core takes and gives; None where it is no codec.
+
+    By its ports; by the name of its function where coordinates of any length come in.
+    """
+    if core.family != "codec" or not core.clocked:
+        return None
+    ends = tuple(cores.joints(ports) for ports in (core.inputs, core.outputs))
+    if all(len(joint) == 1 for joint in ends):
+        return tuple(joint[0][0].type for joint in ends)
+    match = re.fullmatch(r"(\w+)_to_(\w+)", core.function)
+    return (match[1], match[2]) if match else None
+
+
 def codecs() -> dict[tuple[str, str], str]:
-    """(type in, type out) -> the first stream core that turns joint words of one type into the other."""
-    found: dict[tuple[str, str], str] = {}
+    """(type in, type out) -> the codec with the fewest cycles, for all types that are compared."""
+    found: dict[tuple[str, str], Core] = {}
     for core in cores.all_cores():
-        match = re.fullmatch(r"(\w+)_to_(\w+)", core.function)
-        if core.family == "codec" and match and {match[1], match[2]} <= set(TYPES):
-            found.setdefault((match[1], match[2]), core.name)
-    return found
+        pair = _turns(core) if core.first_set else None
+        if pair and pair[0] != pair[1] and set(pair) <= set(RULES["longest"]):
+            found[pair] = min(found.get(pair, core), core, key=lambda one: one.latency)
+    return {pair: core.name for pair, core in found.items()}
 
 
 def plain() -> list[Design]:
@@ -70,7 +84,7 @@ def coded(families: tuple[str, ...] = ("vector", "table", "rational", "classic")
         core = cores.find(design.core)
         if core.family in families and core.architecture != "comb":
             forward = core.function.startswith("fk")
-            for word in TYPES:
+            for word in RULES["longest"]:
                 pair = (word, design.word) if forward else (design.word, word)
                 if word != design.word and pair in known:
                     found.append(Design(design.core, word, known[pair]))

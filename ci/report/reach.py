@@ -16,8 +16,6 @@ from quadrance.arms import Arm
 from ci.report.designs import OUTSIDE, RULES, Design, Values, parts, rule, total, word_type
 from tb.lib import legal
 
-LONGEST = {"spread": 30, "angle": 24, "vector": 24}  # highest value of a joint word that no rule limits, by type
-
 
 def limits(arm: Arm) -> dict[str, float]:
     """Targets in LSB of Q7.8, by their names."""
@@ -105,11 +103,12 @@ def grid_of(design: Design) -> dict[str, tuple[int, int]]:
     ranges = legal.ranges(core)
     for key in () if rule(core.name) else core.params:  # a rule that a part has: what is listed as illegal
         wrong = [one[key] for one in core.illegal if list(one) == [key]]
+        longest = RULES["longest"][word_type(core)]
         ranges[key] = (max((one + 1 for one in wrong if one < core.params[key]), default=1),
-                       min((one - 1 for one in wrong if one > core.params[key]), default=LONGEST[word_type(core)]))
+                       min((one - 1 for one in wrong if one > core.params[key]), default=longest))
     grid = {"W": ranges["W"], "F": tuple(RULES["fraction"])} | {
         key: ranges[key] for key in RULES["words"] if key in ranges}
-    return grid | ({OUTSIDE: (6, LONGEST[design.word])} if design.codec else {})
+    return grid | ({OUTSIDE: (6, RULES["longest"][design.word])} if design.codec else {})
 
 
 def search(design: Design, arm: Arm) -> dict:

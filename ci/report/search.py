@@ -18,7 +18,7 @@ from ci.report.designs import Design
 from tb.lib import legal, tools
 
 CODE = [Path(reach.__file__)]
-SEARCH = ("samples", "quick", "fraction", "finer", "words", "fixed", "target", "scenario")  # of verdict.toml
+SEARCH = ("samples", "quick", "fraction", "finer", "words", "fixed", "longest", "target", "scenario")  # of verdict.toml
 FLOWS = ("cyclonev", "cyclonev_nodsp")
 
 
