@@ -5,7 +5,7 @@ import copy
 import pytest
 from quadrance import accuracy, arms, cores
 
-from ci.report import designs, freshness, measure, reach, search
+from ci.report import __main__, designs, freshness, measure, reach, search
 from ci.report.designs import Design
 from tb.lib import tools
 
@@ -173,6 +173,16 @@ def test_what_is_committed_is_not_measured_again(report, jobs):
     assert len(search.put_together("cobra600", report, fresh=True)["parts"]) == 4 and len(jobs) == 10
 
 
+def test_what_a_fresh_search_finds_otherwise_is_said(report):
+    old, new = report["verdict"], copy.deepcopy(report["verdict"])
+    assert search.differences(old, new) == search.differences(None, new) == []
+    new["parts"]["table_fk1-W15F8A18"]["fmax_mhz"] = 71.0
+    new["designs"]["vector_fk1"]["picks"]["1 LSB"] = None
+    first, second = search.differences(old, new)
+    assert first.startswith("verdict: vector_fk1 picks: ") and second == \
+        "verdict: table_fk1-W15F8A18 fmax_mhz: 70.0 -> 71.0"
+
+
 def test_a_changed_core_is_searched_and_measured_again(report, jobs, monkeypatch):
     jobs.clear()
     source, digest = search.source, freshness.synthesis
@@ -204,6 +214,15 @@ def test_what_was_changed_by_hand_or_is_missing_is_found(report, jobs):
     assert search.check(other)[0].startswith("report.json: verdict: KeyError")
     del other["verdict"]
     assert search.check(other) == ["report.json has no verdict"]
+
+
+def test_report_check_covers_the_verdict(report, monkeypatch):
+    monkeypatch.setattr(freshness, "check", list)
+    monkeypatch.setattr(freshness, "committed", lambda: report)
+    __main__.check()
+    report["verdict"]["parts"]["table_fk1-W15F8A18"]["ii"] = 9
+    with pytest.raises(SystemExit, match="verdict: part table_fk1-W15F8A18 changed"):
+        __main__.check()
 
 
 def test_a_core_that_is_new_or_gone_is_found(report, monkeypatch):

@@ -4,7 +4,7 @@ import copy
 
 import pytest
 
-from ci.report import blocks, documents, figures, judgement, verdict
+from ci.report import blocks, documents, figures, judgement, terminal, verdict
 
 TARGET = "1 LSB"
 
@@ -153,6 +153,13 @@ def test_the_pages_have_the_verdict(made, found):
         if block.startswith("|"):
             assert len({line.count("|") for line in block.splitlines()}) == 1
     assert "- Fewest cycles: `table_*` in fk1, fk2 and ik1" in blocks.made(made)["verdict"]
+
+
+def test_the_verdict_is_printed(made, found, capsys):
+    terminal.show(made | {"verdict": found})
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "The verdict at equal accuracy" in printed and "fk1, 1/2 LSB: no core reaches it." in printed
+    assert "It saves memory blocks in ik1 (2 against 3)" in printed
 
 
 def test_the_picture_shows_who_is_dominated(found):

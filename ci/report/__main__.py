@@ -47,6 +47,8 @@ def report(arm: str, fresh: bool) -> None:
           f"cycles and errors of {kept['simulation']}.")
     if fresh:
         lines = run.differences(committed, made)
+        if "verdict" in made:
+            lines += search.differences((committed or {}).get("verdict"), made["verdict"])
         print("\n".join(["Other than in the committed report:", *(f"  {line}" for line in lines)]) if lines else
               "Every figure is the one of the committed report.")
     where = folder.relative_to(tools.ROOT)

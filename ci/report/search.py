@@ -124,6 +124,16 @@ def put_together(arm_name: str, committed: dict | None, fresh: bool = False) -> 
     return verdict | {"figures": digest_of(verdict)}
 
 
+def differences(old: dict | None, new: dict) -> list[str]:
+    """Where a figure of the verdict `new` is not the one of `old`, for what both have."""
+    lines = []
+    for kind, keys in (("designs", ("picks",)), ("parts", ("area", "fmax_mhz"))):
+        before = (old or {}).get(kind, {})
+        lines += [f"verdict: {name} {key}: {before[name][key]} -> {row[key]}" for name, row in new[kind].items()
+                  for key in keys if name in before and before[name][key] != row[key]]
+    return lines
+
+
 def check(report: dict | None = None) -> list[str]:
     """`stale` of a report, the committed one by default; a report that cannot be read is `freshness.check`'s."""
     report = freshness.committed() if report is None else report
