@@ -96,9 +96,44 @@ def test_the_core_s_own_rule_decides():
 
 
 def test_every_kinematic_core_is_searched():
-    names = {core.name for core in cores.all_cores() if core.function in accuracy.JOINTS}
-    assert {design.core for design in designs.plain()} == names
+    of = {(core.family, core.function) for core in cores.all_cores() if core.function in accuracy.JOINTS}
+    chosen = [cores.find(design.core) for design in designs.plain()]
+    assert {(core.family, core.function) for core in chosen} == of and len(chosen) == len(of)
+    assert all(core.architecture == "iter" for core in chosen if core.family == "classic")
     assert all(design.codec for design in designs.coded())
+
+
+def test_a_codec_s_word_is_as_short_as_the_core_allows(monkeypatch):
+    def total(design, values, arm, samples):
+        return 2.0 ** (16 - values["U"]) + 2.0 ** (14 - values["word"]) + 0.2 * (samples == designs.RULES["samples"])
+
+    monkeypatch.setattr(reach, "total", total)
+    monkeypatch.setattr(reach, "parts", lambda design, values: () if values["word"] <= 20 else None)
+    def found(*sets):
+        return reach.outside(Design("vector_fk1", "angle", "angle_to_vector"), list(sets), ARM)["picks"]
+
+    coarse, fine, finest = ({"W": 15, "F": 8, "U": u} for u in (14, 15, 18))
+    assert found(coarse) == {"0.1 mm": None}
+    assert found(coarse, fine) == {"0.1 mm": ({"W": 15, "F": 8, "U": 15, "word": 16}, 2.45)}
+    assert found(fine, finest)["0.1 mm"][0] == {"W": 15, "F": 8, "U": 15, "word": 16}, "fewer bits in all"
+
+
+def test_a_core_with_codecs_has_the_words_of_the_core_alone(monkeypatch, tmp_path):
+    monkeypatch.setattr(search.cache, "FOLDER", tmp_path)
+    values = {"W": 14, "F": 7, "U": 13}
+    monkeypatch.setattr(reach, "search", lambda design, arm: {"best": 1.0, "picks": {
+        "0.1 mm": (values, 2.0), "2 LSB": (values, 2.0), "1 LSB": None}})
+    seen = []
+
+    def outside(design, sets, arm):
+        seen.append(sets)
+        return {"best": 1.0, "picks": {"0.1 mm": (values | {"word": 22}, 2.2)}}
+
+    monkeypatch.setattr(reach, "outside", outside)
+    row = search.searched(Design("vector_ik1", "spread", designs.codecs()["vector", "spread"]), "cobra600")
+    assert seen == [[values]] and row["picks"]["0.1 mm"]["bits"] == 24
+    assert row["picks"]["0.1 mm"]["parts"][0] == ["vector_ik1-W14F7U13", 1]
+    assert [copies for _, copies in row["picks"]["0.1 mm"]["parts"]] == [1, 1]
 
 
 def test_a_codec_gets_the_widths_of_the_words_on_both_sides():

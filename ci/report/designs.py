@@ -72,17 +72,19 @@ def codecs() -> dict[tuple[str, str], str]:
 
 
 def plain() -> list[Design]:
-    """Every kinematic core of the list with its own words."""
-    names = {core.name: core for core in cores.all_cores() if core.function in JOINTS}
-    return [Design(name, word_type(core)) for name, core in names.items()]
+    """Every kinematic core of the list with its own words; where a family has an iterative one, that alone."""
+    found = {core.name: core for core in cores.all_cores() if core.function in JOINTS}
+    small = {(core.family, core.function) for core in found.values() if core.architecture == "iter"}
+    return [Design(name, word_type(core)) for name, core in found.items()
+            if core.architecture == "iter" or (core.family, core.function) not in small]
 
 
 def coded(families: tuple[str, ...] = ("vector", "table", "rational", "classic")) -> list[Design]:
-    """The sequential cores of those families with the codecs there are at their joints."""
+    """The cores of those families with the codecs there are at their joints."""
     known, found = codecs(), []
     for design in plain():
         core = cores.find(design.core)
-        if core.family in families and core.architecture != "comb":
+        if core.family in families:
             forward = core.function.startswith("fk")
             for word in RULES["longest"]:
                 pair = (word, design.word) if forward else (design.word, word)

@@ -45,8 +45,8 @@ column may come from two cores."""
 VERDICT_NOTE = """\
 Each core stands with the shortest words whose *total* error at the tip (words and arithmetic, the greatest over the
 arm's workspace, borders of the words included) is at most the target; LSB are those of Q7.8, whatever the core's own
-words are. Coordinates have as few bits before the point as the arm's reach needs. A core in several architectures
-stands with each of them.
+words are. Coordinates have as few bits before the point as the arm's reach needs. Of CORDIC the iterative cores stand;
+the parallel ones are in the tables above.
 
 - **words**: the parameters with the fewest bits in all, of as many bits the sharpest; other parameters are those of the
   core's first set.
@@ -56,7 +56,7 @@ stands with each of them.
 
 SCENARIO_NOTE = """\
 Rows of whole tasks at {target}: a codec at every joint in front of a forward core or behind an inverse one, where its
-own words are others. Areas are the sum of the parts, cycles one after the other, times at the slowest clock of them;
+own words are others; the core has the words that it has at one of the targets above. Areas are the sum of the parts, cycles one after the other, times at the slowest clock of them;
 the parts were not synthesised together. `word` is the parameter of the joint word outside. A core that is absent has no
 codec yet, or does not reach the target."""
 

@@ -106,13 +106,39 @@ def grid_of(design: Design) -> dict[str, tuple[int, int]]:
         longest = RULES["longest"][word_type(core)]
         ranges[key] = (max((one + 1 for one in wrong if one < core.params[key]), default=1),
                        min((one - 1 for one in wrong if one > core.params[key]), default=longest))
-    grid = {"W": ranges["W"], "F": tuple(RULES["fraction"])} | {
+    return {"W": ranges["W"], "F": tuple(RULES["fraction"])} | {
         key: ranges[key] for key in RULES["words"] if key in ranges}
-    return grid | ({OUTSIDE: (6, RULES["longest"][design.word])} if design.codec else {})
+
+
+class _Errors:
+    """The error of a design by its values, each worked out once: of some samples, and of all."""
+
+    def __init__(self, design: Design, arm: Arm) -> None:
+        self.design, self.arm = design, arm
+        self.quick: dict[tuple, float] = {}
+        self.full: dict[tuple, float] = {}
+
+    def __call__(self, values: Values) -> float:
+        key = tuple(values.items())
+        if key not in self.quick:
+            self.quick[key] = total(self.design, values, self.arm, RULES["quick"])
+        return max(self.quick[key], self.full.get(key, 0.0))
+
+    def exact(self, values: Values) -> float:
+        key = tuple(values.items())
+        if key not in self.full:
+            self.full[key] = total(self.design, values, self.arm, RULES["samples"])
+        return self.full[key]
+
+    def legal(self, values: Values) -> bool:
+        return parts(self.design, values) is not None
+
+    def found(self, picks: dict[str, tuple | None]) -> dict:
+        return {"best": min(self.quick.values(), default=float("inf")), "picks": picks}
 
 
 def search(design: Design, arm: Arm) -> dict:
-    """The shortest words of a design for every target; with codecs, for that of the scenarios.
+    """The shortest words of a core for every target.
 
     Returns
     -------
@@ -120,31 +146,34 @@ def search(design: Design, arm: Arm) -> dict:
         ``best``: the least error seen; ``picks``: target -> (values, error over all samples), None out of reach. Of
         sets of as many bits the sharpest.
     """
-    quick: dict[tuple, float] = {}
-    full: dict[tuple, float] = {}
-
-    def error(values: Values) -> float:
-        key = tuple(values.items())
-        if key not in quick:
-            quick[key] = total(design, values, arm, RULES["quick"])
-        return max(quick[key], full.get(key, 0.0))
-
-    def exact(values: Values) -> float:
-        key = tuple(values.items())
-        if key not in full:
-            full[key] = total(design, values, arm, RULES["samples"])
-        return full[key]
-
-    def sets(limit: float) -> list[Values]:
-        return shortest(error, lambda values: parts(design, values) is not None, grid_of(design), whole, limit)
-
+    error, grid = _Errors(design, arm), grid_of(design)
     whole = int(np.floor(np.log2(sum(arm.links)))) + 2
     picks: dict[str, tuple | None] = {}
     for name, limit in limits(arm).items():
-        if design.codec and name != RULES["scenario"]:
+        found = shortest(error, error.legal, grid, whole, limit)
+        while any([error.exact(one) > limit for one in found]):  # quick samples had missed the worst; now it is known
+            found = shortest(error, error.legal, grid, whole, limit)
+        picks[name] = min(((one, error.exact(one)) for one in found), key=lambda pair: pair[1], default=None)
+    return error.found(picks)
+
+
+def outside(design: Design, sets: list[Values], arm: Arm) -> dict:
+    """The shortest word outside the codecs of a core, for the target of the scenarios; as `search` returns it.
+
+    Parameters
+    ----------
+    sets : values that the core may have, those of its own `search`.
+    """
+    error, found = _Errors(design, arm), []
+    limit, low = limits(arm)[RULES["scenario"]], RULES["shortest"]
+    for inside in sets:
+        values = _longest(error.legal, {OUTSIDE: (low, RULES["longest"][design.word])}, inside)
+        if values is None or error(values) > limit:
             continue
-        found = sets(limit)
-        while any([exact(one) > limit for one in found]):  # quick samples had missed the worst one; now it is known
-            found = sets(limit)
-        picks[name] = min(((one, exact(one)) for one in found), key=lambda pair: pair[1], default=None)
-    return {"best": min(quick.values(), default=float("inf")), "picks": picks}
+        shorter = _lowest(error, values, OUTSIDE, low, limit)
+        while error.exact(shorter) > limit and shorter != values:
+            shorter = _lowest(error, values, OUTSIDE, low, limit)
+        found.append(shorter)
+    least = min(((one, error.exact(one)) for one in found if error.exact(one) <= limit), default=None,
+                key=lambda pair: (bits(pair[0]), pair[1]))
+    return error.found({RULES["scenario"]: least})

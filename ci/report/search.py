@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 import time
+from dataclasses import replace
 from pathlib import Path
 
 from quadrance import arms, cores
@@ -18,7 +19,6 @@ from ci.report.designs import Design
 from tb.lib import legal, tools
 
 CODE = [Path(reach.__file__)]
-SEARCH = ("samples", "quick", "fraction", "finer", "words", "fixed", "longest", "target", "scenario")  # of verdict.toml
 FLOWS = ("cyclonev", "cyclonev_nodsp")
 
 
@@ -29,7 +29,7 @@ def source(design: Design, arm_name: str) -> str:
     entries = [[*entry, designs.rule(name), legal.ranges(cores.find(name))]
                for name in names for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
     return cache.digest([entries, code.digests(code.closure([*CODE, *sorted(models)])), design.word,
-                         arms.path_of(arm_name).read_text(), {key: designs.RULES[key] for key in SEARCH},
+                         arms.path_of(arm_name).read_text(), {key: rule for key, rule in designs.RULES.items() if key != "price"},
                          tools.versions()["numpy"]])[:16]
 
 
@@ -41,7 +41,13 @@ def named(name: str, params: dict[str, int]) -> str:
 def searched(design: Design, arm_name: str) -> dict:
     """What the report keeps of the search of a design."""
     def compute() -> dict:
-        found = reach.search(design, arms.load(arm_name))
+        arm = arms.load(arm_name)
+        if design.codec:
+            alone = searched(replace(design, codec=None, word=designs.word_type(cores.find(design.core))), arm_name)
+            sets = [pick["values"] for pick in alone["picks"].values() if pick]
+            found = reach.outside(design, [one for i, one in enumerate(sets) if one not in sets[:i]], arm)
+        else:
+            found = reach.search(design, arm)
         core = cores.find(design.core)
         copies = (1, designs.JOINTS[core.function])
         picks = {}
@@ -107,7 +113,10 @@ def put_together(arm_name: str, committed: dict | None, fresh: bool = False) -> 
     old, parts = _kept(None if fresh else committed)
     every = everything()
     kept = {one: old[one.id] for one in every if old.get(one.id, {}).get("digest") == source(one, arm_name)}
-    found = pool.run(job, [("reach", one, arm_name) for one in every if one not in kept], since, "verdict")
+    found: dict = {}
+    for coded in (False, True):  # a core with codecs has the words of the core alone
+        found |= pool.run(job, [("reach", one, arm_name) for one in every
+                                if one not in kept and bool(one.codec) == coded], since, "verdict")
     verdict: dict = {"designs": {one.id: kept.get(one) or found["reach", one, arm_name] for one in every}, "parts": {}}
     made = {part: of_id(part) for design in verdict["designs"].values() for pick in design["picks"].values() if pick
             for part, _ in pick["parts"]}
