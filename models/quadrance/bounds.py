@@ -164,15 +164,18 @@ def rational_fk1(l1: float) -> float:
     return 0.5 + 1 / 16 + root_product() * l1
 
 
-RATIONAL_DIRECTION = 0.6 * 2.0**-14
+RATIONAL_DIRECTION = 0.48 * 2.0**-14
 """Angle (rad) from a target to the nearest direction that rounds to the word of rational_ik1.
 
-s = m^2 r: d theta = (dr / r) t / 2, t = m / M <= 1 but at near ties, q = M^2 (1 + t^2):
+s = m^2 r: d theta = (dr / r) t / 2, t = m / M <= 2, q = M^2 (1 + t^2), M >= 1/2. dr / r is the sum of
 
-* sag of the chord h^2 / (8 q^2) t / 2, h = 2^-8: 0.65 * 2^-19;
-* cut of q, 2^-17 around its middle, / q * t / 2: 0.87 * 2^-17;
-* knot and product of the chord, 3 * 2^-17 (one is a cut), * q t / 2: 3 * 2^-17;
-* cut of m^2 (at most 4/8 of 2^-27, times r): below 2^-15 at the first words past a border, where t is near 0.
+* sag of the tangent, raised by half of it: 2^-19 / q^2, alone at most 0.08 * 2^-14 rad;
+* q, three units of 2^-17 about their middle, and the one's complement of w for -w, half a unit of 2^-16 about the
+  quarter that is in the slope: 1.25 * 2^-16 / q, alone 0.31;
+* half a unit of the slope: 2^-17 q^2, alone 0.25.
+
+Together at most 0.466 * 2^-14, at M = 1/2, m = 1. The cuts of m w and m slope to 2^-24 turn the direction by at
+most 2^-21 each, for beside an axis m is as small as they are.
 """
 
 
