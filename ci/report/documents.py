@@ -56,9 +56,9 @@ the parallel ones are in the tables above.
 
 SCENARIO_NOTE = """\
 Rows of whole tasks at {target}: a codec at every joint in front of a forward core or behind an inverse one, where its
-own words are others; the core has the words that it has at one of the targets above. Areas are the sum of the parts, cycles one after the other, times at the slowest clock of them;
-the parts were not synthesised together. `word` is the parameter of the joint word outside. A core that is absent has no
-codec yet, or does not reach the target."""
+own words are others; the core has the words that it has at one of the targets above, and `word` is the parameter of the
+joint word outside. Areas are the sum of the parts, cycles one after the other, times at the slowest clock of them; the
+parts were not synthesised together. A core that is absent has no codec yet, or does not reach the target."""
 
 
 def trajectory_note(report: dict) -> str:

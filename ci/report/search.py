@@ -28,9 +28,9 @@ def source(design: Design, arm_name: str) -> str:
     models = {ROOT / "models" / "quadrance" / f"{cores.find(name).model_name.split('.')[0]}.py" for name in names}
     entries = [[*entry, designs.rule(name), legal.ranges(cores.find(name))]
                for name in names for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
+    rules = {key: rule for key, rule in designs.RULES.items() if key != "price"}
     return cache.digest([entries, code.digests(code.closure([*CODE, *sorted(models)])), design.word,
-                         arms.path_of(arm_name).read_text(), {key: rule for key, rule in designs.RULES.items() if key != "price"},
-                         tools.versions()["numpy"]])[:16]
+                         arms.path_of(arm_name).read_text(), rules, tools.versions()["numpy"]])[:16]
 
 
 def named(name: str, params: dict[str, int]) -> str:
