@@ -160,7 +160,7 @@ def _verdict(found: dict | None) -> pyplot.Figure:
                                   for (x, y, core, *_), of in points.items()]))
     figure.suptitle("Area against latency at equal total error. Red: vector, purple: table, green: rational, blue: "
                     "CORDIC, orange: paper's circuits\nCircle: no blocks, triangle: DSP blocks, square: memory blocks, "
-                    "diamond: both; hollow: another core is no worse in ALUTs, both blocks and time")
+                    "diamond: both; hollow: at that target another core is no worse in ALUTs, both blocks and time")
     figure.tight_layout(rect=(0, 0, 1, 0.97))
     for axis, points in labels:
         label(axis, points)
