@@ -35,6 +35,11 @@ def test_the_words_found_keep_to_the_limit_and_no_word_could_be_shorter(limit):
     assert {reach.bits(one) for one in found} == {least}, "of all words there are"
 
 
+def test_a_bit_more_of_one_word_may_save_two_of_another():
+    found = reach.shortest(error, lambda values: True, GRID | {"F": (8, 8)}, 7, 1.0)
+    assert found == [{"W": 15, "F": 8, "A": 17, "U": 16}], "neither word as short as it could be alone"
+
+
 def test_a_finer_coordinate_is_taken_where_it_saves_more_than_its_bit():
     def steep(values):
         return error(values) + 4.0 * (values["F"] < 9 and values["A"] < 20)
@@ -64,7 +69,7 @@ def test_a_worst_sample_that_the_quick_run_misses_counts(monkeypatch):
 
     def total(design, values, arm, samples):
         calls.append(samples)
-        return error(values | {"U": 18}) + (0.1 if samples == reach.RULES["samples"] and values["F"] == 8 else 0.0)
+        return error(values | {"U": 18}) + (0.3 if samples == reach.RULES["samples"] else 0.0)
 
     monkeypatch.setattr(reach, "total", total)
     monkeypatch.setattr(reach, "grid_of", lambda design: {key: GRID[key] for key in "WFA"})
