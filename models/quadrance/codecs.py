@@ -38,6 +38,16 @@ def _vector_at(place: Floats, width: int) -> Floats:
     return np.mod(border * QUARTER + off, truth.TURN)
 
 
+def _half_tangent_place(theta: Floats, width: int) -> Floats:
+    half = np.rint(theta / np.pi)
+    return 2.0 ** (width - 1) * half + 2.0 ** (width - 2) * np.tan((theta - half * np.pi) / 2)
+
+
+def _half_tangent_at(place: Floats, width: int) -> Floats:
+    half = np.rint(place / 2.0 ** (width - 1))
+    return np.mod(half * np.pi + 2 * np.arctan((place - 2.0 ** (width - 1) * half) / 2.0 ** (width - 2)), truth.TURN)
+
+
 Coding = tuple[Callable[[Floats, int], Floats], Callable[[Floats, int], Floats]]
 # type: (place of an angle, angle of a place); both take the width of the port. A place is a real number that grows with
 # the angle. Of a type of one word it is the word before rounding; of a vector it is where the direction leaves the
@@ -47,6 +57,7 @@ CODINGS: dict[str, Coding] = {
                lambda word, width: truth.spread_word_to_angle(word, width - 2)),
     "angle": (lambda theta, width: theta * (2.0**width / truth.TURN), truth.binary_word_to_angle),
     "vector": (_vector_place, _vector_at),
+    "half_tangent": (_half_tangent_place, _half_tangent_at),
 }
 
 
@@ -129,8 +140,9 @@ def half_step(joint: Joint) -> float:
     """The most that rounding to words of this joint turns it, in radians.
 
     Half an LSB beside a quadrant border, where a type of one word is as coarse as it gets: asin 2^(-(S + 1) / 2) of a
-    turn-spread, whose sin^2 is flat there (0.0099 degrees at S = 24), pi / 2^A of a binary angle, everywhere. A vector
-    loses half an LSB of both coordinates on the diagonals: asin (sqrt(1/2) 2^-U), 0.0006 degrees at U = 16.
+    turn-spread, whose sin^2 is flat there (0.0099 degrees at S = 24), pi / 2^A of a binary angle, everywhere; 2 arctan
+    2^-(T + 1) of a half-tangent, beside the x axis, and half of that beside the y axis (0.0009 degrees at T = 16). A
+    vector loses half an LSB of both coordinates on the diagonals: asin (sqrt(1/2) 2^-U), 0.0006 degrees at U = 16.
     """
     return math.asin(math.sqrt(0.5) / 2.0 ** (joint[0].width - 2)) if len(joint) == 2 else float(at(joint, 0.5))
 
@@ -138,11 +150,11 @@ def half_step(joint: Joint) -> float:
 def coarsest(joint: Joint, off: Floats) -> Floats:
     """Places `off` of an LSB before and behind those words whose rounding turns the joint most; off < 1/2.
 
-    Every quadrant border; of a vector beside each diagonal a word (a, b) of nearly unit length, (a + off, b - off) and
+    Every quadrant border, of a half-tangent every second one; of a vector beside each diagonal a word (a, b) of nearly unit length, (a + off, b - off) and
     (a - off, b + off).
     """
     if len(joint) == 1:
-        borders = (np.arange(4.0) * quadrant(joint))[:, None]
+        borders = (np.arange(4.0) * quadrant(joint))[::2 if joint[0].type == "half_tangent" else 1, None]
         return np.concatenate([borders - off, borders + off], axis=None)
     one = 2.0 ** (joint[0].width - 2)
     a = np.rint(one * math.sqrt(0.5)) + np.arange(-int(one) // 16, int(one) // 16 + 1)
@@ -228,10 +240,10 @@ def quotient(numerator: Ints, divisor: Ints, bits: int) -> Ints:
 
 
 @cache
-def sine_knots(k: int, t: int) -> Ints:
+def sine_knots(k: int, t: int, drop: int = 0) -> Ints:
     """``sin(2 pi i / 2^t)``, i = 0 ... 2^t, half a sag outside the curve, rounded up to a unit of 2^-k, 1 held.
 
-    The integers of angle_chord.v, operation by operation.
+    With `drop` 1 is 1, and half of 2^drop units are added. The integers of angle_chord.v, operation by operation.
     """
     one, quarter = 1 << 30, []
     for i in range((1 << t - 2) + 1):
@@ -243,13 +255,17 @@ def sine_knots(k: int, t: int) -> Ints:
         s = x * s >> 30
         quarter.append(min(s + (s * 646814 >> 18 + 2 * t), one))
     rise = quarter + quarter[-2:0:-1]
-    return ints([min(s + (1 << 30 - k) - 1 >> 30 - k, (1 << k) - 1) for s in [*rise, *(-s for s in rise), 0]])
+    knots = ints([s + (1 << 30 - k) - 1 >> 30 - k for s in [*rise, *(-s for s in rise), 0]])
+    return knots + (1 << drop - 1) if drop else np.minimum(knots, (1 << k) - 1)
 
 
-def angle_chord(k: int, t: int, a: int, word: Ints, cosine: bool) -> Ints:
-    """Sine or cosine of an a-bit binary angle in units of 2^-k, completed from one of the 2^t chords of a turn."""
+def angle_chord(k: int, t: int, a: int, word: Ints, cosine: bool, drop: int = 0) -> Ints:
+    """Sine or cosine of an a-bit binary angle in units of 2^-k, completed from one of the 2^t chords of a turn.
+
+    With `drop` its lowest bits are to be dropped: half of the last bit kept is in it.
+    """
     b, place = a - t, ints(word) + (cosine << a - 2) & (1 << a) - 1
-    knots, i = sine_knots(k, t), place >> b
+    knots, i = sine_knots(k, t, drop), place >> b
     return knots[i] + ((knots[i + 1] - knots[i]) * (place & (1 << b) - 1) >> b)
 
 
