@@ -2,7 +2,7 @@
 
 A joint has one port, or two: cosine and sine of a vector. Its type (`rtl/cores.toml`) says how its words are encoded
 and decoded and what rounding to them costs, here and nowhere else. Words go in and out by the names of the ports, as
-they do in the models of the cores.
+they do in the models of the cores; `from_degrees`, `from_counts`, `convert` and their like take and give plain arrays.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance import fixed, truth
-from quadrance.cores import Joint
+from quadrance.cores import TYPES, Joint, Port
 from quadrance.fixed import Ints, ints
 from quadrance.truth import Floats, floats
 
@@ -150,8 +150,8 @@ def half_step(joint: Joint) -> float:
 def coarsest(joint: Joint, off: Floats) -> Floats:
     """Places `off` of an LSB before and behind those words whose rounding turns the joint most; off < 1/2.
 
-    Every quadrant border, of a half-tangent every second one; of a vector beside each diagonal a word (a, b) of nearly unit length, (a + off, b - off) and
-    (a - off, b + off).
+    Every quadrant border, of a half-tangent every second one; of a vector beside each diagonal a word (a, b) of nearly
+    unit length, (a + off, b - off) and (a - off, b + off).
     """
     if len(joint) == 1:
         borders = (np.arange(4.0) * quadrant(joint))[::2 if joint[0].type == "half_tangent" else 1, None]
@@ -175,6 +175,98 @@ def border_words(joint: Joint) -> dict[str, Ints]:
     near = np.concatenate([steps, -steps])[:, None] + np.arange(-2, 3)
     places = np.unique((np.arange(4)[:, None] * border + near.ravel()) % (4 * border))
     return words_at(joint, places)
+
+
+# Plain words: an encoder's count, degrees or radians, and the words of any two types
+
+Words = Ints | tuple[Ints, Ints]  # of a vector the pair (c, n)
+
+
+def joint_of(kind: str, bits: int) -> Joint:
+    """The ports of a joint word, as a core would have them.
+
+    Parameters
+    ----------
+    kind : str
+        "angle", "spread", "vector" or "half_tangent".
+    bits : int
+        A, S, U or T: the width of an angle, the fraction bits of the others.
+    """
+    if kind not in TYPES:
+        raise ValueError(f"{kind} is no type of joint word; types are {', '.join(TYPES)}")
+    letters, more, signed = TYPES[kind]
+    return tuple(Port(letter, bits + more, signed, kind) for letter in letters)
+
+
+def from_radians(kind: str, bits: int, theta: ArrayLike) -> Words:
+    """Joint words nearest to angles; within `half_step(joint_of(kind, bits))` of them.
+
+    Parameters
+    ----------
+    kind, bits
+        As of `joint_of`.
+    theta : float array
+        Radians, any turn.
+
+    Returns
+    -------
+    int64 array of that shape; of a vector the pair (c, n) of such arrays
+    """
+    words = tuple(encode(joint_of(kind, bits), theta).values())
+    return words if len(words) > 1 else words[0]
+
+
+def to_radians(kind: str, bits: int, words: ArrayLike | tuple[ArrayLike, ArrayLike]) -> Floats:
+    """Angles in [0, 2 pi) of joint words, of a vector the pair (c, n), whose length does not matter."""
+    joint = joint_of(kind, bits)
+    return decode(joint, dict(zip((port.name for port in joint), words if len(joint) > 1 else (words,))))
+
+
+def from_degrees(kind: str, bits: int, degrees: ArrayLike) -> Words:
+    """As `from_radians`, from degrees of any turn."""
+    return from_radians(kind, bits, np.radians(np.mod(floats(degrees), 360)))
+
+
+def to_degrees(kind: str, bits: int, words: ArrayLike | tuple[ArrayLike, ArrayLike]) -> Floats:
+    """As `to_radians`, in degrees, [0, 360)."""
+    return np.degrees(to_radians(kind, bits, words))
+
+
+def from_counts(kind: str, bits: int, count: ArrayLike, counts: int) -> Words:
+    """Joint words nearest to an encoder's counts.
+
+    Parameters
+    ----------
+    kind, bits
+        As of `joint_of`.
+    count : int array
+        Of any turn and sign, 0 at the joint's zero.
+    counts : int
+        Counts of a full turn of the joint: four times the lines of a quadrature encoder, times the ratio of the gear.
+
+    Returns
+    -------
+    As `from_radians`. An angle is exact in integers (ties upward): where `counts` is 2^A it is the count modulo a turn.
+    """
+    count = np.mod(ints(count), counts)
+    if kind == "angle":
+        return ints((count << bits + 1) + counts) // (2 * counts) & (1 << bits) - 1
+    return from_radians(kind, bits, count * (truth.TURN / counts))
+
+
+def to_counts(kind: str, bits: int, words: ArrayLike | tuple[ArrayLike, ArrayLike], counts: int) -> Ints:
+    """An encoder's counts in [0, counts) nearest to joint words; as `from_counts`."""
+    return np.floor(to_radians(kind, bits, words) * (counts / truth.TURN) + 0.5).astype(np.int64) % counts
+
+
+def convert(kind: str, bits: int, words: ArrayLike | tuple[ArrayLike, ArrayLike], to: str, to_bits: int) -> Words:
+    """Joint words of another type, nearest to what the words stand for.
+
+    The codecs of rtl/codec answer the same within their bounds (`bounds.angle_to_vector` and so on), of them
+    `vector_to_spread_iter` exactly but for ties; `conversion` has what each answers bit for bit. They take a vector for
+    one of unit length; here it may have any length but 0.
+    """
+    return from_radians(to, to_bits, to_radians(kind, bits, words))
 
 
 # Bit-true models of rtl/codec

@@ -35,7 +35,8 @@ def spread_to_vector(p: Params, *, in_j: Ints) -> dict[str, Ints]:
     word, s, u = ints(in_j), p["S"], p["U"]
     quadrant, v = word >> s, word & (1 << s) - 1
     answer = {}
-    for name, swap, negative in (("c", 1 - quadrant % 2, (quadrant ^ quadrant >> 1) & 1), ("n", quadrant % 2, quadrant >> 1)):
+    odd, below = quadrant & 1, quadrant >> 1
+    for name, swap, negative in (("c", 1 - odd, odd ^ below), ("n", odd, below)):
         root = arith.root_product({"S": s, "B": 20}, in_v=v, in_not=swap)
         size = (root["out_w"] * root["out_slope"] >> 36 - u) + 1 >> 1
         answer[f"out_{name}"] = np.where(negative, -size, size)
@@ -103,7 +104,9 @@ LAST = 190  # in 1/256: a unit vector's minor coordinate is below 0.727
 
 @cache
 def _cosines() -> list[tuple[int, int]]:
-    """(i, 2^30 sqrt(1 - (i / 256)^2)), i = 0 ... 190, by four steps of Newton's rule from the one before; to 256 the last.
+    """(i, 2^30 sqrt(1 - (i / 256)^2)), i = 0 ... 190, each by four steps of Newton's rule from the one before.
+
+    Then the last, as far as the table goes.
     """
     root, found = 1 << 30, []
     for i in range(LAST + 1):

@@ -14,7 +14,7 @@ module angle_to_spread #(
     input  wire         in_valid,
     output wire         in_ready,
     input  wire [A-1:0] in_j,
-    output reg          out_valid,
+    output wire         out_valid,
     input  wire         out_ready,
     output reg  [S+1:0] out_j
 );
@@ -59,7 +59,7 @@ module angle_to_spread #(
     reg  [2*K-8:0] chord;
     reg  [B-1:0]   place;
     reg  [1:0]     axis;
-    reg            first;
+    reg  [1:0]     stages;  // which of them hold a sample
     wire [K:0]     start;
     wire [K-9:0]   step, rise;
     wire [B-1:0]   cut;
@@ -76,20 +76,18 @@ module angle_to_spread #(
     wire [S+1:0]       floor = {axis[1] ^ (back && !axis[0]), axis[0] ^ back, part};
     wire               unused = &{1'b0, near[0], square[K+27], rest, cut};
 
+    assign out_valid = stages[1];
     assign in_ready = !out_valid || out_ready;
     always @(posedge clk) begin
         if (in_ready) begin
             chord     <= chords[in_j[A-3 -: 9]];
             place     <= in_j[B-1:0];
             axis      <= near[2:1];
-            first     <= in_valid;
-            out_valid <= first;
+            stages    <= {stages[0], in_valid};
             out_j     <= floor + {{(S+1){1'b0}}, half};
         end
-        if (rst) begin
-            first     <= 1'b0;
-            out_valid <= 1'b0;
-        end
+        if (rst)
+            stages <= 2'b00;
     end
 endmodule
 `default_nettype wire

@@ -16,7 +16,7 @@ module vector_normalise #(
     output wire                in_ready,
     input  wire signed [U+1:0] in_c,
     input  wire signed [U+1:0] in_n,
-    output reg                 out_valid,
+    output wire                out_valid,
     input  wire                out_ready,
     output reg  signed [U+1:0] out_c,
     output reg  signed [U+1:0] out_n,
@@ -30,7 +30,8 @@ module vector_normalise #(
 
     localparam G = U + 3;  // fraction bits of g, below which the squares are truncated
     reg  signed [U+1:0]    c, n;
-    reg                    first, zero, singular;  // a sample is in the first stage; it is c = n = 0
+    reg  [1:0]             stages;  // which of them hold a sample
+    reg                    zero, singular;  // of the sample in the first stage, of the one in the second
     wire [2*U+3:0]         cc = c * c, nn = n * n;  // u4.2U
     wire [G+3:0]           q = cc[2*U+3:U-3] + nn[2*U+3:U-3];
     wire signed [G+3:0]    g = {~q[G+3:G] + 4'd3, ~q[G-1:0]};  // 3 - q, a unit less; its half is Newton's factor
@@ -38,6 +39,7 @@ module vector_normalise #(
     wire                   lost = zero || g[G+3];
     wire                   unused = &{1'b0, cc, nn, along, across};
 
+    assign out_valid = stages[1];
     assign in_ready = !out_valid || out_ready;
     assign out_status = {2'd0, singular, 1'b0};
     always @(posedge clk) begin
@@ -45,17 +47,15 @@ module vector_normalise #(
             c         <= in_c;
             n         <= in_n;
             zero      <= ~|in_c && ~|in_n;
-            first     <= in_valid;
+            stages    <= {stages[0], in_valid};
             singular  <= lost;
-            out_valid <= first;
-            if (first && !lost) begin
+            if (stages[0] && !lost) begin
                 out_c <= along[U+G+3:G+2];
                 out_n <= across[U+G+3:G+2];
             end
         end
         if (rst) begin
-            first     <= 1'b0;
-            out_valid <= 1'b0;
+            stages    <= 2'b00;
             out_c     <= {2'b01, {U{1'b0}}};
             out_n     <= {(U+2){1'b0}};
         end

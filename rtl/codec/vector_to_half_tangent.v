@@ -18,7 +18,7 @@ module vector_to_half_tangent #(
     output wire                in_ready,
     input  wire signed [U+1:0] in_c,
     input  wire signed [U+1:0] in_n,
-    output reg                 out_valid,
+    output wire                out_valid,
     input  wire                out_ready,
     output reg  [T+1:0]        out_j,
     output wire [3:0]          out_status
@@ -90,7 +90,8 @@ module vector_to_half_tangent #(
     reg  [2*T-3:0] chord;
     reg  [11:0]    place;
     reg  [1:0]     axis;
-    reg            first, lacks, singular;  // a sample is in the first stage; it has no direction
+    reg  [1:0]     stages;  // which of them hold a sample
+    reg            lacks, singular;  // of the sample in the first stage, of the one in the second
     wire [T+2:0]   start;
     wire [T-6:0]   step, rise;
     wire [11:0]    cut;
@@ -100,6 +101,7 @@ module vector_to_half_tangent #(
     wire [T+3:0]   word = from + {9'd0, rise};
     wire           unused = &{1'b0, sine[21], cut, word[1:0]};
 
+    assign out_valid = stages[1];
     assign in_ready = !out_valid || out_ready;
     assign out_status = {2'd0, singular, 1'b0};
     always @(posedge clk) begin
@@ -108,15 +110,13 @@ module vector_to_half_tangent #(
             place     <= sine[11:0];
             axis      <= near;
             lacks     <= none;
-            first     <= in_valid;
+            stages    <= {stages[0], in_valid};
             singular  <= lacks;
-            out_valid <= first;
-            if (first && !lacks)
+            if (stages[0] && !lacks)
                 out_j <= word[T+3:2];
         end
         if (rst) begin
-            first     <= 1'b0;
-            out_valid <= 1'b0;
+            stages    <= 2'b00;
             out_j     <= {(T+2){1'b0}};
         end
     end
