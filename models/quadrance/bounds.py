@@ -126,12 +126,12 @@ PLACES = np.linspace(0, 1, 33)
 def angle_to_vector(p: Params) -> float:
     """A coordinate, LSB of 2^-U, by every chord of the table.
 
-    Half its sag, (2 pi / 2^T)^2 / 16, either way, 1.5 of that next to +-1; knots to a quarter of an LSB, as the
+    Half its sag, (2 pi / 2^T)^2 / 16, either way, 1.5 of that next to +-1; knots to an eighth of an LSB, as the
     truncation. Rounding 1/2.
     """
     k, t = conversion.sizes(p)
     exact = np.sin(2 * np.pi / 2**t * (np.arange(2**t)[:, None] + PLACES)) * 2**k
-    return 0.5 + _chords(codecs.sine_knots(k, t, 2) - 2, exact) / 4
+    return 0.5 + _chords(codecs.sine_knots(k, t, 3) - 4, exact) / 8
 
 
 def spread_to_vector(p: Params) -> float:
@@ -140,13 +140,13 @@ def spread_to_vector(p: Params) -> float:
 
 
 def half_tangent_to_vector(p: Params) -> float:
-    """A coordinate, LSB of 2^-U, by every chord of both functions, knots and truncation to a quarter of an LSB.
+    """A coordinate, LSB of 2^-U, by every chord of both functions, knots and truncation to an eighth of an LSB.
 
     A negative t is taken 2^-20 nearer to 0, which moves the sine, whose slope is 2 at most. Rounding 1/2.
     """
-    k = p["U"] + 2
+    k = p["U"] + 3
     exact = np.stack(truth.half_tangent_to_unit((np.arange(256)[:, None] + PLACES) / 256))[:, None] * 2**k
-    return 0.5 + (_chords(conversion.half_tangent_knots(k) - 2, exact * [[[[1]], [[-1]]]]) + 2.0 ** (k - 19)) / 4
+    return 0.5 + (_chords(conversion.half_tangent_knots(k) - 4, exact * [[[[1]], [[-1]]]]) + 2.0 ** (k - 19)) / 8
 
 
 def _minor() -> Floats:

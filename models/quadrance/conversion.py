@@ -20,13 +20,13 @@ Params = dict[str, int]
 
 def sizes(p: Params) -> tuple[int, int]:
     """(K, T) of angle_to_vector: fraction bits of a root, address bits of its table."""
-    return p["U"] + 2, min((p["U"] + 5) // 2, p["A"] - 1)
+    return p["U"] + 3, min((p["U"] + 5) // 2, p["A"] - 1)
 
 
 def angle_to_vector(p: Params, *, in_j: Ints) -> dict[str, Ints]:
     """``c = cos j, n = sin j`` by chords, nearest."""
     k, t = sizes(p)
-    c, n = (codecs.angle_chord(k, t, p["A"], in_j, cosine, drop=2) >> 2 for cosine in (True, False))
+    c, n = (codecs.angle_chord(k, t, p["A"], in_j, cosine, drop=3) >> 3 for cosine in (True, False))
     return {"out_c": c, "out_n": n}
 
 
@@ -55,7 +55,7 @@ def half_tangent_knots(k: int) -> Ints:
         cosine = (65536 - i * i << 30) // q + (lift if 3 * i * i < 65536 else -lift)
         for kind, value in enumerate((cosine, sine)):
             for sign, signed in enumerate((min(value, 1 << 30), -min(value, 1 << 30))):
-                table[kind, sign, i] = (signed + (1 << 30 - k) - 1 >> 30 - k) + 2
+                table[kind, sign, i] = (signed + (1 << 30 - k) - 1 >> 30 - k) + 4
     return table
 
 
@@ -64,11 +64,11 @@ def half_tangent_to_vector(p: Params, *, in_j: Ints) -> dict[str, Ints]:
     word, t = ints(in_j), p["T"]
     below, half = word >> t & 1, word >> t + 1 & 1
     size = ((word & (1 << t) - 1) << 20 - t ^ -below) & 0xFFFFF
-    i, place, knots = size >> 12, size & 0xFFF, half_tangent_knots(p["U"] + 2)
+    i, place, knots = size >> 12, size & 0xFFF, half_tangent_knots(p["U"] + 3)
     answer = {}
     for kind, (name, negative) in enumerate((("c", half ^ below), ("n", half))):
         knot = knots[kind, negative, i]
-        answer[f"out_{name}"] = knot + ((knots[kind, negative, i + 1] - knot) * place >> 12) >> 2
+        answer[f"out_{name}"] = knot + ((knots[kind, negative, i + 1] - knot) * place >> 12) >> 3
     return answer
 
 

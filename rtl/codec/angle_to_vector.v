@@ -25,7 +25,7 @@ module angle_to_vector #(
         end
     endgenerate
 
-    localparam K = U + 2;                                  // fraction bits of a root: two are rounded away
+    localparam K = U + 3;                                  // fraction bits of a root: three are rounded away
     localparam T = A < (U + 5) / 2 + 1 ? A - 1 : (U + 5) / 2;  // address bits of the table
 
     reg    second;  // the clock after the accepting one: the cosine is completed, the sine is read
@@ -37,14 +37,14 @@ module angle_to_vector #(
     always @(posedge clk)
         if (accept)
             upper <= in_j[A-1:A-T];
-    angle_chord #(.A(A), .K(K), .T(T), .DROP(2)) codec (.clk(clk), .in_read(accept || second), .in_keep(second),
+    angle_chord #(.A(A), .K(K), .T(T), .DROP(3)) codec (.clk(clk), .in_read(accept || second), .in_keep(second),
         .in_cos(!second), .in_j({second ? upper : in_j[A-1:A-T], in_j[A-T-1:0]}), .out_chord(chord));
 
     wire [K+1:0]   knot;
     wire [K-T+3:0] step, rise;
     wire [14:0]    offset, below;
     wire           same;    // a copy of the sign
-    wire [1:0]     dropped;
+    wire [2:0]     dropped;
     assign {knot, step, offset} = chord;
     assign {same, rise, below} = $signed(step) * $signed({1'b0, offset});
     assign {out_n, dropped} = knot + {{(T-2){rise[K-T+3]}}, rise};

@@ -26,7 +26,7 @@ module half_tangent_to_vector #(
         end
     endgenerate
 
-    localparam K = U + 2;  // fraction bits of a root: two are rounded away
+    localparam K = U + 3;  // fraction bits of a root: three are rounded away
     // Knot i, |t| = i / 256: half a sag, f''(t) / 2^20, outside the curve, rounded upward since the root is truncated,
     // and with half a unit of the result more
     function [K+1:0] knot(input integer i, input sine, input negative);
@@ -44,7 +44,7 @@ module half_tangent_to_vector #(
             if (f > 64'd1 << 30)
                 f = 64'd1 << 30;
             f = (negative ? -f : f) + (64'd1 << 30 - K) - 1 >> 30 - K;
-            f = f + 2;
+            f = f + 4;
             knot = f[K+1:0];
         end
     endfunction
@@ -75,7 +75,7 @@ module half_tangent_to_vector #(
     wire [K-6:0]   step, rise;
     wire [11:0]    cut;
     wire           same;      // a copy of the sign
-    wire [1:0]     dropped;
+    wire [2:0]     dropped;
     assign {knot_read, step} = chord;
     assign {same, rise, cut} = $signed(step) * $signed({1'b0, place});
     assign {out_n, dropped} = knot_read + {{7{rise[K-6]}}, rise};
