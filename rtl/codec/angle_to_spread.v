@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turn-spread of a binary angle: the axis next to it, and the square of the sine between them, up or down from there.
 // Formats: in_j angle of A bits; out_j turn-spread u2.S modulo 4, nearest; exact on the axes.
-// Error: the angle whose spread is rounded is within 0.42 * 2^-16 rad of the word's; 1/2 LSB of the spread.
+// Error: the angle whose spread is rounded is within 0.39 * 2^-16 rad of the word's; rounding 0.69 LSB at S = 24.
 // Latency 2, II 1: a chord of the sine is read, then completed and squared.
 // Status: none. Source: paper eq. 3, spread = square of the sine. Model: conversion.angle_to_spread
 `default_nettype none
