@@ -49,7 +49,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
         return math.sqrt(0.5) if forward else 0.0
     if family == "paper":
         return paper_forward(p, joints, l1, l2) if forward else paper_inverse(p, joints, l1, l2)
-    if family == "table":
+    if family == "table" and (forward or joints == 1):
         return math.sqrt(joints + (joints == 1)) * table_forward(p, joints, l1, l2) if forward else \
             table_direction(p) * l1
     if family == "vector":
@@ -284,15 +284,18 @@ def rational_fk1(l1: float) -> float:
     return 0.5 + 1 / 16 + root_product() * l1
 
 
-RATIONAL_DIRECTION = 0.6 * 2.0**-14
+RATIONAL_DIRECTION = 0.48 * 2.0**-14
 """Angle (rad) from a target to the nearest direction that rounds to the word of rational_ik1.
 
-s = m^2 r: d theta = (dr / r) t / 2, t = m / M <= 1 but at near ties, q = M^2 (1 + t^2):
+s = m^2 r: d theta = (dr / r) t / 2, t = m / M <= 2, q = M^2 (1 + t^2), M >= 1/2. dr / r is the sum of
 
-* sag of the chord h^2 / (8 q^2) t / 2, h = 2^-8: 0.65 * 2^-19;
-* cut of q, 2^-17 around its middle, / q * t / 2: 0.87 * 2^-17;
-* knot and product of the chord, 3 * 2^-17 (one is a cut), * q t / 2: 3 * 2^-17;
-* cut of m^2 (at most 4/8 of 2^-27, times r): below 2^-15 at the first words past a border, where t is near 0.
+* sag of the tangent, raised by half of it: 2^-19 / q^2, alone at most 0.08 * 2^-14 rad;
+* q, three units of 2^-17 about their middle, and the one's complement of w for -w, half a unit of 2^-16 about the
+  quarter that is in the slope: 1.25 * 2^-16 / q, alone 0.31;
+* half a unit of the slope: 2^-17 q^2, alone 0.25.
+
+Together at most 0.466 * 2^-14, at M = 1/2, m = 1. The cuts of m w and m slope to 2^-24 turn the direction by at
+most 2^-21 each, for beside an axis m is as small as they are.
 """
 
 
@@ -445,7 +448,7 @@ def rational_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     return aim + 2 * radius * np.sin(turned / 2) + rational_aim(radius)
 
 
-# vector: two joints, inverse
+# vector: two and three joints, inverse
 
 
 def _vector_root(v: ArrayLike) -> Floats:
@@ -481,16 +484,18 @@ def vector_gap(p: Params, l1: int, l2: int) -> float:
     return 2 * half + 2 * l1 * l2 * (1 / words["cfg_r"] + 2**-25)
 
 
-def _vector_quadrance(p: Params, l1: int, l2: int, n2: ArrayLike) -> Floats:
-    """By how much |k|^2 differs from q: the gap, and the root times L2^2; 16-bit words."""
-    gap, v = vector_gap(p, l1, l2), floats(n2) ** 2
+def _vector_quadrance(p: Params, l1: int, l2: int, n2: ArrayLike, seen: ArrayLike = 0) -> Floats:
+    """By how much |k|^2 differs from q: the gap, and the root times L2^2; 16-bit words. `seen` is what q itself may be
+    off; it moves n2, and where it is not 0, q has a fraction, whose cut and that of the gap are 5/8 at most."""
+    v, seen = floats(n2) ** 2, floats(seen)
+    gap = vector_gap(p, l1, l2) + 0.625 * (seen > 0)
     l1, l2 = (length << 16 - p["W"] for length in (l1, l2))
-    moved = gap / max(l1 * l2, 1)
+    moved = (gap + seen) / max(l1 * l2, 1)
     root = np.max([_vector_root(v - moved), _vector_root(v), _vector_root(v + moved)], axis=0)
     return gap + l2 * l2 * root
 
 
-def vector_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+def vector_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike, seen: ArrayLike = 0) -> Floats:
     """Tip of vector_ik2, the products of the answered words, for a target in reach; half a unit of each word included.
 
     Parameters
@@ -499,6 +504,8 @@ def vector_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Fl
         Links in LSB.
     rho, n2 : float arrays
         Distance of the target from the shoulder, LSB; |sin theta2|.
+    seen : float array
+        How far the quadrance that n2 belongs to is from the core's, LSB^2 of 16-bit words: of the rho of vector_ik3.
 
     Notes
     -----
@@ -512,7 +519,7 @@ def vector_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Fl
     """
     unit = 2.0 ** (16 - p["W"])  # the core computes with words of 16 bits
     rho, length = floats(rho) * unit, l2 * unit
-    wrong = _vector_quadrance(p, l1, l2, n2)
+    wrong = _vector_quadrance(p, l1, l2, n2, seen)
     far = np.maximum(rho, 1e-9)
     word = math.sqrt(0.5) / 2 ** p["U"]
     stretch = 1 + wrong / far**2 + 0.05 / far
@@ -521,13 +528,13 @@ def vector_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Fl
     return np.where(rho**2 < 4 * wrong + 4, 4 * (rho + np.sqrt(wrong) + 1), known) / unit
 
 
-def vector_ik2_length(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+def vector_ik2_length(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike, seen: ArrayLike = 0) -> Floats:
     """| |(c1, n1)| - 1 | of vector_ik2, units of 2^-U, for a target in reach with rho^2 > 4 `_vector_quadrance`.
 
     |k| / |p|: half the relative error of the quadrance, k's fraction bits; 1/q'; the word.
     """
     rho = floats(rho) * 2.0 ** (16 - p["W"])
-    part = _vector_quadrance(p, l1, l2, n2) / (2 * rho**2) + 2**0.5 / 32 / rho + _vector_inverse(rho**2) + 2**-22
+    part = _vector_quadrance(p, l1, l2, n2, seen) / (2 * rho**2) + 2**0.5 / 32 / rho + _vector_inverse(rho**2) + 2**-22
     return (part * (1 + part) + 2**0.5 * 0.25 / rho**2) * 2.0 ** p["U"] + math.sqrt(0.5)
 
 
@@ -537,6 +544,78 @@ VECTOR_NEAREST = 1.3
 Rounding of (c1, n1) 0.71; of 2/sqrt(q'): half of what the tangent loses 3/16 b^2, 0.19, half a unit of the slope 0.25
 at q' = 1 (not both), its first factor 0.06; the half unit in place of k2 0.06.
 """
+
+
+def _vector_yaw(rho: ArrayLike) -> tuple[Floats, Floats]:
+    """(c3, n3) of vector_ik3 before both are rounded: how far the length is from 1, and the direction off (rad).
+
+    2/sqrt(q'), q' as in `_vector_inverse`: half of what the tangent loses 3/16 b^2, half a unit of the slope and of the
+    first factor, the cut of the product. Both: the half unit behind 2^15 and 0, 2^-20; the cut of the products with
+    them to 1/8, two a coordinate, and of what is shifted to 2^-24, sqrt(q') >= 1/2.
+    """
+    rho = np.maximum(floats(rho), 1)
+    q = rho * rho / 4.0 ** np.ceil(np.floor(np.log2(rho * rho) + 1) / 2)
+    turned = 2**-20 + 2**-22.5 + 2**-16.5 / rho
+    return 3 * 2**-24 / q**2 + q**1.5 * 2**-18 + 2**-22 / q + 2**-24 + turned, turned
+
+
+def vector_rho(p: Params, target: ArrayLike) -> Floats:
+    """Error of rho of vector_ik3, LSB: half a unit of its 4 fraction bits, the cut of the two products to 2^-17, c3 and
+    n3 to 18 fraction bits about a half, and their length."""
+    rho = np.hypot(*floats(target)[:2]) * 2.0 ** (16 - p["W"])
+    return (1 / 32 + 2**-16 + rho * (2**0.5 * 2**-19 + _vector_yaw(rho)[0])) * 2.0 ** (p["W"] - 16)
+
+
+def _vector_seen(p: Params, target: ArrayLike) -> Floats:
+    """By how much the error of rho moves the quadrance of vector_ik3, LSB^2 of 16-bit words; its cut to 1/8 LSB^2."""
+    off = vector_rho(p, target)
+    return (2 * np.hypot(*floats(target)[:2]) + off) * off * 4.0 ** (16 - p["W"]) + 1 / 8
+
+
+def vector_reach(p: Params, l1: int, l2: int, target: ArrayLike) -> tuple[Floats, Floats]:
+    """Quadrance (LSB^2) by which vector_ik2 or vector_ik3 may miss, and by which it may mistake, a target out of reach.
+
+    `vector_gap` on one side of a border only; the error of rho and fractions of q on both.
+    """
+    gap, scale = vector_gap(p, l1, l2), 4.0 ** (p["W"] - 16)
+    seen = _vector_seen(p, target) + 0.625 if len(target) == 3 else 0 * floats(target[0])
+    return (gap + seen) * scale, seen * scale
+
+
+def vector_ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats:
+    """Tip of vector_ik3, the products of the answered words, for targets (3, N) in reach.
+
+    `vector_ik2` of (rho, z), either end of the error of rho; that error, for the arm reaches it; and what (c3, n3)
+    makes of it: its length once more, half a unit of both words, the direction.
+    """
+    x, y, z = floats(target)
+    rho = np.hypot(x, y)
+    off, seen, long = vector_rho(p, target), _vector_seen(p, target), np.hypot(rho, z)
+    plane = [vector_ik2(p, l1, l2, np.maximum(long + sign * off, 0), n2, seen) for sign in (-1, 1)]
+    yaw = sum(_vector_yaw(rho * 2.0 ** (16 - p["W"]))) + math.sqrt(0.5) * 2.0 ** -p["U"]
+    return 1.001 * np.maximum(*plane) + off + rho * yaw
+
+
+def vector_ik3_length(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats:
+    """| |(c1, n1)| - 1 | and | |(c3, n3)| - 1 | of vector_ik3 together, units of 2^-U; as `vector_ik2_length`."""
+    x, y, z = floats(target)
+    rho = np.hypot(x, y)
+    nearer = np.maximum(np.hypot(rho, z) - vector_rho(p, target), 0.5)
+    yaw = _vector_yaw(rho * 2.0 ** (16 - p["W"]))[0] * 2.0 ** p["U"] + math.sqrt(0.5)
+    return vector_ik2_length(p, l1, l2, nearer, n2, _vector_seen(p, target)) + yaw
+
+
+def vector_ik3_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
+    """Tip of vector_ik3 from the nearest point of targets (3, N) out of reach.
+
+    `VECTOR_NEAREST`; the yaw as in `vector_ik3`; and (rho, z) seen from the shoulder turned by the error of rho.
+    """
+    target = floats(target)
+    length, rho = np.sqrt((target * target).sum(axis=0)), np.hypot(*target[:2]) * 2.0 ** (16 - p["W"])
+    radius = np.where(length > (l1 + l2 + abs(l1 - l2)) / 2, l1 + l2, abs(l1 - l2))
+    turned = np.arcsin(np.minimum(vector_rho(p, target) / np.maximum(length, 1e-9), 1))
+    yaw = sum(_vector_yaw(rho)) + math.sqrt(0.5) * 2.0 ** -p["U"]
+    return VECTOR_NEAREST * (l1 + l2) / 2 ** p["U"] + radius * yaw + 2 * radius * np.sin(turned / 2)
 
 
 # cordic
@@ -595,9 +674,10 @@ nine shifts and the mirror, 7 units of 32."""
 def cordic_angle(p: Params, guard: int, magnitude: bool) -> tuple[float, float]:
     """Angle of a vectoring engine: (LSB of 2^-A turn, LSB times length); the bound at a length is a + b / length.
 
-    Rounding 1/2; the residual atan 2^-last; the constants' rounding; where x stops growing early (no magnitude), what
-    is left to turn times its relative lack. Times 1/length: x mirrored 1 unit high or low, y's minus 1/2 unit a step
-    (halved each step), x rounded down 1/2 unit a step (weighed with the angle left), the bits the division drops.
+    Rounding 1/2; the residual atan 2^-last; the constants' rounding; the complements, 1/2 a step, of which 8 units are
+    centred; where x stops growing early (no magnitude), what is left to turn times its relative lack. Times 1/length:
+    x mirrored 1 unit high or low, y's minus 1/2 unit a step (halved each step), x rounded down 1/2 unit a step (weighed
+    with the angle left), the bits the division drops.
     """
     turn = 2 ** p["A"] / (2 * math.pi)
     half = (p["W"] + 1) // 2
@@ -607,7 +687,7 @@ def cordic_angle(p: Params, guard: int, magnitude: bool) -> tuple[float, float]:
     constants = sum(abs((cordic.angle(i, bits) >> i) + 0.5 - math.atan(2.0**-i) * turn / unit) for i in range(last + 1))
     grows = half if magnitude else (p["W"] + 1) // 3
     early = sum(2.0**-i * 4.0**-i for i in range(grows + 1, last + 1)) * turn
-    fixed = 0.5 + 2.0**-last * turn + (constants + 0.5) * unit + early
+    fixed = 0.5 + 2.0**-last * turn + (constants + abs(8 - (last + 1) / 2)) * unit + early
     dropped = 2.0 ** (half // 2 - half)  # of the division: two words cut at 2^(half / 2) LSB, scaled by 2^half
     return fixed, turn * (2.5 * 2.0**-guard + 2 * dropped / 1.6468)
 
@@ -783,6 +863,63 @@ def table_direction(p: Params) -> float:
     return 2.0**-18 * (1 + 2.5 + 0.65 + 1) + 2 * math.pi / 2.0 ** (p["A"] + 2)
 
 
+def angle_of_vector(a: int, length: ArrayLike = 0.0) -> Floats:
+    """Angle (rad) by which `codecs.angle_of_vector` is off before rounding to a word, `length` what the vector's length
+    is off 1.
+
+    The greatest error of the chords, each taken at 17 places where |m| <= 3/4, half a sag of 2^-18 at most; the last
+    bit of m about a half, 2^-21, times the slope 1.52; knot and rise, each truncated by less than a unit of 2^-(a + 3)
+    turn: half a unit either way, for their sum is whole. The arc sine takes the length for 1: tan <= 1.14 times it.
+    """
+    i = np.arange(-192, 192)[:, None]
+    knots, place = codecs.arcsine_knots(40), np.linspace(0, 1, 17)
+    arc = (knots[i + 256] + (knots[i + 257] - knots[i + 256]) * place) * 2 * math.pi / 2.0**40
+    sag = float(np.abs(arc - np.arcsin((i + place) / 256)).max())
+    return sag + 1.52 * 2**-21 + math.pi / 2.0 ** (a + 3) + 1.14 * floats(length)
+
+
+def table_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+    """Tip of table_ik2 at the answered words, for a target in reach.
+
+    `vector_ik2` without its rounding; the lengths of both vectors, for the words have none; both codecs and half a
+    word of both, over the distance and the second link.
+    """
+    fine = p | {"U": 40}
+    unit = 2.0 ** -fine["U"]
+    length = vector_ik2_length(fine, l1, l2, rho, n2) * unit
+    return vector_ik2(fine, l1, l2, rho, n2) + _coded(p, l2, rho, n2, length)
+
+
+def _coded(p: Params, l2: int, rho: ArrayLike, n2: ArrayLike, length: Floats) -> Floats:
+    """What the lengths of (c1, n1) and (c2, n2), their angles and the rounding of these move the tip."""
+    rho, elbow = floats(rho), _vector_root(floats(n2) ** 2) / 2 + 2**-24
+    near = np.minimum((1 + 1.14) * length * rho, 4 * (rho + 1))  # next to the shoulder joint 1 moves it no more
+    turned = angle_of_vector(p["A"]) + math.pi / 2 ** p["A"]
+    return near + turned * (rho + l2) + (1 + 1.14) * elbow * l2
+
+
+def table_ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats:
+    """Tip of table_ik3 at the answered words, for targets (3, N) in reach: as `table_ik2`, and joint 3."""
+    fine, rho = p | {"U": 40}, np.hypot(*floats(target)[:2])
+    distance = np.sqrt((floats(target) ** 2).sum(axis=0))
+    length = vector_ik3_length(fine, l1, l2, target, n2) * 2.0 ** -fine["U"]
+    yaw = angle_of_vector(p["A"], _vector_yaw(rho * 2.0 ** (16 - p["W"]))[0]) + math.pi / 2 ** p["A"]
+    return vector_ik3(fine, l1, l2, target, n2) + _coded(p, l2, distance, n2, length) + yaw * rho
+
+
+def table_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
+    """Tip of table_ik2 and table_ik3 at the answered words from the nearest point of a target out of reach.
+
+    `VECTOR_NEAREST`, whose lengths, two words of 2^-16, turn a joint once more; codec and half a word of each joint.
+    """
+    joints, reach = len(target), l1 + l2
+    turned = angle_of_vector(p["A"]) + math.pi / 2 ** p["A"]
+    words = (2 * reach / 2**16 + turned * reach) * joints
+    if joints == 2:
+        return VECTOR_NEAREST * reach / 2**16 + words + 0 * floats(target[0])
+    return vector_ik3_nearest(p | {"U": 16}, l1, l2, target) + words
+
+
 # paper
 
 
@@ -793,7 +930,8 @@ def paper_reach(p: Params) -> float:
     two products by 2^-G each, of a quadrance: over twice the distance.
     """
     i = p["W"] - 1 - p["F"]
-    n, g = max(p["S"] + 1, p["W"] - 1), min(p["S"], 27 - 2 * i)
+    n = max(p["S"] + 1, p["W"] - 1)
+    g = min(p["S"], 27 - 2 * i, 2 * (n + 1 - i))
     return 2.0 ** p["F"] * (1.5 * 2.0 ** (i - n) + 4 * 2.0**-g / 2 ** (i + 1))
 
 
@@ -806,7 +944,8 @@ def paper_forward(p: Params, joints: int, l1: float, l2: float) -> float:
     2^(-G/2) units; b is truncated by 2^(I-N) units. sqrt(n) for the coordinates' own truncation.
     """
     i = p["W"] - 1 - p["F"]
-    n, g = max(p["S"] + 1, p["W"] - 1), min(p["S"], 27 - 2 * i)
+    n = max(p["S"] + 1, p["W"] - 1)
+    g = min(p["S"], 27 - 2 * i, 2 * (n + 1 - i))
     d, q = paper.DIGITS * -(-(p["S"] + 1) // paper.DIGITS), 2 * i + g
     share = 2.0 ** (-d / 2) + math.sqrt(3 * 2.0**-n) + 2.0 ** (-q / 2)
     units = (joints + 1) * 2.0 ** (-g / 2) + 2.0 ** (i - n)

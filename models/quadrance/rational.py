@@ -35,31 +35,31 @@ def fk1(p: Params, *, in_j1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
 
 
 @cache
-def _reciprocal_knots() -> Ints:
-    """2^16 / q at q = a / 256, lowered by half the sag of the chord to the next, as rational_ik1.v computes it."""
-    return ints([0] * 64 + [(((8 * a * a - 1) << 30) // (a * a * (256 * a + 1)) + 1) >> 1 for a in range(64, 513)])
+def _reciprocal_slopes() -> Ints:
+    """2^16 / t^2, t = (a + 1/2) / 256, as reciprocal_pair.v computes it; entry 0 is that of q = 2."""
+    odd = (max(2 * a + 1, 129) for a in range(512))
+    slopes = [((((2 * b * b + 1) * (512 * b - 1) << 22) // b**3 << 3) // (b * b) + 1) >> 1 for b in odd]
+    return ints([1 << 15, *slopes[1:]])
 
 
 def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
-    """Turn-spread of the direction of (x, y), nearest; the last one where x = y = 0.
+    """Turn-spread of the direction of (x, y), nearest (ties anticlockwise); the last one where x = y = 0.
 
-    Direction within 0.6 / 2^14 rad of those that round to the word.
+    Direction within `bounds.RATIONAL_DIRECTION` of those that round to the word.
     """
     s = p["S"]
     x, y = (ints(word) << 16 - p["W"] for word in np.broadcast_arrays(in_x, in_y))
-    either = (x ^ x >> 63) | (y ^ y >> 63)
-    zeros = 15 - np.ceil(np.log2(either + 1)).astype(np.int64)
+    zeros = _zeros(x, y)
     x, y = x << zeros, y << zeros
-    x2, y2 = x * x >> 3, y * y >> 3
-    long = ((x < -(1 << 14)) | (x >= 1 << 14)) & (y2 < 1 << 27)  # the nearer axis is that of x
-    q = (x2 >> 11) + (y2 >> 11)
-    knot, a = _reciprocal_knots(), q >> 8 & 0x1FF  # q = 2 wraps to 0
-    reciprocal = 2 * (knot[a] - ((knot[a] - knot[a + 1]) * (q & 0xFF) >> 8)) - 1
-    spread = (np.where(long, y2, x2) & 0x7FFFFFF) * reciprocal
-    spread = np.where(q >> 17, 1 << 43, spread)  # x = y = -1
-    spread = spread + (1 << 43 - s) >> 44 - s
+    long = (x < -(1 << 14)) | (x >= 1 << 14)  # x is the longer one in bits: the nearer axis is that of x
+    m = np.where(long, y, x)
+    q = (x * x >> 13) + (y * y >> 13)
+    w = np.where(q >> 18, 1 << 16, (q >> 1) ^ 0xFF)
+    u = m * np.where((x < 0) ^ (y < 0) ^ ~long, ~w, w) >> 7
+    v = m * _reciprocal_slopes()[q >> 9 & 0x1FF] >> 7  # q = 2 wraps to 0
+    spread = (u * v >> 47 - s) + 1 >> 1
     axis = np.where(long, 2 * (x < 0), 1 + 2 * (y < 0))
-    word = (axis << s) + np.where((x < 0) ^ (y < 0) ^ ~long, -spread, spread) & (4 << s) - 1
+    word = (axis << s) + spread & (4 << s) - 1
     zero = (x == 0) & (y == 0)
     return {"out_j1": hold_last(word, ~zero), "out_status": 2 * ints(zero)}
 

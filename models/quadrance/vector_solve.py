@@ -74,10 +74,10 @@ def _spare(q: Ints) -> Ints:
     return (32 - bits) // 2 - (q == 0)
 
 
-def _turn(k1: Ints, k2: Ints, x: Ints, y: Ints) -> Ints:
-    """k1 x + k2 y, k with GUARD + 1 fraction bits, x and y with as many as asked for; the sum has SUM."""
+def _turn(k1: Ints, k2: Ints, x: Ints, y: Ints, more: int = 0) -> Ints:
+    """k1 x + k2 y, k with GUARD + 1 fraction bits, x with `more` and y with none; the sum has SUM."""
     cut = GUARD + 1 - SUM
-    return (k1 * x >> cut) + (k2 * y >> cut)
+    return (k1 * x >> cut + more) + (k2 * y >> cut)
 
 
 def _shift(total: Ints, s: Ints) -> Ints:
@@ -90,12 +90,28 @@ def _word(p: Params, product: Ints) -> Ints:
     return wrap((product >> 48 - p["U"]) + 1 >> 1, p["U"] + 2)
 
 
-def _elbow(p: Params, x: Ints, y: Ints, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints,
+def _direction(k1: Ints, k2: Ints, x: Ints, y: Ints, more: int, s: Ints,
+               inverse: Ints) -> tuple[Ints, Ints]:
+    """The products of the cosine and the sine of (x, y) seen from (k1, k2), s and inverse as of its quadrance."""
+    r = wrap(inverse >> 23, 27)
+    return _shift(_turn(k1, k2, x, y, more), s) * r, _shift(_turn(-k2, k1, x, y, more), s) * r
+
+
+def _power(s: Ints) -> Ints:
+    """What stands for k1 where q is the quadrance of a direction alone: 2^15, or 2^16 where s is odd."""
+    return np.int64(1) << 15 + GUARD + (s & 1)
+
+
+def _elbow(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints,
            cfg_e: Ints) -> tuple[Ints, ...]:
-    """(c1, n1, c2, n2, unreachable) of the target (x, y)."""
-    q = x * x + y * y
-    gap = q + cfg_q
-    n = gap << 2 * cfg_e >> 7
+    """(c1, n1, c2, n2, unreachable, at the shoulder) of the target (x, y), x with `more` fraction bits.
+
+    Cosines and sines are the products that they are, with 49 fraction bits.
+    """
+    total = _turn(x << GUARD + 1 - more, y << GUARD + 1, x, y, more)
+    q, gap = total >> SUM, total + (cfg_q << SUM)
+    up = 2 * cfg_e - 7 - SUM
+    n = gap << np.maximum(up, 0) >> np.maximum(-up, 0)
     beyond = (n < -(1 << 26)) | (n >= 1 << 26)
     product = np.where(beyond, 0, n) * cfg_r
     clamped = beyond | (product < -(1 << 49)) | (product >= 1 << 49)
@@ -109,24 +125,55 @@ def _elbow(p: Params, x: Ints, y: Ints, elbow: Ints, l1: Ints, l2: Ints, cfg_q: 
     n2 = w * (slope << 6)
     k2 = (n2 >> 24) * l2 >> 25 - GUARD
     s = _spare(q)
-    inverse = _inverse(q << 2 * s >> 7, clamped)
-    k1 = np.where(clamped, np.where(k1 < 0, -1, 1) << 15 + GUARD + (s & 1), k1)
+    inverse = _inverse(total << 2 * s >> 7 + SUM, clamped)
+    k1 = np.where(clamped, np.where(k1 < 0, -1, 1) * _power(s), k1)
     s = np.where(clamped, s >> 1, s)
-    k1, k2 = 2 * k1 + 1, 2 * k2 + 1
-    r = wrap(inverse >> 23, 27)
-    c1 = _shift(_turn(k1, k2, x, y), s) * r
-    n1 = _shift(_turn(-k2, k1, x, y), s) * r
-    c2 = np.where(clamped, np.where(short, -1, 1) << p["U"], _word(p, product))
-    return _word(p, c1), _word(p, n1), c2, _word(p, n2), clamped
+    c1, n1 = _direction(2 * k1 + 1, 2 * k2 + 1, x, y, more, s, inverse)
+    return c1, n1, np.where(clamped, np.where(short, -1, 1) << 49, product), n2, clamped, q == 0
+
+
+def _yaw(x: Ints, y: Ints) -> tuple[Ints, Ints, Ints]:
+    """The products of the cosine and the sine of (x, y), and its length c3 x + n3 y, GUARD fraction bits, nearest."""
+    q = x * x + y * y
+    s = _spare(q)
+    c3, n3 = _direction(2 * _power(s) + 1, ints(1), x, y, 0, s >> 1, _inverse(q << 2 * s >> 7, np.True_))
+    total = _turn(2 * (c3 >> 31) + 1, 2 * (n3 >> 31) + 1, x, y)  # of cosines with 18 fraction bits: 17
+    return c3, n3, total + (1 << 16 - GUARD) >> 17 - GUARD
+
+
+def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
+    """`_elbow` of the ports of a core in the plane; `words`: `cfg_l1`, `cfg_l2` and the rest of `config`."""
+    x, y, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_elbow, *words))
+    x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
+    return _elbow(x, y, 0, elbow, l1, l2, *rest)
+
+
+def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
+    """As `plane`, of a core in space; and the same of joint 3: (c3, n3, on its axis)."""
+    x, y, z, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, *words))
+    x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
+    c3, n3, rho = _yaw(x, y)
+    return *_elbow(rho, z, GUARD, elbow, l1, l2, *rest), c3, n3, (x == 0) & (y == 0)
+
+
+def _held(p: Params, joint: int, c: Ints, n: Ints, undefined: Ints) -> dict[str, Ints]:
+    """The words of a joint, the last ones where it has no direction."""
+    return {f"out_c{joint}": hold_last(_word(p, c), ~undefined, 1 << p["U"]),
+            f"out_n{joint}": hold_last(_word(p, n), ~undefined)}
 
 
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
         cfg_e: Ints) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
-        in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
-    x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
-    zero = (x == 0) & (y == 0)
-    c1, n1, c2, n2, clamped = _elbow(p, x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e)
-    return {"out_c1": hold_last(c1, ~zero, 1 << p["U"]), "out_n1": hold_last(n1, ~zero), "out_c2": c2, "out_n2": n2,
+    c1, n1, c2, n2, clamped, zero = plane(p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    return {**_held(p, 1, c1, n1, zero), "out_c2": _word(p, c2), "out_n2": _word(p, n2),
             "out_status": ints(clamped) + 2 * ints(zero)}
+
+
+def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
+        cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
+    """Joint 3 has the direction of (x, y); then `ik2` on (rho, z), rho with GUARD fraction bits."""
+    c1, n1, c2, n2, clamped, zero, c3, n3, on_axis = space(
+        p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    return {**_held(p, 1, c1, n1, zero), "out_c2": _word(p, c2), "out_n2": _word(p, n2), **_held(p, 3, c3, n3, on_axis),
+            "out_status": ints(clamped) + 2 * ints(on_axis)}

@@ -164,6 +164,29 @@ class Table(Claim):
     def direction(self, r: Floats) -> Floats:
         return bounds.table_direction(self.p) + 0 * r
 
+    @property
+    def words_in_law(self) -> bool:
+        """Of two and three joints, inverse."""
+        return self.joints > 1
+
+    def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
+        """As rtl/vector: the same kernel."""
+        return Vector.unreachable(self, target)
+
+    def reached(self, target: Ints) -> Floats:
+        q, (near, far) = (target * target).sum(axis=0), ((self.l1 - self.l2) ** 2.0, (self.l1 + self.l2) ** 2)
+        sine = np.sqrt(np.maximum((far - q) * (q - near), 0)) / max(2 * self.l1 * self.l2, 1)
+        if self.joints == 2:
+            return bounds.table_ik2(self.p, self.l1, self.l2, np.sqrt(q), sine)
+        return bounds.table_ik3(self.p, self.l1, self.l2, target, sine)
+
+    def nearest(self, target: Ints) -> Floats:
+        return bounds.table_nearest(self.p, self.l1, self.l2, target)
+
+    def folded(self) -> float:
+        """The last bit of m at the ends of its arc sine, and half a word."""
+        return 0.5 + 2.0 ** (self.p["A"] - 21) / (2 * np.pi)
+
 
 class Vector(Claim):
     """rtl/vector. The tip is that of the words' directions: their lengths belong to the error."""
@@ -178,23 +201,31 @@ class Vector(Claim):
         return np.arcsin(np.sqrt(0.5) * 2.0 ** -self.p["U"] / (1 - 2 * bounds.vector_length())) + 1e-9 + 0 * r
 
     def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
-        """Never flagged in reach; always where the quadrance is out by more than `vector_gap`."""
-        q, gap = (target * target).sum(axis=0), bounds.vector_gap(self.p, self.l1, self.l2) / 4.0 ** (16 - self.p["W"])
-        far, near = (self.l1 + self.l2) ** 2, (self.l1 - self.l2) ** 2
-        return (q > far + gap) | (q < near - gap), (q > far) | (q < near)
+        """Always where the quadrance is out by more than `vector_reach`; two joints: never in reach."""
+        q, far, near = (target * target).sum(axis=0), (self.l1 + self.l2) ** 2, (self.l1 - self.l2) ** 2
+        missed, mistaken = bounds.vector_reach(self.p, self.l1, self.l2, target)
+        return (q > far + missed) | (q < near - missed), (q > far - mistaken) | (q < near + mistaken)
 
     def reached(self, target: Ints) -> Floats:
-        """`vector_ik2` is about the products of the words; their directions differ by the lengths of the vectors."""
-        rho, q = np.hypot(*target), (target * target).sum(axis=0)
-        near, far = (self.l1 - self.l2) ** 2.0, (self.l1 + self.l2) ** 2
+        """`vector_ik2`, `vector_ik3` are about the products of the words; their directions differ by the lengths of
+        the vectors."""
+        q, unit = (target * target).sum(axis=0), 2.0 ** -self.p["U"]
+        near, far, rho = (self.l1 - self.l2) ** 2.0, (self.l1 + self.l2) ** 2, np.sqrt(q)
         sine = np.sqrt(np.maximum((far - q) * (q - near), 0)) / max(2 * self.l1 * self.l2, 1)
-        length = bounds.vector_ik2_length(self.p, self.l1, self.l2, rho, sine) / 2 ** self.p["U"]
-        words = length * rho + self.l2 * 1.5 / 2 ** self.p["U"]
-        return bounds.vector_ik2(self.p, self.l1, self.l2, rho, sine) + np.minimum(words, rho)
+        if self.joints == 2:
+            length = bounds.vector_ik2_length(self.p, self.l1, self.l2, rho, sine) * unit
+            words = length * rho + self.l2 * 1.5 * unit
+            return bounds.vector_ik2(self.p, self.l1, self.l2, rho, sine) + np.minimum(words, rho)
+        length = bounds.vector_ik3_length(self.p, self.l1, self.l2, target, sine) * unit
+        words = length * rho + self.l2 * 1.5 * unit
+        return bounds.vector_ik3(self.p, self.l1, self.l2, target, sine) + np.minimum(words, 2 * rho)
 
     def nearest(self, target: Ints) -> Floats:
-        """`VECTOR_NEAREST`, and the length of (c1, n1), two words."""
-        return (bounds.VECTOR_NEAREST + 2) * (self.l1 + self.l2) / 2 ** self.p["U"] + 0 * target[0]
+        """`VECTOR_NEAREST`, and the length of (c1, n1), two words; of (c3, n3) once more."""
+        words = 2 * (self.l1 + self.l2) / 2 ** self.p["U"]
+        if self.joints == 2:
+            return bounds.VECTOR_NEAREST * (self.l1 + self.l2) / 2 ** self.p["U"] + words + 0 * target[0]
+        return bounds.vector_ik3_nearest(self.p, self.l1, self.l2, target) + 2 * words
 
 
 CLAIMS: dict[str, type[Claim]] = {"rational": Rational, "classic": Classic, "paper": Paper,

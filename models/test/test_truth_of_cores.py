@@ -225,7 +225,8 @@ def test_the_yaw_axis_at_every_height(core: Core, share: tuple[float, float]) ->
     target[0, 0], target[1, 0], target[2, 1:] = rest, -rest, z
     elbow = np.arange(z.size + 1) % 2
     answer = run(claim, **named(target), in_elbow=elbow)
-    assert np.all(answer["out_j3"][1:] == answer["out_j3"][0]) and np.all(answer["out_status"][1:] & SINGULAR)
+    assert all(np.all(answer[port.name] == answer[port.name][0]) for port in joints(core.outputs)[2])
+    assert np.all(answer["out_status"][1:] & SINGULAR)
     must, may = claim.unreachable(target)
     flag = answer["out_status"] & UNREACHABLE > 0
     assert np.all(flag[must]) and not np.any(flag[~may])
@@ -334,6 +335,13 @@ def test_flags_a_word_too_early_or_late_are_seen() -> None:
         with pytest.raises(AssertionError):
             test_inverse(broken(find(name), lambda model, p, **words: (answer := model(p, **words)) | {
                 "out_status": np.roll(answer["out_status"], 1)}), SHARES[1])
+
+
+def test_laws_hold_where_a_word_is_much_shorter_than_another() -> None:
+    """Few bits of an angle for many of a coordinate; more bits of a spread than of a coordinate's fraction."""
+    test_direction(legal.at(find("classic_ik1_iter-A16"), {"W": 11, "F": 1, "A": 5}))
+    for name in ("paper_fk2-S8", "paper_fk3-S8"):
+        test_forward(legal.at(find(name), {"W": 13, "F": 3, "S": 10}), SHARES[1])
 
 
 # The long run

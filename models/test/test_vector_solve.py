@@ -134,3 +134,88 @@ def test_the_reciprocal_never_reaches_four() -> None:
     q = np.arange(1 << 23, (1 << 23) + (1 << 17))
     for root in (0, 1):
         assert np.max(vector_solve._inverse(q, np.full(q.shape, root)) >> 23) < 1 << 26
+
+
+SPACE = {core.id: core.params for core in all_cores() if core.model_name == "vector_solve.ik3"}
+SPACE_CASES = [pytest.param(p, l1 >> 16 - p["W"], l2 >> 16 - p["W"], id=f"{name}-{l1}-{l2}")
+               for name, p in SPACE.items() for l1, l2 in LINKS]
+
+
+def _answer3(p: dict[str, int], l1: int, l2: int, target: np.ndarray, elbow: object) -> dict[str, np.ndarray]:
+    return vector_solve.ik3(p, **dict(zip(("in_x", "in_y", "in_z"), target)), in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                            **vector_solve.config(p, cfg_l1=l1, cfg_l2=l2))
+
+
+def _upright(p: dict[str, int], l1: int, l2: int) -> tuple[np.ndarray, np.ndarray]:
+    """`_targets` in a plane that is yawed: all directions, and a third of them near the axis or a coordinate plane."""
+    rho, z, elbow = _targets(p, l1, l2)
+    rng = np.random.default_rng(7)
+    yaw = rng.uniform(-np.pi, np.pi, rho.size)
+    yaw[::3] = np.pi / 2 * rng.integers(0, 4, yaw[::3].size) + rng.normal(size=yaw[::3].size) * 1e-3
+    x, y = (np.rint(rho * part).astype(np.int64) for part in (np.cos(yaw), np.sin(yaw)))
+    return np.stack([x, y, z]), elbow
+
+
+def _tip3(p: dict[str, int], out: dict[str, np.ndarray], l1: int, l2: int) -> np.ndarray:
+    rho, z = _tip(p, out, l1, l2)
+    return np.stack([rho * out["out_c3"] / 2 ** p["U"], rho * out["out_n3"] / 2 ** p["U"], z])
+
+
+@pytest.mark.parametrize(("p", "l1", "l2"), SPACE_CASES)
+def test_ik3_puts_the_tip_within_its_bound(p: dict[str, int], l1: int, l2: int) -> None:
+    target, elbow = _upright(p, l1, l2)
+    q = (target * target).sum(axis=0)
+    keep = (q > 0) & (q <= (l1 + l2) ** 2) & (q >= (l1 - l2) ** 2) & (target[:2] != 0).any(axis=0)
+    target, elbow, q = target[:, keep], elbow[keep], q[keep]
+    out, long = _answer3(p, l1, l2, target, elbow), np.sqrt(q)
+    missed, mistaken = bounds.vector_reach(p, l1, l2, target)
+    edge = (q > (l1 + l2) ** 2 - mistaken) | (q < (l1 - l2) ** 2 + mistaken)
+    assert not out["out_status"][~edge].any()
+    n2 = np.sqrt(((l1 + l2) ** 2 - q) * (q - (l1 - l2) ** 2.0)) / max(2 * l1 * l2, 1)
+    error = np.linalg.norm(_tip3(p, out, l1, l2) - target, axis=0)
+    answered = out["out_status"] == 0
+    assert np.all((error <= bounds.vector_ik3(p, l1, l2, target, n2))[answered])
+    if p["W"] == 16 and l1 + l2 <= 16384:  # 64 units of Q7.8, rounding of the six words included
+        assert np.max(error[long >= 256], initial=0) <= 0.75
+    assert np.all(out["out_n2"] * (1 - 2 * elbow) >= 0)
+    yaw = np.abs(np.hypot(out["out_c3"], out["out_n3"]) - (1 << p["U"]))
+    assert np.max(yaw, initial=0) <= 1.2
+    off = np.abs(target[0] * out["out_n3"] - target[1] * out["out_c3"]) / np.hypot(*target[:2])
+    assert np.max(off, initial=0) <= np.sqrt(0.5) + 2.0 ** (p["U"] - 19)
+    assert np.all(target[0] * out["out_c3"] + target[1] * out["out_n3"] > 0)
+
+
+def test_ik3_far_and_near_are_flagged_in_space() -> None:
+    rng = np.random.default_rng(9)
+    target, elbow = rng.integers(-32768, 32768, (3, 60_000)), rng.integers(0, 2, 60_000)
+    target[:, :20_000] >>= rng.integers(1, 16, 20_000)
+    for l1, l2 in ((8192, 8192), (12000, 4384), (4384, 12000), (300, 200)):
+        q, (missed, mistaken) = (target * target).sum(axis=0), bounds.vector_reach(P, l1, l2, target)
+        far, near = (l1 + l2) ** 2, (l1 - l2) ** 2
+        flag = _answer3(P, l1, l2, target, elbow)["out_status"] & 1 > 0
+        assert np.all(flag[(q > far + missed) | (q < near - missed)])
+        assert not flag[(q < far - mistaken) & (q > near + mistaken)].any()
+
+
+def test_ik3_holds_the_yaw_on_its_axis() -> None:
+    x, z = np.array([0, 0, 5000, 0, 0, -7, 0]), np.array([0, 3000, 100, 0, 9000, 0, 0])
+    out = _answer3(P, 8192, 8192, np.stack([x, 2 * x, z]), np.zeros(7, dtype=np.int64))
+    assert out["out_status"].tolist() == [2, 2, 0, 2, 2, 0, 2]
+    assert (out["out_c3"][:2] == 65536).all() and not out["out_n3"][:2].any() and out["out_c1"][0] == 65536
+    for name in ("out_c3", "out_n3"):
+        assert out[name][3] == out[name][4] == out[name][2] and out[name][6] == out[name][5]
+    for name in ("out_c1", "out_n1"):
+        assert out[name][3] == out[name][2] and out[name][6] == out[name][5]
+    assert np.allclose(_tip(P, out, 8192, 8192)[1][[1, 4]], [3000, 9000], atol=0.5)
+
+
+def test_rho_and_the_yaw_are_within_their_bounds() -> None:
+    rng = np.random.default_rng(3)
+    target = rng.integers(-32768, 32768, (2, 200_000)) >> rng.integers(0, 16, 200_000)
+    target = target[:, (target != 0).any(axis=0)]
+    exact = np.hypot(*target)
+    c3, n3, rho = vector_solve._yaw(*target)
+    assert np.all(np.abs(rho / 16 - exact) <= bounds.vector_rho(P, target))
+    c3, n3, (length, turned) = c3 / 2**49, n3 / 2**49, bounds._vector_yaw(exact)
+    assert np.all(np.abs(np.hypot(c3, n3) - 1) <= length)
+    assert np.all(np.abs(target[0] * n3 - target[1] * c3) / exact <= turned)

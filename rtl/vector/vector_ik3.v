@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of three joints on unit vectors: joint 3 is the direction of (x, y), rho its length; vector_ik2 on
+// (rho, z). Formats: in_* s(W-F).F; out_c*, out_n* cos and sin of a joint, s2.U, nearest; cfg_*: vector_solve.config.
+// Error of the tip: page. Latency, II: 19.
+// Status: unreachable (nearest point answered), singular (x = y = 0: out_c3, out_n3 held, z = 0 too: out_c1, out_n1).
+// Source: rational trigonometry paper, eqs. 32-40, in vector form. Model: vector_solve.ik3
+`default_nettype none
+module vector_ik3 #(
+    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
+    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16   // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire signed [33:0]  cfg_q,
+    input  wire [25:0]         cfg_r,
+    input  wire [3:0]          cfg_e,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,
+    input  wire                in_elbow,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [U+1:0] out_c1,
+    output wire signed [U+1:0] out_n1,
+    output wire signed [U+1:0] out_c2,
+    output wire signed [U+1:0] out_n2,
+    output wire signed [U+1:0] out_c3,
+    output wire signed [U+1:0] out_n3,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 16) begin : g_illegal
+            vector_ik3_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_16 rule ();
+        end
+    endgenerate
+    wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}}, z = {in_z, {(16-W){1'b0}}};
+    wire [2:0]         cosine, sine;
+    wire [23:0]        word;
+    wire               flat, negative;
+    kernel_vector_solve #(.JOINTS(3), .U(U)) kernel (
+        .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z),
+        .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
+        .out_word(word), .out_flat(flat), .out_negative(negative), .out_status(out_status));
+    unit_vectors #(.JOINTS(3), .U(U)) codec (
+        .clk(clk), .rst(rst), .in_cos(cosine), .in_sin(sine), .in_word(word), .in_flat(flat), .in_negative(negative),
+        .out_c({out_c3, out_c2, out_c1}), .out_n({out_n3, out_n2, out_n1}));
+endmodule
+`default_nettype wire
