@@ -39,8 +39,8 @@ report: setup ## latency, area, clock and accuracy of every core on ARM; FRESH=1
 report-check: setup ## fails when the committed report no longer follows from the sources
 	@$(PY) -m ci.report --check
 
-formal: setup ## proofs of the arithmetic primitives and the handshakes
-	@$(PY) -m ci.formal
+formal: setup ## proofs of the arithmetic primitives and the handshakes that do not stand; FRESH=1 makes all again
+	@$(PY) -m ci.formal $(if $(FRESH),--fresh)
 
 netlist: setup ## every core's bench on its iCE40 and Cyclone V netlist
 	@$(PY) -m ci.netlist

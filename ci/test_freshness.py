@@ -274,6 +274,7 @@ def test_only_the_default_arm_touches_what_is_committed(tmp_path, listed, measur
     monkeypatch.setattr(freshness, "committed", lambda: report)
     monkeypatch.setattr(freshness, "sources", lambda arm, cores: copy.deepcopy(report["sources"]))
     monkeypatch.setattr(__main__, "README", readme)
+    monkeypatch.setattr(__main__.search, "put_together", lambda *_: None)
     monkeypatch.setattr(__main__.cores, "all_cores", lambda: listed)
     monkeypatch.setattr(__main__.cores, "RTL", tmp_path / "rtl")
     __main__.report(str(mine), fresh=False)

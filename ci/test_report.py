@@ -186,6 +186,8 @@ def test_the_pareto_goal_is_judged_with_the_miss(made):
                    "closest, `rational_fk1-S24`, has a 0.1 LSB larger error.")
     assert ik1.endswith("the closest, `rational_ik1-S24`, has 30 ALUTs more.")
     made["cores"][1]["error_lsb"]["max"] = 0.6
+    assert "has a 0.1 LSB larger error" in comparison.pareto(made)[0], "the sweep counts as the trajectory does"
+    made["cores"][1]["sweep_error_lsb"]["max"] = 0.6
     assert comparison.pareto(made)[0] == ("FK1: `rational_fk1-S24` takes fewer ALUTs and fewer cycles than "
                                           "`classic_fk1_iter-S24` at no larger arithmetic error.")
     made["cores"][4] |= {"latency_cycles": 17}

@@ -2,6 +2,9 @@
 
 measure (simulation), ci.synth (area, clock) -> run (workers, what is kept) -> rows -> comparison -> tables, figures ->
 documents; freshness tells what may be kept and whether the committed report still follows from the sources.
+
+The verdict at equal accuracy: designs (a core with codecs, at any parameters) -> reach (the shortest words) -> search
+(measured or kept) -> verdict (figures, tables) -> judgement (sentences). Only on the default arm.
 """
 
 from tb.lib import tools
@@ -10,4 +13,4 @@ DEFAULT_ARM = "cobra600"
 REPORTS = tools.ROOT / "reports"  # of the default arm, committed
 OTHERS = tools.BUILD / "report"  # of any other arm, a folder each
 README = tools.ROOT / "README.md"
-PLOTS = ("area_latency.png", "accuracy.png", "tip_error_map.png")
+PLOTS = ("area_latency.png", "accuracy.png", "tip_error_map.png", "verdict.png")

@@ -15,7 +15,7 @@ import time
 
 from quadrance import arms, cores
 
-from ci.report import DEFAULT_ARM, README, REPORTS, blocks, freshness, run
+from ci.report import DEFAULT_ARM, README, REPORTS, blocks, freshness, run, search
 from ci.report.terminal import show
 from tb.lib import tools
 
@@ -24,7 +24,7 @@ REFRESH = "run `make report` and commit reports/, README.md and the pages below 
 
 def check() -> None:
     """Exit with the reasons where the committed report is stale."""
-    if problems := freshness.check():
+    if problems := [*freshness.check(), *search.check()]:
         raise SystemExit("\n".join(["The committed report no longer follows from the sources:",
                                     *(f"  {problem}" for problem in problems), f"To refresh: {REFRESH}."]))
     print("The committed report follows from the sources.")
@@ -38,6 +38,8 @@ def report(arm: str, fresh: bool) -> None:
     if folder == REPORTS and (problems := blocks.wrong(README, cores.RTL, listed)):
         raise ValueError("\n".join(problems))  # before minutes of measuring, not after
     made, maps, kept = run.put_together(arm, listed, committed, fresh)
+    if folder == REPORTS:
+        made["verdict"] = search.put_together(arm, committed, fresh)
     run.write(made, maps, folder, README, cores.RTL)
     show(made)
     count = len(listed)
@@ -45,6 +47,8 @@ def report(arm: str, fresh: bool) -> None:
           f"cycles and errors of {kept['simulation']}.")
     if fresh:
         lines = run.differences(committed, made)
+        if "verdict" in made:
+            lines += search.differences((committed or {}).get("verdict"), made["verdict"])
         print("\n".join(["Other than in the committed report:", *(f"  {line}" for line in lines)]) if lines else
               "Every figure is the one of the committed report.")
     where = folder.relative_to(tools.ROOT)

@@ -13,14 +13,16 @@ from pathlib import Path
 
 from quadrance.cores import Core
 
+from ci.report import judgement
 from ci.report.comparison import pareto, smaller
 from ci.report.documents import listed
 from ci.report.paper import paper_tables
 from ci.report.rows import Row, name
 from ci.report.tables import headline_table, page_table
 
-BLOCKS = ("headline", "smaller", "paper", "pareto")
+BLOCKS = ("headline", "smaller", "paper", "pareto", "verdict")
 NEEDED = "headline"
+README_TARGET = "1 LSB"
 FIGURES = re.compile(r"(<!-- figures:([^>]*?) -->\n).*?(<!-- /figures -->)", re.DOTALL)
 
 
@@ -29,7 +31,17 @@ def made(report: dict) -> dict[str, str]:
     paper = "\n\n".join(f"**{table.title}**\n\n{table.markdown()}" for table in paper_tables(report))
     return dict(zip(BLOCKS, (headline_table(report).markdown(), "\n\n".join(smaller(report)),
                              paper or "No core of the paper's functions yet.",
-                             listed(pareto(report), "No function has both families yet."))))
+                             listed(pareto(report), "No function has both families yet."), _verdict(report))))
+
+
+def _verdict(report: dict) -> str:
+    """Who wins what at one LSB, and what rational trigonometry itself changes."""
+    if not report.get("verdict"):
+        return "No verdict was searched on this arm."
+    found = report["verdict"]
+    return "\n\n".join([f"With a total error of at most {README_TARGET} of Q7.8 at the tip:",
+                        listed(judgement.families(found, README_TARGET), ""), judgement.itself_at(found),
+                        listed(judgement.itself(found), "")])
 
 
 def _marked(text: str) -> None:

@@ -4,7 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ci.report.rows import KINEMATIC, Row, area_of, best, kind, leading, name, number, part, pick, q7_8, without_dsp
+from ci.report.rows import (
+    KINEMATIC,
+    Row,
+    area_of,
+    best,
+    greatest_error,
+    kind,
+    leading,
+    name,
+    number,
+    pick,
+    q7_8,
+    without_dsp,
+)
 
 METRICS: tuple[tuple[str, str, Callable[[Row], float | None]], ...] = (
     ("ALUT with DSP blocks", "", area_of),
@@ -17,7 +30,7 @@ METRICS: tuple[tuple[str, str, Callable[[Row], float | None]], ...] = (
     ("latency in ns", " ns", lambda row: row["latency_ns"]),
     ("clock", " MHz", lambda row: -row["fmax_mhz"]["ecp5"]),
     ("throughput", " ns a sample", lambda row: row["ii"] * 1000 / row["fmax_mhz"]["ecp5"] if row["ii"] else None),
-    ("greatest arithmetic error", " LSB", lambda row: part(row, "error_lsb", "max")),
+    ("greatest arithmetic error", " LSB", greatest_error),
     ("greatest error of the words", " LSB", lambda row: row["words_lsb"]),
     ("greatest total error", " LSB", lambda row: row["total_lsb"]),
 )
@@ -86,7 +99,7 @@ def cordic_wins(report: dict) -> list[str]:
 
 def _excess(row: Row, rival: Row) -> tuple[float, float, float]:
     """How much worse than the rival: ALUTs, cycles, greatest arithmetic error in LSB (0 or less: not worse)."""
-    ours, theirs = (part(one, "error_lsb", "max") or 0.0 for one in (row, rival))
+    ours, theirs = (greatest_error(one) or 0.0 for one in (row, rival))
     return (area_of(row) - area_of(rival) + 1, row["latency_cycles"] - rival["latency_cycles"] + 1, ours - theirs)
 
 

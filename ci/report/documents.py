@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ci.report import designs, judgement, verdict
 from ci.report.comparison import cordic_wins, pareto, smaller
 from ci.report.paper import paper_tables
 from ci.report.rows import KINEMATIC, number, pick, primitives
@@ -24,9 +25,9 @@ COST_COLUMNS = """\
 ERROR_COLUMNS = """\
 Errors are distances at the tip of the arm; one LSB is 2^-F units.
 
-- **max, rms** (LSB and mm; the first is *arithmetic* above): arithmetic alone, against float64 on the same input words,
-  along the trajectory.
-- **sweep**: the same over random and border inputs instead of the trajectory.
+- **max, rms** (LSB and mm): arithmetic alone, against float64 on the same input words, along the trajectory.
+- **sweep**: the same over random and border inputs. The greater of both is *arithmetic* above,
+  and what is compared below.
 - **words**: the greatest error over the arm's workspace, borders of the words included, of an exact core of the same
   words: what rounding joints, targets and links costs, for inverse cores also the answered joint words.
 - **total**: the greatest error of words and arithmetic together over the same samples: where the tip of the real core
@@ -39,6 +40,25 @@ clock. It compares area with the parallel CORDIC alone and latency with the iter
 both. Every core stands with its first parameter set (Q7.8; `paper_*` at the paper's 8 spread bits, `rational_*` at 24
 spread bits, `classic_*` at 16 angle bits). Each cell is the family's smallest figure, so the area and the cycles of one
 column may come from two cores."""
+
+
+VERDICT_NOTE = """\
+Each core stands with the shortest words whose *total* error at the tip (words and arithmetic, the greatest over the
+arm's workspace, borders of the words included) is at most the target; LSB are those of Q7.8, whatever the core's own
+words are. Coordinates have as few bits before the point as the arm's reach needs. Of CORDIC the iterative cores stand;
+the parallel ones are in the tables above.
+
+- **words**: the parameters with the fewest bits in all, of as many bits the sharpest; other parameters are those of the
+  core's first set.
+- **total LSB**: the error that is reached.
+- **ALUT + DSP + memory**, **cycles**, **ns**, **ALUT, no DSP**: as above. *Every block as ALUTs* counts a DSP block as
+  {dsp} ALUTs and a memory block as {mem}: their share of a Cyclone V 5CEA4."""
+
+SCENARIO_NOTE = """\
+Rows of whole tasks at {target}: a codec at every joint in front of a forward core or behind an inverse one, where its
+own words are others; the core has the words that it has at one of the targets above, and `word` is the parameter of the
+joint word outside. Areas are the sum of the parts, cycles one after the other, times at the slowest clock of them; the
+parts were not synthesised together. A core that is absent has no codec yet, or does not reach the target."""
 
 
 def trajectory_note(report: dict) -> str:
@@ -61,6 +81,24 @@ def _titled(table: Table, *after: str) -> list[str]:
     return [f"## {table.title}", table.markdown(), *after]
 
 
+def _verdict(found: dict) -> list[str]:
+    """The verdict at equal accuracy: tables, picture, scenarios, sentences."""
+    parts = ["## The verdict at equal accuracy", VERDICT_NOTE.format(**designs.RULES["price"])]
+    for function in KINEMATIC:
+        if verdict.plain(found, function):
+            table = verdict.target_table(found, function)
+            parts += [f"### {table.title}", table.markdown(), listed(
+                [judgement.who_wins(found, function, target) for target in verdict.TARGETS], "")]
+    parts += ["![Area against latency at equal accuracy](verdict.png)", "### Tasks, codecs included",
+              SCENARIO_NOTE.format(target=designs.RULES["scenario"])]
+    for way, word in verdict.SCENARIOS:
+        table = verdict.scenario_table(found, way, word)
+        parts += [f"**{table.title[0].upper()}{table.title[1:]}**",
+                  table.markdown() if table.rows else "No core reaches it with what is built."]
+    return [*parts, "### What rational trigonometry itself changes", judgement.itself_at(found),
+            listed(judgement.itself(found), "")]
+
+
 def markdown(report: dict) -> str:
     """The whole of report.md."""
     kinematic, others = pick(report, KINEMATIC), primitives(report)
@@ -73,6 +111,8 @@ def markdown(report: dict) -> str:
                   *_titled(accuracy_table("Accuracy at the tip", kinematic), ERROR_COLUMNS, "![Accuracy](accuracy.png)",
                            "Over the workspace of two joints (elbow 0), the same scale everywhere:",
                            "![Tip error over the workspace](tip_error_map.png)")]
+    if report.get("verdict"):
+        parts += _verdict(report["verdict"])
     if others:
         parts += _titled(cost_table("Primitives", others))
         table = primitive_table(others)

@@ -8,10 +8,10 @@ import matplotlib
 import numpy
 
 from ci.cache import digest
-from ci.report import PLOTS, code
+from ci.report import PLOTS, code, designs, verdict
 from ci.report.labels import label
 from ci.report.paper import PAPER, SOURCE
-from ci.report.rows import FAMILIES, KINEMATIC, MAPPED, Row, area_of, name, number, part, pick, q7_8
+from ci.report.rows import FAMILIES, KINEMATIC, MAPPED, Row, area_of, greatest_error, name, number, pick, q7_8
 
 matplotlib.use("Agg")
 
@@ -21,7 +21,8 @@ from matplotlib.colors import LogNorm  # noqa: E402
 COLOUR = {"vector": "tab:red", "table": "tab:purple", "rational": "tab:green", "classic": "tab:blue",
           "paper": "tab:orange"}
 MARKER = dict(zip(KINEMATIC, "os^DvP"))
-CODE = [Path(__file__), *(Path(__file__).with_name(name) for name in ("labels.py", "paper.py", "rows.py")), SOURCE]
+CODE = [Path(__file__), SOURCE, designs.SOURCE,
+        *(Path(__file__).with_name(name) for name in ("labels.py", "paper.py", "rows.py", "verdict.py"))]
 FLOOR = 1e-3  # LSB: smaller errors are drawn as this
 
 
@@ -29,7 +30,7 @@ def stamp(report: dict) -> str:
     """Digest of what the plots show and of how; written into the PNG so that a stale plot is found."""
     then = report["sources"]
     return digest([report["cores"], report["trajectory"], [then[key] for key in ("cores", "arm", "simulation")],
-                   code.digests(CODE)])
+                   report.get("verdict"), code.digests(CODE)])
 
 
 def draw(report: dict, maps: dict[tuple[str, str], dict[str, list]], folder: Path) -> None:
@@ -40,7 +41,8 @@ def draw(report: dict, maps: dict[tuple[str, str], dict[str, list]], folder: Pat
     maps : (function, family) -> "arithmetic" or "words" -> grid of LSB over the workspace, NaN out of reach.
     """
     rows = q7_8(pick(report, KINEMATIC))
-    drawn = (_area(rows), _accuracy([row for row in rows if row["error_lsb"]]), _map(report["trajectory"], maps))
+    drawn = (_area(rows), _accuracy([row for row in rows if row["error_lsb"]]), _map(report["trajectory"], maps),
+             _verdict(report.get("verdict")))
     for figure, plot in zip(drawn, PLOTS):
         figure.savefig(folder / plot, dpi=90 if "map" in plot else 110,
                        metadata={"Software": None, "Description": stamp(report)})
@@ -85,14 +87,14 @@ def _area(rows: list[Row]) -> pyplot.Figure:
 
 
 def _accuracy(rows: list[Row]) -> pyplot.Figure:
-    """A bar a core for its arithmetic on the trajectory, and one for its words over the workspace."""
+    """A bar a core for its greatest arithmetic error, and one for its words over the workspace."""
     figure, axis = pyplot.subplots(figsize=(11, 1.5 + 0.36 * max(len(rows), 1)))
     for i, row in enumerate(rows):
-        axis.barh(i + 0.2, max(part(row, "error_lsb", "max"), FLOOR), 0.38, color=COLOUR[row["family"]])
+        axis.barh(i + 0.2, max(greatest_error(row), FLOOR), 0.38, color=COLOUR[row["family"]])
         axis.barh(i - 0.2, max(row["words_lsb"] or 0, FLOOR), 0.38, color="lightgrey")
     axis.set_yticks(range(len(rows)), [name(row) for row in rows], fontsize=8)
-    axis.set(xscale="log", xlabel="greatest error at the tip, LSB (coloured: arithmetic on the trajectory; "
-             "grey: rounding of the words, over the workspace)")
+    axis.set(xscale="log", xlabel="greatest error at the tip, LSB (coloured: arithmetic, on the trajectory and "
+             "in the sweep; grey: rounding of the words, over the workspace)")
     axis.axvline(1, color="black", linewidth=0.8)
     axis.invert_yaxis()
     axis.grid(True, axis="x", alpha=0.25)
@@ -119,4 +121,47 @@ def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]]) -> pypl
     figure.colorbar(image, ax=grid, shrink=0.5, label="error at the tip, LSB")
     figure.suptitle(f"Tip error over the workspace of {trajectory['name']}, units; elbow 0\n"
                     "arithmetic: the core's own; words: what rounding its words costs an exact core")
+    return figure
+
+
+BLOCKS = {(False, False): "o", (True, False): "^", (False, True): "s", (True, True): "D"}  # has DSP, has memory blocks
+
+
+def dominated(one: verdict.Figures, others: list[verdict.Figures]) -> bool:
+    """Whether another set is no worse in ALUTs, DSP blocks, memory blocks and time, and better in one of them."""
+    def cost(found: verdict.Figures) -> list[float]:
+        return [found[key] for key in ("alut", "dsp", "mem", "ns")]
+
+    return any(cost(other) != cost(one) and all(a <= b for a, b in zip(cost(other), cost(one))) for other in others)
+
+
+def _verdict(found: dict | None) -> pyplot.Figure:
+    """Area against time at equal accuracy, a panel a function: the shortest words of every core for every target."""
+    labels = []
+    figure, grid = pyplot.subplots(2, 3, figsize=(19, 13))
+    for axis, function in zip(grid.flat, KINEMATIC):
+        axis.set(title=f"{function}: {KINEMATIC[function]}", xlabel="latency, ns at the core's own ECP5 clock",
+                 ylabel="Cyclone V ALUT (proxy for LE)", xscale="log", yscale="log")
+        axis.grid(True, which="both", alpha=0.25)
+        points: dict[tuple, list] = {}
+        for target in verdict.TARGETS if found else ():
+            sets = [one for one in verdict.reaching(found, function, target) if one["ns"]]
+            for one in sets:
+                shape = BLOCKS[one["dsp"] > 0, one["mem"] > 0]
+                fill = "none" if dominated(one, sets) else "full"
+                at = one["ns"], one["alut"], one["core"], one["family"], shape
+                points.setdefault(at, []).append((target, fill))
+        for (x, y, _, family, shape), of in points.items():
+            fill = "full" if any(kind == "full" for _, kind in of) else "none"
+            axis.plot([x], [y], marker=shape, color=COLOUR[family], linestyle="", fillstyle=fill, markersize=8)
+        if points:
+            axis.margins(x=0.25, y=0.15)
+            labels.append((axis, [(x, y, f"{core}: {', '.join(target for target, _ in of)}")
+                                  for (x, y, core, *_), of in points.items()]))
+    figure.suptitle("Area against latency at equal total error. Red: vector, purple: table, green: rational, blue: "
+                    "CORDIC, orange: paper's circuits\nCircle: no blocks, triangle: DSP blocks, square: memory blocks, "
+                    "diamond: both; hollow: at that target another core is no worse in ALUTs, both blocks and time")
+    figure.tight_layout(rect=(0, 0, 1, 0.97))
+    for axis, points in labels:
+        label(axis, points)
     return figure

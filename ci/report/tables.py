@@ -81,7 +81,7 @@ def glance_table(report: dict) -> Table:
     """Every kinematic core of Q7.8 at its first parameter set, a line each."""
     def line(row: Row) -> tuple[str, ...]:
         return (f"`{name(row)}`", cycles(row), number(row["latency_ns"]), number(row["fmax_mhz"]["ecp5"], 4),
-                area(row), str(without_dsp(row)), number(part(row, "error_lsb", "max")), number(row["words_lsb"]),
+                area(row), str(without_dsp(row)), number(greatest_error(row)), number(row["words_lsb"]),
                 number(row["total_lsb"]), number(row["total_mm"]))
 
     return Table("At a glance: every core of Q7.8 at its first parameter set", (

@@ -7,6 +7,7 @@ import sys
 from rich.console import Console
 from rich.table import Table as Grid
 
+from ci.report import judgement
 from ci.report.comparison import cordic_wins, pareto, smaller
 from ci.report.documents import trajectory_note
 from ci.report.paper import paper_tables
@@ -34,7 +35,11 @@ def show(report: dict) -> None:
         if table.rows:
             console.print(_grid(table))
     for title, sentences in (("Rational against iterative CORDIC", [*pareto(report), *smaller(report)]),
-                             ("Where CORDIC wins", cordic_wins(report))):
+                             ("Where CORDIC wins", cordic_wins(report)),
+                             ("The verdict at equal accuracy", judgement.wins(report["verdict"])
+                              if report.get("verdict") else []),
+                             ("What rational trigonometry itself changes", judgement.itself(report["verdict"])
+                              if report.get("verdict") else [])):
         if sentences:
             console.print(f"[bold]{title}[/bold]")
             for sentence in sentences:

@@ -13,9 +13,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import classic, codecs, cordic, paper, rational, table, vector, vector_solve
+from quadrance import classic, codecs, conversion, cordic, paper, table, truth, vector, vector_solve
 from quadrance.cores import Core
-from quadrance.fixed import wrap
+from quadrance.fixed import ints, wrap
 from quadrance.truth import Floats, floats
 
 Params = dict[str, int]
@@ -87,16 +87,6 @@ def root_product(bits: int = 17) -> float:
     return (0.52 if bits == 17 else 0.31) / 2**15
 
 
-def reciprocal_product(q: ArrayLike) -> Floats:
-    """Relative error of `arith.reciprocal_product` at q, 1/4 to 4, which is taken in the middle of its last bit.
-
-    Half of what the tangent loses at a border of a segment, half a unit of the slope, half a unit of q, the cut of the
-    product. 2^-17 at 1/4 and up to 2, 2^-15 at 4.
-    """
-    q = floats(q)
-    return 2**-17 / (16 * q**2) + q**2 * 2**-19 + 2**-20 / q + q * 2**-24
-
-
 def spread_chord(u: int) -> float:
     """Error of cos and sin of a turn-spread as `rational_fk2` reads them (odd integers of 2^-(U+1)), in units of 2^-U.
 
@@ -104,6 +94,126 @@ def spread_chord(u: int) -> float:
     cut 0.022 at U = 16. 0.824 at U = 16, 1.023 at U = 17.
     """
     return 0.5 + 2.0 ** (u - 18.5) + 0.125 + 0.022 * 2.0 ** (u - 16)
+
+
+# Stream codecs
+
+
+def _chords(knots: ArrayLike, exact: ArrayLike) -> float:
+    """Greatest error of a root from chords, in units of the knots, its truncation by less than a unit included.
+
+    `exact` are the values (..., chords, places) of the function at equally spaced places of each chord, ends included.
+    """
+    knots, place = floats(knots), np.linspace(0, 1, np.shape(exact)[-1])
+    error = knots[..., :-1, None] + np.diff(knots)[..., None] * place - exact
+    return float(max(error.max(), 1 - error.min()))
+
+
+PLACES = np.linspace(0, 1, 33)
+"""Of a chord, where its error is taken."""
+
+
+def angle_to_vector(p: Params) -> float:
+    """A coordinate, LSB of 2^-U, by every chord of the table.
+
+    Half its sag, (2 pi / 2^T)^2 / 16, either way, 1.5 of that next to +-1; knots to an eighth of an LSB, as the
+    truncation. Rounding 1/2.
+    """
+    k, t = conversion.sizes(p)
+    exact = np.sin(2 * np.pi / 2**t * (np.arange(2**t)[:, None] + PLACES)) * 2**k
+    return 0.5 + _chords(codecs.sine_knots(k, t, 3) - 4, exact) / 8
+
+
+def spread_to_vector(p: Params) -> float:
+    """A coordinate, LSB of 2^-U: `root_product` with slopes of 20 bits, and rounding 1/2."""
+    return 0.5 + root_product(20) * 2 ** p["U"]
+
+
+def half_tangent_to_vector(p: Params) -> float:
+    """A coordinate, LSB of 2^-U, by every chord of both functions, knots and truncation to an eighth of an LSB.
+
+    A negative t is taken 2^-20 nearer to 0, which moves the sine, whose slope is 2 at most. Rounding 1/2.
+    """
+    k = p["U"] + 3
+    exact = np.stack(truth.half_tangent_to_unit((np.arange(256)[:, None] + PLACES) / 256))[:, None] * 2**k
+    return 0.5 + (_chords(conversion.half_tangent_knots(k) - 4, exact * [[[[1]], [[-1]]]]) + 2.0 ** (k - 19)) / 8
+
+
+def _minor() -> Floats:
+    """Sines (chords, places) that a unit vector's minor coordinate reaches, and on to the end of a chord."""
+    return (np.arange(-187, 187)[:, None] + PLACES) / 256
+
+
+def _arc(knots: ArrayLike, exact: ArrayLike, slope: float) -> float:
+    """LSB of a word of 4 units, whose half is in the knots, as are half of a truncation and of a rounding.
+
+    Rounding 1/2, the chord, and the one's complement of the sine, 2^-20, times `slope`, LSB.
+    """
+    return 0.5 + _chords(ints(knots)[..., 256 - 187:256 + 188] - 2, exact) / 4 + slope * 2**-20
+
+
+def vector_to_angle(p: Params) -> float:
+    """LSB of 2^-A turn, for the angle whose sine from the nearer axis is the minor coordinate as it is given.
+
+    Half the sag of a chord of the arc sine, 2^-20 sin / cos^3; knots and truncation a unit of 2^-(A+2) either way.
+    The angle is that of a rounded unit vector within sqrt(1/2) 2^-U rad, since cos >= 0.687 and half an LSB of one
+    coordinate is all that is seen; of a vector of length 1 + e within e tan.
+    """
+    turn = 2 ** p["A"] / (2 * math.pi)
+    return _arc(conversion.arcsine_knots(p["A"] + 2), np.arcsin(_minor()) * 4 * turn, 1.46 * turn)
+
+
+def vector_to_half_tangent(p: Params) -> float:
+    """LSB of 2^-T, for the minor coordinate m as it is given; otherwise as `vector_to_angle`.
+
+    Beside the x axis t = tan(asin(m) / 2), beside the y axis tan(pi / 4 + asin(m) / 2) up to 1, and from -1 on; slopes
+    up to 1. Half a sag is 2^-20 times the curvature, up to 1.9.
+    """
+    half, axis = np.arcsin(_minor()) / 2, np.pi / 4
+    beyond = np.where(half < 0, np.tan(half + axis) - 1, np.tan(half - axis) + 1)
+    knots = np.stack([conversion.half_tangent_steps(p["T"] + 2, y) for y in (False, True)])
+    return _arc(knots, np.stack([np.tan(half), beyond]) * 4 * 2 ** p["T"], 2 ** p["T"])
+
+
+def unit_to_spread(p: Params) -> float:
+    """LSB of 2^-S, for the square of the minor coordinate as it is given: rounding 1/2, and the one's complement of a
+    factor, 2^-26, times the other one, 0.727."""
+    return 0.5 + 0.727 * 2.0 ** (p["S"] - 26)
+
+
+def angle_to_spread_turn(p: Params) -> float:
+    """How far (rad) the angle whose spread is rounded is from the word of angle_to_spread.
+
+    The sine by every chord, knots and truncation to 2^-18; the angle is off by that over cos 45 degrees.
+    """
+    exact = np.sin(2 * np.pi / 2048 * (np.arange(-256, 256)[:, None] + PLACES)) * 2**18
+    return _chords(conversion.spread_sine_knots(), exact) * 2**-18 * math.sqrt(2)
+
+
+def angle_to_spread(p: Params, theta: ArrayLike) -> Floats:
+    """LSB of 2^-S at the angle of the word.
+
+    `angle_to_spread_turn`, d, moves sin^2 by |sin 2 theta| d + d^2 at most; rounding and a one's complement as in
+    `unit_to_spread`.
+    """
+    turn = angle_to_spread_turn(p)
+    return (np.abs(np.sin(2 * floats(theta))) * turn + turn * turn) * 2.0 ** p["S"] + unit_to_spread(p)
+
+
+def normalised(length: ArrayLike) -> Floats:
+    """Length after one Newton step, y (3 - y^2) / 2: of 1 + e, 1 - 3/2 e^2 - 1/2 e^3."""
+    y = floats(length)
+    return y * (3 - y * y) / 2
+
+
+def vector_normalise(length: ArrayLike) -> Floats:
+    """A coordinate of vector_normalise, LSB of 2^-U, against c (3 - c^2 - n^2) / 2, for a vector of that length.
+
+    Half a unit is put behind c, not behind the product, so rounding is 1/2 + |g - 1| / 2, g = (3 - c^2 - n^2) / 2. Both
+    squares are cut to 2^-(U + 3), so g is off by half of that either way, times c.
+    """
+    y = floats(length)
+    return 0.5 + np.abs(1 - y * y) / 4 + y / 16
 
 
 # vector
@@ -164,15 +274,18 @@ def rational_fk1(l1: float) -> float:
     return 0.5 + 1 / 16 + root_product() * l1
 
 
-RATIONAL_DIRECTION = 0.6 * 2.0**-14
+RATIONAL_DIRECTION = 0.48 * 2.0**-14
 """Angle (rad) from a target to the nearest direction that rounds to the word of rational_ik1.
 
-s = m^2 r: d theta = (dr / r) t / 2, t = m / M <= 1 but at near ties, q = M^2 (1 + t^2):
+s = m^2 r: d theta = (dr / r) t / 2, t = m / M <= 2, q = M^2 (1 + t^2), M >= 1/2. dr / r is the sum of
 
-* sag of the chord h^2 / (8 q^2) t / 2, h = 2^-8: 0.65 * 2^-19;
-* cut of q, 2^-17 around its middle, / q * t / 2: 0.87 * 2^-17;
-* knot and product of the chord, 3 * 2^-17 (one is a cut), * q t / 2: 3 * 2^-17;
-* cut of m^2 (at most 4/8 of 2^-27, times r): below 2^-15 at the first words past a border, where t is near 0.
+* sag of the tangent, raised by half of it: 2^-19 / q^2, alone at most 0.08 * 2^-14 rad;
+* q, three units of 2^-17 about their middle, and the one's complement of w for -w, half a unit of 2^-16 about the
+  quarter that is in the slope: 1.25 * 2^-16 / q, alone 0.31;
+* half a unit of the slope: 2^-17 q^2, alone 0.25.
+
+Together at most 0.466 * 2^-14, at M = 1/2, m = 1. The cuts of m w and m slope to 2^-24 turn the direction by at
+most 2^-21 each, for beside an axis m is as small as they are.
 """
 
 
@@ -203,38 +316,46 @@ def _aligned(p: Params, *lengths: ArrayLike) -> tuple[Floats, ...]:
 def rational_gap(p: Params, l1: int, l2: int) -> float:
     """Error of the quadrance (LSB^2 of a coordinate) that cos theta2 of rational_ik2 and rational_ik3 stands for.
 
-    The bits of the gap q - Q1 - Q2 that are shifted out and their half, 2 * 64 for long links; the rounding of cfg_r;
-    the cut of c2 to 20 bits, both times 2 L1 L2. All of lengths aligned to 16 bits.
+    That of `vector_gap`, whose front end they share; in space the gap is that of the exact quadrance. 16 at
+    L1 = L2 = 2^13.
     """
-    words, scale = rational.config(p, cfg_l1=l1, cfg_l2=l2), 4.0 ** (16 - p["W"])
-    double = 2 * l1 * l2 * scale
-    return ((128 if words["cfg_e"] == 0 else 0) + double / words["cfg_r"] + double / 2**20) / scale
+    return vector_gap(p, l1, l2) / 4.0 ** (16 - p["W"])
 
 
-def rational_aim(rho: ArrayLike, joints: int = 2) -> Floats:
-    """Tip error by the direction at distance `rho`.
+def _rational_root(v: ArrayLike) -> Floats:
+    """|n2^2 - v| of the root of v = 1 - c2^2 in kernel_solve, in its three ranges: `_vector_root` down to 2^-12.
 
-    a and b to 2^-20 of q' >= 1/4, and u: 1.5 / 2^17; 1/q' to 2^-17 for q' <= 2, with the cut of q' half more, times
-    tan <= 2: 3 / 2^17. In space q' reaches 3, where 1/q' has 2.3 / 2^17, and tan <= 3^(1/2): 4.9 / 2^17.
+    Below it h = 2^-19: 1/16 b^2 of twice v; half a unit of the slope, 2^-19 of 2^-10 of it; half a unit of the first
+    factor. In the first segment, below 2^-19, the tangent is up to 2^-22 off. c2^2 to 2^-25.
     """
-    return floats(rho) * ((1.5 + (3.0 if joints == 2 else 4.9)) * 2**-17)
+    v = np.maximum(floats(v), 2.0**-40)
+    tiny = 2.0**-43 / v + v**1.5 * 2**-7 + 2**-32
+    return np.where(v >= 2**-12, _vector_root(v), np.where(v >= 2**-19, tiny, 2.0**-22) + 2**-25)
 
 
-def _bend(p: Params, l1: int, l2: int, rho: Floats) -> tuple[Floats, Floats]:
-    """Of the elbow that the core computes for a tip in reach at `rho`: least |sin theta2|, and most it is off (rad).
+def _bend(p: Params, l1: int, l2: int, rho: Floats) -> tuple[Floats, Floats, Floats]:
+    """Of the elbow that the core computes for a tip in reach at `rho`, all about 16-bit words: error of the cosine, of
+    the square of the sine beside it, and of the angle (rad).
 
-    c2 is off by at most gap / (2 L1 L2) either way, and is a multiple of 2^-20: where it is not 1, the sine is at least
-    2^-9.5.
+    The cosine is off by gap / (2 L1 L2). Joint 2 is c2, or n2 where that is less in magnitude: then the cosine of its
+    word is off by root / (2 |c2|), c2^2 >= 1/2, besides, and where it is not, n2 by root / (2 |n2|).
     """
     double = max(2 * l1 * l2, 1e-9)
-    off = rational_gap(p, l1, l2) / double
+    off = vector_gap(p, l1, l2) / double
     c2 = np.clip((rho * rho - l1 * l1 - l2 * l2) / double, -1, 1)
+    v = 1 - c2 * c2
+    root = np.max([_rational_root(np.maximum(v + sign * 2 * off, 0)) for sign in (-1, 0, 1)], axis=0)
+    cosine = off + 0.75 * root
     theta = np.arccos(c2)
-    most = np.maximum(*(np.abs(np.arccos(np.clip(c2 + sign * off, -1, 1)) - theta) for sign in (-1, 1)))
-    return np.sqrt(np.maximum(1 - c2 * c2 - 2 * off, 2.0**-19)), most
+    most = np.maximum(*(np.abs(np.arccos(np.clip(c2 + sign * cosine, -1, 1)) - theta) for sign in (-1, 1)))
+    return cosine, root, most
 
 
-def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, joints: int = 2) -> Floats:
+RATIONAL_TANGENT = 1.14
+"""Tangent of a direction from the axis about which kernel_solve gives it: its sine is below 3/4 or its cosine not."""
+
+
+def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike) -> Floats:
     """Tip of rational_ik2 for a target in reach.
 
     Parameters
@@ -243,86 +364,87 @@ def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, joints: int = 2) -
         Links in LSB.
     rho : float array
         Distance of the target from the shoulder, LSB.
-    joints : int
-        3: the target is (rho, z) of rational_ik3.
 
     Notes
     -----
-    The core computes an elbow theta2' that is off, and joint 1 of this elbow. Both together put the tip within e:
+    The core computes an elbow theta2' that is off, and joint 1 of the vector k that goes with it. Both together put
+    the tip within e, t being `RATIONAL_TANGENT`:
 
-    * The gap moves the tip by gap / (2 rho) along rho, and as much across: an error e of (k1, k2) turns the tip by e
-      across and, since the spread takes the length of k for that of the tip, by tan <= 3^(1/2) times e along: 2 e
-      together. Below rho^2 = 4 gap, near the shoulder, the direction is lost: the tip is within
-      2 rho + gap^(1/2).
-    * The root: twice `root_product` at 20 bits times L2; and c2^2 is cut to 24 bits, which moves the sine by at most
-      2^-24 over itself, twice.
-    * k1 and k2 have 3 fraction bits and a constant half behind them, and a one's complement, all of it twice.
-    * `rational_aim`.
+    * The elbow's cosine is off by `_bend`: the arm is longer or shorter by 2 L1 L2 times that, over 2 rho.
+    * k is not quite the tip of that elbow: the root is off by 3/4 of `_bend`'s at most in the coordinate that the word
+      of joint 2 does not give, times L2, across.
+    * The square of joint 1's sine takes the length of k for that of the tip: both, and the root along, over 2 rho,
+      times t; and `_vector_inverse`, rho t.
+    * k1 and k2 have 4 fraction bits about a half: 2^(1/2) / 32, across, and t times that along; likewise the cut of a
+      and b to 1/8 LSB^2, and of what is shifted to 2^-25 at q' >= 1/4.
+
+    Below rho^2 = 4 times what the quadrance of k is off, near the shoulder, the direction is lost: the tip is within
+    2 rho and the root of it.
 
     "Beyond the rounding of the words" takes from the cell of each word the angle nearest to the exact one, for each
     joint by itself. With a, b what joints 1 and 2 are off, and s, t in [0, 1] the shares of them that are left, the tip
     is off by s (J1 a + J2 b) + (t - s) J2 b: at most e, and as J1 a = -J2 b within e, |t - s| L2 |b|. So:
 
-    * Near the circles, where b is large, L2 |b| more, |b| <= (gap / (L1 L2))^(1/2); and (1 + |b|) for what is not
-      linear. But (1 - t) b is no more than one side of a cell, (1 - s) a no more than both sides, and a cell's side is
-      at most h = asin 2^(-(S + 1) / 2): never more than max(L2, 2 rho) h. At S = 24 h is the less, at S <= 20 b is.
+    * Near the circles, where b is large, L2 |b| more, and (1 + |b|) for what is not linear. But (1 - t) b is no more
+      than one side of a cell, (1 - s) a no more than both sides, and a cell's side is at most
+      h = asin 2^(-(S + 1) / 2): never more than max(L2, 2 rho) h.
     """
     (l1a, l2a, r), half_word = _aligned(p, l1, l2, rho), math.asin(2.0 ** (-(p["S"] + 1) / 2))
-    p16 = p | {"W": 16}
-    gap = rational_gap(p16, int(l1a), int(l2a))
-    sine, off = _bend(p16, int(l1a), int(l2a), r)
-    root = 2 * l2a * (root_product(20) + 2**-24 / sine)
-    cut = 2 * (2**0.5 / 16 + 1 / 16)
-    together = np.where(r**2 < 4 * gap, 2 * r + math.sqrt(gap), gap / np.maximum(r, 1e-9)) + root + cut
-    together = together + rational_aim(r, joints)
+    far, t = np.maximum(r, 1e-9), RATIONAL_TANGENT
+    cosine, root, off = _bend(p | {"W": 16}, int(l1a), int(l2a), r)
+    seen = 2 * l1a * l2a * cosine  # quadrance of the elbow's word
+    length = seen + l2a * l2a * root  # and of k
+    cut = 2**0.5 * (1 + t) * (1 / 32 + 0.25 / far + 2**-23 * r)
+    together = seen / (2 * far) + 0.75 * l2a * root + t * (length / (2 * far) + r * _vector_inverse(r * r)) + cut
+    together = together * (1 + length / far**2 + 0.05 / far)
+    together = np.where(r * r < 4 * length + 4, 2 * r + np.sqrt(length), together)
     apart = np.minimum(l2a * off * (1 + off), np.maximum(l2a, 2 * r) * half_word)
     return (together + apart) * 2.0 ** (p["W"] - 16)
 
 
-def _rational_rho(p: Params, target: ArrayLike) -> tuple[Floats, Floats]:
-    """Error of rho of rational_ik3, LSB: with all its bits, and what its cut to one fraction bit after the shift adds.
-
-    The chord of v <= 1/2 (of any v below rho = 4096, there 2^-4 of it), the cut of v to 24 bits, of rho to 3 fraction
-    bits about a half; then, by the target's redundant sign bits, the cut to a word.
-    """
-    x, y, z = _aligned(p, *floats(target))
-    rho, longest = np.hypot(x, y), np.max(np.abs([x, y, z]), axis=0)
-    large = rho >= 4096
-    fine = np.where(large, 0.52 + 1 / 32, 0.31 / 8) + 1 / 16
-    unit = 2.0 ** (p["W"] - 16)
-    return fine * unit, 2.0 ** (np.ceil(np.log2(longest + 1)) - 16) * unit
+def _rational_yaw(p: Params, rho: Floats) -> Floats:
+    """Tip error by joint 3 at the distance `rho` from its axis."""
+    length, turned = _vector_yaw(floats(rho) * 2.0 ** (16 - p["W"]))
+    return rho * (RATIONAL_TANGENT * length + turned)
 
 
 def rational_ik3(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     """Tip of rational_ik3 for targets (3, N) in reach: `rational_ik2` in the plane of the arm, rho and the yaw.
 
-    An error of rho turns (rho, z) and stretches it, so it counts twice.
+    The gap has no error of rho. Of joint 1 rho is a coordinate (`vector_rho`): it turns (rho, z), and stretches it
+    beside k, `RATIONAL_TANGENT` times that.
     """
     x, y, z = floats(target)
     rho = np.hypot(x, y)
-    off = sum(_rational_rho(p, target))
-    return rational_ik2(p, l1, l2, np.sqrt(rho * rho + z * z), 3) + 2 * off + rational_aim(rho)
+    off = (1 + RATIONAL_TANGENT) * vector_rho(p, target)
+    return rational_ik2(p, l1, l2, np.sqrt(rho * rho + z * z)) + off + _rational_yaw(p, rho)
+
+
+RATIONAL_NEAREST = 0.6 * 2.0**-16
+"""Angle (rad) of the direction of joint 1 of a target out of reach.
+
+2 / sqrt(q'), times `RATIONAL_TANGENT`: half of what the tangent loses 3/16 b^2, 0.19 * 2^-16, half a unit of the slope
+0.25 * 2^-16 at q' = 1 (not both), its first factor 0.06 * 2^-16; the half unit in place of k2 0.06 * 2^-16; the cut of
+what is shifted to 2^-25, sqrt(q') >= 1/2, 0.02 * 2^-16, and of the sum to 1/8, 0.09 * 2^-16 of the shortest target.
+"""
 
 
 def rational_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     """Tip of rational_ik2 or rational_ik3 from the nearest point, for targets (2 or 3, N) that are flagged unreachable.
 
     Both elbows are then stretched or folded exactly, and the tip has the radius R = L1 + L2 or |L1 - L2| exactly: the
-    direction alone errs. `rational_aim` at R; elbow 1 has -2^-20 of k1 for k2 = 0, a one's complement. In space the
-    plane's point (rho, z) is off by the error d of rho, seen from the base at the distance r of the target: an angle
-    asin(d / r), a chord 2 R sin(asin(d / r) / 2). In the hole this is the greater the shorter the target is, by
-    R / r: an LSB beside the base it may be a tenth of R. Once more the last cut of rho, which q' has in one of its
-    factors only. The yaw's own error is `rational_aim` at R.
+    direction alone errs, `RATIONAL_NEAREST`. In space the plane's point (rho, z) is off by the error d of rho, seen
+    from the base at the distance r of the target: an angle asin(d / r), a chord 2 R sin(asin(d / r) / 2). In the hole
+    this is the greater the shorter the target is, by R / r. The yaw's own error is that at R.
     """
     target = floats(target)
     r = np.sqrt((target * target).sum(axis=0))
     radius = np.where(r > (l1 + l2 + abs(l1 - l2)) / 2, l1 + l2, abs(l1 - l2))
-    aim = rational_aim(radius, len(target)) + radius * 2**-19
     if len(target) == 2:
-        return aim
-    fine, cut = _rational_rho(p, target)
-    turned = np.arcsin(np.minimum((fine + 2 * cut) / np.maximum(r, 1e-9), 1))
-    return aim + 2 * radius * np.sin(turned / 2) + rational_aim(radius)
+        return radius * RATIONAL_NEAREST
+    turned = np.arcsin(np.minimum(vector_rho(p, target) / np.maximum(r, 1e-9), 1))
+    yaw = _rational_yaw(p, np.hypot(target[0], target[1])) * radius / np.maximum(r, 1e-9)
+    return radius * RATIONAL_NEAREST + 2 * radius * np.sin(turned / 2) + yaw
 
 
 # vector: two and three joints, inverse
@@ -551,9 +673,10 @@ nine shifts and the mirror, 7 units of 32."""
 def cordic_angle(p: Params, guard: int, magnitude: bool) -> tuple[float, float]:
     """Angle of a vectoring engine: (LSB of 2^-A turn, LSB times length); the bound at a length is a + b / length.
 
-    Rounding 1/2; the residual atan 2^-last; the constants' rounding; where x stops growing early (no magnitude), what
-    is left to turn times its relative lack. Times 1/length: x mirrored 1 unit high or low, y's minus 1/2 unit a step
-    (halved each step), x rounded down 1/2 unit a step (weighed with the angle left), the bits the division drops.
+    Rounding 1/2; the residual atan 2^-last; the constants' rounding; the complements, 1/2 a step, of which 8 units are
+    centred; where x stops growing early (no magnitude), what is left to turn times its relative lack. Times 1/length:
+    x mirrored 1 unit high or low, y's minus 1/2 unit a step (halved each step), x rounded down 1/2 unit a step (weighed
+    with the angle left), the bits the division drops.
     """
     turn = 2 ** p["A"] / (2 * math.pi)
     half = (p["W"] + 1) // 2
@@ -563,7 +686,7 @@ def cordic_angle(p: Params, guard: int, magnitude: bool) -> tuple[float, float]:
     constants = sum(abs((cordic.angle(i, bits) >> i) + 0.5 - math.atan(2.0**-i) * turn / unit) for i in range(last + 1))
     grows = half if magnitude else (p["W"] + 1) // 3
     early = sum(2.0**-i * 4.0**-i for i in range(grows + 1, last + 1)) * turn
-    fixed = 0.5 + 2.0**-last * turn + (constants + 0.5) * unit + early
+    fixed = 0.5 + 2.0**-last * turn + (constants + abs(8 - (last + 1) / 2)) * unit + early
     dropped = 2.0 ** (half // 2 - half)  # of the division: two words cut at 2^(half / 2) LSB, scaled by 2^half
     return fixed, turn * (2.5 * 2.0**-guard + 2 * dropped / 1.6468)
 
@@ -806,7 +929,8 @@ def paper_reach(p: Params) -> float:
     two products by 2^-G each, of a quadrance: over twice the distance.
     """
     i = p["W"] - 1 - p["F"]
-    n, g = max(p["S"] + 1, p["W"] - 1), min(p["S"], 27 - 2 * i)
+    n = max(p["S"] + 1, p["W"] - 1)
+    g = min(p["S"], 27 - 2 * i, 2 * (n + 1 - i))
     return 2.0 ** p["F"] * (1.5 * 2.0 ** (i - n) + 4 * 2.0**-g / 2 ** (i + 1))
 
 
@@ -819,7 +943,8 @@ def paper_forward(p: Params, joints: int, l1: float, l2: float) -> float:
     2^(-G/2) units; b is truncated by 2^(I-N) units. sqrt(n) for the coordinates' own truncation.
     """
     i = p["W"] - 1 - p["F"]
-    n, g = max(p["S"] + 1, p["W"] - 1), min(p["S"], 27 - 2 * i)
+    n = max(p["S"] + 1, p["W"] - 1)
+    g = min(p["S"], 27 - 2 * i, 2 * (n + 1 - i))
     d, q = paper.DIGITS * -(-(p["S"] + 1) // paper.DIGITS), 2 * i + g
     share = 2.0 ** (-d / 2) + math.sqrt(3 * 2.0**-n) + 2.0 ** (-q / 2)
     units = (joints + 1) * 2.0 ** (-g / 2) + 2.0 ** (i - n)

@@ -104,7 +104,7 @@ def chain(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints | None, cfg_l1: In
     w, f, s = p["W"], p["F"], p["S"]
     i = w - 1 - f
     n = max(s + 1, w - 1)
-    g = min(s, 27 - 2 * i)
+    g = min(s, 27 - 2 * i, 2 * n + 2 - 2 * i)
     q = 2 * i + g
     c = n - w + 1
     j1, j2, l1, l2 = np.broadcast_arrays(*map(ints, (in_j1, in_j2, cfg_l1, cfg_l2)))

@@ -337,6 +337,13 @@ def test_flags_a_word_too_early_or_late_are_seen() -> None:
                 "out_status": np.roll(answer["out_status"], 1)}), SHARES[1])
 
 
+def test_laws_hold_where_a_word_is_much_shorter_than_another() -> None:
+    """Few bits of an angle for many of a coordinate; more bits of a spread than of a coordinate's fraction."""
+    test_direction(legal.at(find("classic_ik1_iter-A16"), {"W": 11, "F": 1, "A": 5}))
+    for name in ("paper_fk2-S8", "paper_fk3-S8"):
+        test_forward(legal.at(find(name), {"W": 13, "F": 3, "S": 10}), SHARES[1])
+
+
 # The long run
 
 

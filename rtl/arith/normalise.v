@@ -7,8 +7,7 @@
 // Model: rational._zeros
 `default_nettype none
 module normalise #(
-    parameter B = 16,    // bits of the shifted word, 16 or more: 16, the words that are counted
-    parameter LATE = 0   // 1: in_k may be the out_k of the same clock; 0: it comes from a register. 0, the smaller one
+    parameter B = 16  // bits of the shifted word, 16 or more: 16, the words that are counted
 ) (
     input  wire [14:0]  in_used,
     output reg  [3:0]   out_k,
@@ -24,27 +23,21 @@ module normalise #(
                 out_k = 4'd14 - i[3:0];
     end
 
-    generate
-        if (LATE) begin : g_late  // coarse steps first: the low bits of a count are the last to be known
-            assign out_x = (((in_x << {in_k[3], 3'd0}) << {in_k[2], 2'd0}) << {in_k[1], 1'd0}) << in_k[0];
-        end else begin : g_early
-            reg [B-1:0] fine, scaled;
-            assign out_x = scaled;
-            always @* begin
-                case (in_k[1:0])
-                    2'd0: fine = in_x;
-                    2'd1: fine = in_x << 1;
-                    2'd2: fine = in_x << 2;
-                    default: fine = in_x << 3;
-                endcase
-                case (in_k[3:2])
-                    2'd0: scaled = fine;
-                    2'd1: scaled = fine << 4;
-                    2'd2: scaled = fine << 8;
-                    default: scaled = fine << 12;
-                endcase
-            end
-        end
-    endgenerate
+    reg [B-1:0] fine, scaled;
+    assign out_x = scaled;
+    always @* begin
+        case (in_k[1:0])
+            2'd0: fine = in_x;
+            2'd1: fine = in_x << 1;
+            2'd2: fine = in_x << 2;
+            default: fine = in_x << 3;
+        endcase
+        case (in_k[3:2])
+            2'd0: scaled = fine;
+            2'd1: scaled = fine << 4;
+            2'd2: scaled = fine << 8;
+            default: scaled = fine << 12;
+        endcase
+    end
 endmodule
 `default_nettype wire

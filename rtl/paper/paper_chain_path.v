@@ -25,7 +25,8 @@ module paper_chain_path #(
 );
     localparam I = W - 1 - F;                      // integer bits of a length
     localparam N = S + 1 > W - 1 ? S + 1 : W - 1;  // digits of the root: lengths uI.(N-I), spreads u0.N
-    localparam G = S < 27 - 2*I ? S : 27 - 2*I;    // fraction bits of a quadrance: it fits one 27-bit multiplier
+    localparam E = S < 2*N + 2 - 2*I ? S : 2*N + 2 - 2*I;  // no more fraction bits than the square of a length has
+    localparam G = E < 27 - 2*I ? E : 27 - 2*I;    // fraction bits of a quadrance: it fits one 27-bit multiplier
     localparam Q = 2*I + G;                        // bits of a quadrance, u(2I).G
     localparam B = R < 1 ? 1 : R;                  // R, where it is legal
     localparam M = (S + B) / B;                    // clocks of the division

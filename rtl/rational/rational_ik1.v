@@ -2,8 +2,8 @@
 // Inverse kinematics of one joint: the turn-spread of the direction of (x, y); no length is needed.
 //   s = m^2 / q, q = x^2 + y^2, m the coordinate across the nearer axis; out_j1 = that axis (a quarter turn each) +- s
 // Formats: in_x, in_y s(W-F).F, out_j1 turn-spread u2.S modulo 4, nearest.
-// Error: direction within 0.6 * 2^-14 rad of those that round to the word: 0.6 LSB at a tip 2^14 LSB (64 units) away.
-// Latency 4, II 4.
+// Error: direction within 0.48 * 2^-14 rad of those that round to the word: 0.5 LSB at a tip 2^14 LSB (64 units) away.
+// Latency 5, II 5.
 // Status: singular (x = y = 0: the last word is held, 0 after reset).
 // Source: rational trigonometry paper, eq. 9, which does not recover the quadrant. Model: rational.ik1
 `default_nettype none
@@ -30,14 +30,13 @@ module rational_ik1 #(
     endgenerate
 
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}};
-    wire               take, below;
+    wire               take;
     wire [1:0]         axis;
-    wire [40:0]        square;
+    wire signed [40:0] square;
     kernel_aim kernel (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .out_valid(out_valid),
-        .out_ready(out_ready), .out_take(take), .out_axis(axis), .out_below(below), .out_square(square),
-        .out_status(out_status));
-    spread_about_axis #(.JOINTS(1), .S(S)) codec (
-        .clk(clk), .rst(rst), .in_take(take), .in_axis(axis), .in_below(below), .in_square(square), .out_j(out_j1));
+        .out_ready(out_ready), .out_take(take), .out_axis(axis), .out_square(square), .out_status(out_status));
+    spread_from_axis #(.S(S)) codec (
+        .clk(clk), .rst(rst), .in_take(take), .in_axis(axis), .in_square(square), .out_j(out_j1));
 endmodule
 `default_nettype wire

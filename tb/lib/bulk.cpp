@@ -30,9 +30,9 @@ static int refuse(const char* why) {  // the core breaks its contract: a verdict
 }
 
 static int bulk_main(int argc, char** argv) {
-    if (argc < 5) return fail("usage: core CFG IN OUT COUNT [SEED]");
+    if (argc < 6) return fail("usage: core CFG IN OUT COUNT SEED [+plusargs]");
     const size_t count = std::strtoull(argv[4], nullptr, 10);
-    state = argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 0;
+    state = std::strtoull(argv[5], nullptr, 10);
     const bool gaps = state != 0;
     std::vector<uint64_t> cfg, in(count * N_IN), out(count * (N_OUT + 2));
     for (char* word = argv[1]; *word;) {
@@ -45,6 +45,7 @@ static int bulk_main(int argc, char** argv) {
     std::fclose(file);
 
     VerilatedContext context;
+    context.commandArgs(argc, argv);
     Vtop top{&context};
     SET_CFG(top, cfg.data());
 #if CLOCKED

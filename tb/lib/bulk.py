@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -36,10 +37,11 @@ class Result:
 
 
 def stream(core: Core, inputs: Vectors, cfg: dict[str, int] | None = None, *, seed: int = 0,
-           label: str = "") -> Result:
+           label: str = "", plusargs: Sequence[str] = ()) -> Result:
     """Run `inputs` (one array a port) through the RTL at one configuration, from reset.
 
-    `seed` 0 streams back to back with out_ready high; any other draws idle cycles and stalls.
+    `seed` 0 streams back to back with out_ready high; any other draws idle cycles and stalls. `plusargs` are for the
+    Verilog ("+name=value").
     AssertionError when a result is made up or does not come.
     """
     program = build(core, label)
@@ -51,7 +53,7 @@ def stream(core: Core, inputs: Vectors, cfg: dict[str, int] | None = None, *, se
         source, target = Path(scratch, "in"), Path(scratch, "out")
         np.ascontiguousarray(words).tofile(source)
         try:
-            tools.run(str(program), values, source, target, str(count), str(seed))
+            tools.run(str(program), values, source, target, str(count), str(seed), *plusargs)
         except tools.ToolError as error:
             if error.code == REFUSED:
                 raise AssertionError(f"{core.id} {cfg}: {error}") from None

@@ -8,7 +8,8 @@ import os
 import pickle
 import shutil
 import signal
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -24,7 +25,7 @@ class Built(Verilator):
     """A program that stands already: nothing to build."""
 
     def build_command(self) -> list[list[str]]:
-        return [[str(Path(self.sim_dir).parent / "core")]]
+        return [[str(Path(self.sim_dir).parent / "core"), *self.plus_args]]
 
 
 def available(simulator: str) -> bool:
@@ -34,7 +35,7 @@ def available(simulator: str) -> bool:
 
 def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests: str | None = None,
              seed: int | None = None, waves: bool = False, label: str = "", compile_only: bool = False,
-             parameters: bool = True, failures: int | None = None) -> Path:
+             parameters: bool = True, failures: int | None = None, plusargs: Sequence[str] = ()) -> Path:
     """Build `core` and run the cocotb tests of `module` on it.
 
     Raises SystemExit when a test fails, RuntimeError when the core cannot be built or the simulator ends early.
@@ -47,6 +48,7 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
     seed : of every random choice; printed by the bench.
     parameters : False for a netlist, whose parameters are folded in.
     failures : after so many failed tests the others are left out; None runs them all.
+    plusargs : for the Verilog ("+name=value").
 
     Returns
     -------
@@ -56,7 +58,7 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
         tools.require("iverilog")
     if simulator == "verilator" and not waves:
         runner = Built
-        folder = _built(core, label) / "bench"
+        folder = _built(core if parameters else replace(core, params={}), label) / "bench"
     else:
         runner = Icarus if simulator == "icarus" else Verilator
         folder = program.build_folder(core, simulator, label, waves, parameters)
@@ -65,7 +67,7 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
                  "COCOTB_REWRITE_ASSERTION_FILES": ""}  # it would rewrite numpy too, at every start
         if failures is not None:
             extra["COCOTB_MAX_FAILURES"] = str(failures)
-        _run(core, runner, folder, module, tests, seed, waves, compile_only, parameters, extra)
+        _run(core, runner, folder, module, tests, seed, waves, compile_only, parameters, extra, plusargs)
     return folder
 
 
@@ -88,7 +90,8 @@ def _handlers_kept() -> Iterator[None]:
 
 
 def _run(core: Core, runner: type[Simulator], folder: Path, module: str, tests: str | None, seed: int | None,
-         waves: bool, compile_only: bool, parameters: bool, extra: dict[str, str]) -> None:
+         waves: bool, compile_only: bool, parameters: bool, extra: dict[str, str],
+         plusargs: Sequence[str]) -> None:
     (folder / "core.pickle").write_bytes(pickle.dumps(core))
     previous = dict(os.environ)
     os.environ.update(tools.environment())
@@ -101,7 +104,7 @@ def _run(core: Core, runner: type[Simulator], folder: Path, module: str, tests: 
                 verilog_sources=[str(source) for source in core.sources],
                 parameters=core.params if parameters else {}, sim_build=str(folder), timescale="1ns/1ps",
                 testcase=tests, seed=seed, waves=waves, compile_only=compile_only,
-                extra_env=extra,
+                extra_env=extra, plus_args=list(plusargs),
                 compile_args=[] if runner is Icarus else ["-Wno-fatal", "-Wno-lint", "-Wno-style"])
         simulation.run()
     except (SystemExit, ElementTree.ParseError) as error:  # cocotb-test exits for every reason, and says which

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -30,10 +31,12 @@ def simulators() -> list[str]:
     return usable
 
 
-def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, label: str = "") -> int:
+def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, label: str = "",
+             plusargs: Sequence[str] = ()) -> int:
     """Corners and random words (all words of a narrow input) at every configuration; how many were compared.
 
-    `built` is what is compiled in place of `core`, in folders that bear `label`: the same ports from other sources.
+    `built` is what is compiled in place of `core`, in folders that bear `label`: the same ports from other sources,
+    which may read `plusargs`.
     """
     rng = np.random.default_rng(seed)
     configs = stimulus.configs(core, rng)
@@ -44,7 +47,7 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
         corners = stimulus.corners(core, cfg)
         inputs = {name: np.concatenate([corners[name], words]) for name, words in inputs.items()}
         # every configuration at the full rate, and a part of it with idle cycles and stalls
-        result = bulk.stream(built or core, inputs, cfg, label=label)
+        result = bulk.stream(built or core, inputs, cfg, label=label, plusargs=plusargs)
         bulk.compare(core, inputs, cfg, result)
         total += result.latency.size
         if not core.clocked:
@@ -54,7 +57,7 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
         size = result.latency.size
         pick = np.sort(rng.integers(0, size, max(size // STALLED, FEW)))
         few = {name: words[pick] for name, words in inputs.items()}
-        result = bulk.stream(built or core, few, cfg, seed=seed + index + 1, label=label)
+        result = bulk.stream(built or core, few, cfg, seed=seed + index + 1, label=label, plusargs=plusargs)
         bulk.compare(core, few, cfg, result)
         if core.ii == core.latency > 1:  # one sample at a time: a stall delays the next one, never the one inside
             bulk.timing(core, result, stalled=True)
@@ -63,10 +66,10 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
 
 
 def _marks(core: Core, simulator: str, usable: list[str]) -> list[pytest.MarkDecorator]:
-    """Every core in both simulators; its further parameter sets under Verilator, in the long run in both."""
-    if simulator == "icarus" and not core.first_set:
+    """The first parameter set of every core in both simulators; further sets, which have bulk runs, in the long run."""
+    if not core.first_set:
         return [pytest.mark.slow]
-    return [pytest.mark.full] + [pytest.mark.smoke] * (core.first_set and simulator == usable[0])
+    return [pytest.mark.full] + [pytest.mark.smoke] * (simulator == usable[0])
 
 
 def family(name: str):

@@ -16,6 +16,7 @@ FAULTS = {1: "out_valid_stuck_at_0", 2: "drops_a_sample_under_back_pressure", 3:
           4: "result_changes_while_it_waits", 5: "late_after_some_words", 6: "survives_a_reset", 7: "sends_twice",
           8: "valid_waits_for_ready", 9: "takes_a_word_in_a_reset", 10: "needs_two_clocks_of_reset",
           11: "not_ready_after_some_words", 12: "drops_what_waits_for_more_than_64_clocks"}
+RARE = (3, 5, 11)  # on one word in 256: the number of samples finds them, and that is in the bulk run
 
 
 class Specimen(Core):
@@ -46,15 +47,14 @@ def test_sound_core_passes(simulator):
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("fault", FAULTS, ids=FAULTS.get)
+@pytest.mark.parametrize("fault", [fault for fault in FAULTS if fault not in RARE], ids=FAULTS.get)
 def test_broken_core_fails(fault):
-    simulator = "verilator" if "some_words" in FAULTS[fault] else simulators()[0]  # the one that takes more words
     with pytest.raises(SystemExit, match="FAILED"):
-        simulate(specimen(fault), simulator, seed=SEED)
+        simulate(specimen(fault), simulators()[0], seed=SEED)
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("fault", (2, 3, 11, 12), ids=FAULTS.get)
+@pytest.mark.parametrize("fault", (*RARE, 2, 12), ids=FAULTS.get)
 def test_broken_core_fails_in_bulk(fault):
     with pytest.raises(AssertionError):
         bulk_run(specimen(fault), 100_000, SEED)

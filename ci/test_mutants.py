@@ -1,0 +1,37 @@
+"""Mutants of the smallest core: each choice breaks what it says, and only what behaves alike is proved so."""
+
+import pytest
+from quadrance.cores import find
+
+from ci import equivalence, mutants, mutate
+
+SEED = 5
+
+
+@pytest.fixture(scope="module")
+def made():
+    """The first dozen mutants of the skid buffer."""
+    return mutate.make(find("skid_buffer"), 12, SEED)
+
+
+@pytest.mark.full
+def test_whole_core_passes_and_mutants_are_killed(made):
+    assert not mutants.killed_in_bulk(made, None, SEED), "without a plusarg the netlist is the core"
+    assert not mutants.killed_by_bench(made, None, SEED)
+    lives = [one for one in made.every if not mutants.killed_in_bulk(made, one, SEED)]
+    assert len(lives) < len(made.every) // 2
+    mutants.clear(made.core)
+
+
+@pytest.mark.full
+def test_proof_knows_equal_from_different(made):
+    prover = equivalence.Prover(made)
+    same = mutate.Mutant(0, "mutate -mode none")
+    assert prover.equivalent(same), "the number of no mutant leaves the core as it is"
+    killed = next(one for one in made.every if mutants.killed_in_bulk(made, one, SEED))
+    assert not prover.equivalent(killed)
+
+
+def test_memory_words_are_flipped_one_by_one():
+    text = "  initial begin\n    \\a.rom [0] = 4'h3;\n    \\a.rom [1] = 4'hc;\n  end\n"
+    assert mutate.flipped(text, {1: "4'h8"}) == text.replace("4'hc;", "4'hc ^ (4'h8);")
