@@ -49,9 +49,10 @@ module kernel_vector_path #(
     wire               over, none;
     wire               first = YAW ? to_rho : in_start;  // the next clock is that of the gap
     kernel_vector_turn #(.JOINTS(JOINTS)) operands (
-        .clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_up(to_rho), .in_rho(to_rho), .in_total(total[33:13]),
-        .in_k1(to_k1), .in_k2(to_k2), .in_turn(turn), .in_move(move), .in_power(power), .in_clamp(clamped),
-        .in_odd(s[0]), .in_sum(result), .in_product(product[52:31]), .in_addend(minus_q), .out_sum(total));
+        .clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_up(to_rho), .in_rho(to_rho),
+        .in_total(total[33:13]), .in_k1(to_k1), .in_k2(to_k2), .in_turn(turn), .in_move(move), .in_power(power),
+        .in_clamp(clamped), .in_odd(s[0]), .in_sum(result), .in_product(product[52:31]), .in_addend(minus_q),
+        .out_sum(total));
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
