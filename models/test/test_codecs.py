@@ -142,7 +142,7 @@ def test_signed_angles_are_words_of_their_port():
 
 
 def test_a_plain_word_is_no_joint():
-    with pytest.raises(ValueError, match="in_x: a port of type None is no joint word; types are spread, angle, "):
+    with pytest.raises(ValueError, match="in_x: a port of type None is no joint word; types are spread, angle, vector"):
         codecs.encode((Port("in_x", 16, True),), 0.0)
 
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turn-spread of a unit vector: the square of its minor coordinate, up or down from the nearer axis. No division.
 // Formats: in_c, in_n s2.U (1.0 is 2^U); out_j turn-spread u2.S modulo 4, rounded to nearest, ties upward.
-// Error: 0.69 LSB of the word at S = 24, 1/2 at S = 16 for the minor coordinate as it is given, so a rounded unit vector is as good as its own
-// rounding, sqrt(1/2) * 2^-U rad. The vector is taken as it is: a length of 1 + e turns it by e * tan, tan <= 1.06.
+// Error: 0.69 LSB of the word at S = 24, 1/2 at S = 16, for the minor coordinate as it is given, so a rounded unit
+// vector is as good as its own rounding, sqrt(1/2) * 2^-U rad. The vector is taken as it is: a length of 1 + e turns it
+// by e * tan, tan <= 1.06.
 // For vectors of any length take vector_to_spread_iter or rational_ik1. Latency 1, II 1.
 // Status: singular (no unit vector, |c| < 1/2 and |n| < 11/16: the last word is held, 0 after a reset)
 // Source: paper eq. 3, spread = square of the sine; the quadrant by signs. Model: conversion.vector_to_spread
