@@ -93,11 +93,14 @@ def flipped(text: str, masks: dict[int, str]) -> str:
 
 
 def preparation(core: Core) -> str:
-    """Yosys commands from the sources to the netlist that is mutated."""
+    """Yosys commands from the sources to the netlist that is mutated.
+
+    No parallel multiplexer is left in it: what two selected words at once give would be anybody's guess.
+    """
     sets = " ".join(f"-set {k} {v}" for k, v in core.params.items())
     files = " ".join(tools.local(source) for source in core.sources)
     return (f"read_verilog -defer {files}; " + (f"chparam {sets} {core.name}; " if sets else "")
-            + f"prep -flatten -top {core.name}; splitcells; opt_clean -purge; opt -full; opt_clean -purge; ")
+            + f"prep -flatten -top {core.name}; pmuxtree; splitcells; opt_clean -purge; opt -full; opt_clean -purge; ")
 
 
 def make(core: Core, count: int, seed: int) -> Mutants:

@@ -49,7 +49,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
         return math.sqrt(0.5) if forward else 0.0
     if family == "paper":
         return paper_forward(p, joints, l1, l2) if forward else paper_inverse(p, joints, l1, l2)
-    if family == "table":
+    if family == "table" and (forward or joints == 1):
         return math.sqrt(joints + (joints == 1)) * table_forward(p, joints, l1, l2) if forward else \
             table_direction(p) * l1
     if family == "vector":
@@ -740,6 +740,63 @@ def table_direction(p: Params) -> float:
     * rounding of a knot and the cut of the rise, a unit of 2^-(A+2) turn either way.
     """
     return 2.0**-18 * (1 + 2.5 + 0.65 + 1) + 2 * math.pi / 2.0 ** (p["A"] + 2)
+
+
+def angle_of_vector(a: int, length: ArrayLike = 0.0) -> Floats:
+    """Angle (rad) by which `codecs.angle_of_vector` is off before rounding to a word, `length` what the vector's length
+    is off 1.
+
+    The greatest error of the chords, each taken at 17 places where |m| <= 3/4, half a sag of 2^-18 at most; the last
+    bit of m about a half, 2^-21, times the slope 1.52; knot and rise, each truncated by less than a unit of 2^-(a + 3)
+    turn: half a unit either way, for their sum is whole. The arc sine takes the length for 1: tan <= 1.14 times it.
+    """
+    i = np.arange(-192, 192)[:, None]
+    knots, place = codecs.arcsine_knots(40), np.linspace(0, 1, 17)
+    arc = (knots[i + 256] + (knots[i + 257] - knots[i + 256]) * place) * 2 * math.pi / 2.0**40
+    sag = float(np.abs(arc - np.arcsin((i + place) / 256)).max())
+    return sag + 1.52 * 2**-21 + math.pi / 2.0 ** (a + 3) + 1.14 * floats(length)
+
+
+def table_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+    """Tip of table_ik2 at the answered words, for a target in reach.
+
+    `vector_ik2` without its rounding; the lengths of both vectors, for the words have none; both codecs and half a
+    word of both, over the distance and the second link.
+    """
+    fine = p | {"U": 40}
+    unit = 2.0 ** -fine["U"]
+    length = vector_ik2_length(fine, l1, l2, rho, n2) * unit
+    return vector_ik2(fine, l1, l2, rho, n2) + _coded(p, l2, rho, n2, length)
+
+
+def _coded(p: Params, l2: int, rho: ArrayLike, n2: ArrayLike, length: Floats) -> Floats:
+    """What the lengths of (c1, n1) and (c2, n2), their angles and the rounding of these move the tip."""
+    rho, elbow = floats(rho), _vector_root(floats(n2) ** 2) / 2 + 2**-24
+    near = np.minimum((1 + 1.14) * length * rho, 4 * (rho + 1))  # next to the shoulder joint 1 moves it no more
+    turned = angle_of_vector(p["A"]) + math.pi / 2 ** p["A"]
+    return near + turned * (rho + l2) + (1 + 1.14) * elbow * l2
+
+
+def table_ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats:
+    """Tip of table_ik3 at the answered words, for targets (3, N) in reach: as `table_ik2`, and joint 3."""
+    fine, rho = p | {"U": 40}, np.hypot(*floats(target)[:2])
+    distance = np.sqrt((floats(target) ** 2).sum(axis=0))
+    length = vector_ik3_length(fine, l1, l2, target, n2) * 2.0 ** -fine["U"]
+    yaw = angle_of_vector(p["A"], _vector_yaw(rho * 2.0 ** (16 - p["W"]))[0]) + math.pi / 2 ** p["A"]
+    return vector_ik3(fine, l1, l2, target, n2) + _coded(p, l2, distance, n2, length) + yaw * rho
+
+
+def table_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
+    """Tip of table_ik2 and table_ik3 at the answered words from the nearest point of a target out of reach.
+
+    `VECTOR_NEAREST`, whose lengths, two words of 2^-16, turn a joint once more; codec and half a word of each joint.
+    """
+    joints, reach = len(target), l1 + l2
+    turned = angle_of_vector(p["A"]) + math.pi / 2 ** p["A"]
+    words = (2 * reach / 2**16 + turned * reach) * joints
+    if joints == 2:
+        return VECTOR_NEAREST * reach / 2**16 + words + 0 * floats(target[0])
+    return vector_ik3_nearest(p | {"U": 16}, l1, l2, target) + words
 
 
 # paper

@@ -274,3 +274,36 @@ def angle_about_axis(a: int, axis: Ints, tangent: Ints) -> Ints:
     knots, i = arc_knots(a + 2), (tangent >> 11) + 256
     arc = knots[i] + ((knots[i + 1] - knots[i]) * (tangent & 0x7FF) >> 11)
     return (axis << a) + arc >> 2 & (1 << a) - 1
+
+
+@cache
+def arcsine_knots(d: int) -> Ints:
+    """``arcsin(i / 256)`` in 2^-d turn, i = -256 ... 256, half a sag inside the curve, held beyond 224; with half a
+    word of 8 units less half a unit, half of the two units that are truncated, half of the last bit of m.
+
+    The integers of angle_of_vector.v, operation by operation.
+    """
+    arc, root, found = 0, 1 << 31, []
+    for i in range(257):
+        k = i if i < 224 else 223
+        b = 2 * k + 1
+        n = (1 << 18) - b * b
+        for _ in range(3):
+            root = root + (n << 44) // root >> 1
+        rise = (1 << 63) // root << 4
+        rise += (rise >> 8) * ((1 << 18) + 2 * b * b) // (6 * n) // n << 8
+        found.append((arc - (k << 40) // ((65536 - k * k) * (root >> 23)) >> 14) * 683565276)
+        arc += rise if i < 224 else 0
+    half = (9 << 61 - d) + (683565276 << 9)
+    return ints([half + s >> 62 - d for s in [-s for s in found[:0:-1]] + found])
+
+
+def angle_of_vector(a: int, cosine: Ints, sine: Ints) -> Ints:
+    """Binary angle of a bits of a unit vector of 20 fraction bits: of its sine, or of its cosine in [-3/4, 3/4)."""
+    quarters = fixed.wrap(cosine >> 18, 4)
+    far, back, under = (quarters < -3) | (quarters > 2), cosine < 0, sine < 0
+    m = fixed.wrap(np.where(far, sine, cosine), 21)
+    m = m ^ -ints(np.where(far, back, ~under))
+    knots, i = arcsine_knots(a + 3), (m >> 12) + 256
+    arc = knots[i] + ((knots[i + 1] - knots[i]) * (m & 0xFFF) >> 12)
+    return (np.where(far, 2 * back, 1 + 2 * under) << a + 1) + arc >> 3 & (1 << a) - 1

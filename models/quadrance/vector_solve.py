@@ -106,7 +106,7 @@ def _power(s: Ints) -> Ints:
     return np.int64(1) << 15 + GUARD + (s & 1)
 
 
-class Plane(NamedTuple):
+class Solved(NamedTuple):
     """What is known of the target (x, y) when the direction of joint 1 is still to come."""
 
     cosine: Ints  # c2 as a product with 49 fraction bits, where it is not out of reach
@@ -120,8 +120,8 @@ class Plane(NamedTuple):
     zero: Ints  # x = y = 0
 
 
-def plane(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints, cfg_e: Ints,
-          spread: bool = False, exact: Ints | None = None) -> Plane:
+def solve(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints, cfg_e: Ints,
+          spread: bool = False, exact: Ints | None = None) -> Solved:
     """Joint 2 of the target (x, y), x with `more` fraction bits, and what joint 1 follows from.
 
     `spread`: as kernel_solve does it, whose root is finer near 0 and takes the elbow's sign when it has become k2. The
@@ -148,16 +148,18 @@ def plane(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: I
     inverse = _inverse(total << 2 * s >> 7 + SUM, clamped)
     k1 = np.where(clamped, np.where(k1 < 0, -1, 1) * _power(s), k1)
     s = np.where(clamped, s >> 1, s)
-    return Plane(product, n2, 2 * k1 + 1, 2 * k2 + 1, s, reciprocal(inverse), clamped, short, q == 0)
+    return Solved(product, n2, 2 * k1 + 1, 2 * k2 + 1, s, reciprocal(inverse), clamped, short, q == 0)
 
 
-def _elbow(p: Params, x: Ints, y: Ints, more: int, *words: Ints) -> tuple[Ints, ...]:
-    """(c1, n1, c2, n2, unreachable, at the shoulder) of the target (x, y), x with `more` fraction bits."""
-    found = plane(x, y, more, *words)
+def _elbow(x: Ints, y: Ints, more: int, *words: Ints) -> tuple[Ints, ...]:
+    """(c1, n1, c2, n2, unreachable, at the shoulder) of the target (x, y), x with `more` fraction bits.
+
+    Cosines and sines are the products that they are, with 49 fraction bits.
+    """
+    found = solve(x, y, more, *words)
     b, a = seen(found.k1, found.k2, x, y, more, found.s)
-    c2 = np.where(found.clamped, np.where(found.short, -1, 1) << p["U"], _word(p, found.cosine))
-    c1, n1 = _word(p, b * found.reciprocal), _word(p, a * found.reciprocal)
-    return c1, n1, c2, _word(p, found.sine), found.clamped, found.zero
+    c2 = np.where(found.clamped, np.where(found.short, -1, 1) << 49, found.cosine)
+    return b * found.reciprocal, a * found.reciprocal, c2, found.sine, found.clamped, found.zero
 
 
 def yaw(x: Ints, y: Ints) -> tuple[Ints, Ints, Ints, Ints]:
@@ -170,26 +172,39 @@ def yaw(x: Ints, y: Ints) -> tuple[Ints, Ints, Ints, Ints]:
     return b, a, r, total + (1 << 16 - GUARD) >> 17 - GUARD
 
 
+def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
+    """`_elbow` of the ports of a core in the plane; `words`: `cfg_l1`, `cfg_l2` and the rest of `config`."""
+    x, y, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_elbow, *words))
+    x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
+    return _elbow(x, y, 0, elbow, l1, l2, *rest)
+
+
+def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
+    """As `plane`, of a core in space; and the same of joint 3: (c3, n3, on its axis)."""
+    x, y, z, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, *words))
+    x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
+    b, a, r, rho = yaw(x, y)
+    return *_elbow(rho, z, GUARD, elbow, l1, l2, *rest), b * r, a * r, (x == 0) & (y == 0)
+
+
+def _held(p: Params, joint: int, c: Ints, n: Ints, undefined: Ints) -> dict[str, Ints]:
+    """The words of a joint, the last ones where it has no direction."""
+    return {f"out_c{joint}": hold_last(_word(p, c), ~undefined, 1 << p["U"]),
+            f"out_n{joint}": hold_last(_word(p, n), ~undefined)}
+
+
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
         cfg_e: Ints) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
-        in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
-    x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
-    c1, n1, c2, n2, clamped, zero = _elbow(p, x, y, 0, elbow, l1, l2, cfg_q, cfg_r, cfg_e)
-    return {"out_c1": hold_last(c1, ~zero, 1 << p["U"]), "out_n1": hold_last(n1, ~zero), "out_c2": c2, "out_n2": n2,
+    c1, n1, c2, n2, clamped, zero = plane(p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    return {**_held(p, 1, c1, n1, zero), "out_c2": _word(p, c2), "out_n2": _word(p, n2),
             "out_status": ints(clamped) + 2 * ints(zero)}
 
 
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
         cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
     """Joint 3 has the direction of (x, y); then `ik2` on (rho, z), rho with GUARD fraction bits."""
-    x, y, z, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
-        in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
-    x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
-    on_axis = (x == 0) & (y == 0)
-    b, a, r, rho = yaw(x, y)
-    c1, n1, c2, n2, clamped, zero = _elbow(p, rho, z, GUARD, elbow, l1, l2, cfg_q, cfg_r, cfg_e)
-    return {"out_c1": hold_last(c1, ~zero, 1 << p["U"]), "out_n1": hold_last(n1, ~zero), "out_c2": c2, "out_n2": n2,
-            "out_c3": hold_last(_word(p, b * r), ~on_axis, 1 << p["U"]), "out_n3": hold_last(_word(p, a * r), ~on_axis),
+    c1, n1, c2, n2, clamped, zero, c3, n3, on_axis = space(
+        p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    return {**_held(p, 1, c1, n1, zero), "out_c2": _word(p, c2), "out_n2": _word(p, n2), **_held(p, 3, c3, n3, on_axis),
             "out_status": ints(clamped) + 2 * ints(on_axis)}

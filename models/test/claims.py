@@ -164,6 +164,29 @@ class Table(Claim):
     def direction(self, r: Floats) -> Floats:
         return bounds.table_direction(self.p) + 0 * r
 
+    @property
+    def words_in_law(self) -> bool:
+        """Of two and three joints, inverse."""
+        return self.joints > 1
+
+    def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
+        """As rtl/vector: the same kernel."""
+        return Vector.unreachable(self, target)
+
+    def reached(self, target: Ints) -> Floats:
+        q, (near, far) = (target * target).sum(axis=0), ((self.l1 - self.l2) ** 2.0, (self.l1 + self.l2) ** 2)
+        sine = np.sqrt(np.maximum((far - q) * (q - near), 0)) / max(2 * self.l1 * self.l2, 1)
+        if self.joints == 2:
+            return bounds.table_ik2(self.p, self.l1, self.l2, np.sqrt(q), sine)
+        return bounds.table_ik3(self.p, self.l1, self.l2, target, sine)
+
+    def nearest(self, target: Ints) -> Floats:
+        return bounds.table_nearest(self.p, self.l1, self.l2, target)
+
+    def folded(self) -> float:
+        """The last bit of m at the ends of its arc sine, and half a word."""
+        return 0.5 + 2.0 ** (self.p["A"] - 21) / (2 * np.pi)
+
 
 class Vector(Claim):
     """rtl/vector. The tip is that of the words' directions: their lengths belong to the error."""

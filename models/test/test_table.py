@@ -174,3 +174,75 @@ def test_one_joint_there_and_back(length):
     back = table.ik1(DEFAULT, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
     turned = _cell_error(18, *truth.fk1(_angle(DEFAULT, word), length), back)
     assert turned.max() <= 1.0 / (length - 1) + bounds.table_direction(DEFAULT)
+
+
+# Inverse, two and three joints: as rtl/vector but for the codec; models/test/test_vector_solve.py has the kernel's law
+
+LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (16000, 300), (300, 16000), (768, 512), (30, 20), (5, 2),
+         (16384, 16384), (30000, 2000)]
+
+
+@pytest.mark.parametrize("a", [10, 11, 14, 18, 21, 24])
+def test_the_angle_of_a_vector(a):
+    rng = np.random.default_rng(a)
+    theta = rng.uniform(0, truth.TURN, 300_000)
+    near = rng.choice([-1, 1], 100_000) * 2.0 ** rng.uniform(-22, 0, 100_000)
+    theta[::3] = np.pi / 2 * rng.integers(0, 4, 100_000) + near
+    theta[1::3] = rng.choice([1, -1], 100_000) * np.arccos(rng.choice([1, -1], 100_000) * 0.75) \
+        + rng.normal(size=100_000) * 1e-5
+    c, n = (np.floor(part * 2**20).astype(np.int64) for part in truth.unit(theta))
+    error = np.abs(truth.difference(codecs.angle_of_vector(a, c, n) * truth.TURN / 2**a, theta)) - np.pi / 2**a
+    assert 0.6 * bounds.angle_of_vector(a) < error.max() <= bounds.angle_of_vector(a)
+
+
+@pytest.mark.parametrize("a", [10, 18, 24])
+def test_the_angle_of_a_vector_follows_every_cosine(a):
+    """All of m, from one end to the other and on to the sine: the angle falls, by no more than a unit beside it."""
+    c = np.arange(-1 << 20, (1 << 20) + 1)
+    n = np.floor(np.sqrt((1 << 40) - c.astype(float) ** 2)).astype(np.int64)
+    word = codecs.angle_of_vector(a, c, n).astype(np.int64)
+    exact = np.arccos(c / 2**20) * 2**a / truth.TURN
+    inside = np.abs(c) < 1 << 20
+    assert np.all(np.abs(word - exact)[inside] <= 0.5 + bounds.angle_of_vector(a) * 2**a / truth.TURN + (
+        2.0 ** (a - 20) / truth.TURN * 1.6))
+    small = np.abs(c) < 3 << 18
+    assert np.all(np.diff(word[small]) <= (1 if a > 20 else 0))
+
+
+@pytest.mark.parametrize("joints", [2, 3])
+@pytest.mark.parametrize("a", [18, 24])
+@pytest.mark.parametrize(("l1", "l2"), LINKS)
+def test_inverse_puts_the_tip_within_its_bound(l1, l2, a, joints):
+    p, rng, count = {"W": 16, "F": 8, "A": a}, np.random.default_rng(l1 + a), 40_000
+    way = rng.normal(size=(joints, count))
+    radius = rng.uniform(abs(l1 - l2), l1 + l2, count)
+    near = rng.exponential(4, count // 4)
+    radius[::4] = np.where(rng.random(near.size) < 0.5, abs(l1 - l2) + near, l1 + l2 - near)
+    target = np.rint(way / np.linalg.norm(way, axis=0) * radius).astype(np.int64)
+    q = (target * target).sum(axis=0)
+    keep = (q <= (l1 + l2) ** 2) & (q >= (l1 - l2) ** 2) & (np.abs(target) < 32768).all(axis=0) & (q > 0) \
+        & (target[:2] != 0).any(axis=0)
+    target, q, elbow = target[:, keep], q[keep], rng.integers(0, 2, count)[keep]
+    solve, forward = (table.ik2, truth.fk2) if joints == 2 else (table.ik3, truth.fk3)
+    out = solve(p, **dict(zip(("in_x", "in_y", "in_z"), target)), in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                **table.config(p, cfg_l1=l1, cfg_l2=l2))
+    theta = [_angle(p, out[f"out_j{joint + 1}"]) for joint in range(joints)]
+    error = np.linalg.norm(np.stack(forward(*theta, l1, l2)) - target, axis=0)
+    n2 = np.sqrt(((l1 + l2) ** 2 - q) * (q - (l1 - l2) ** 2.0)) / (2 * l1 * l2)
+    law = bounds.table_ik2(p, l1, l2, np.sqrt(q), n2) if joints == 2 else bounds.table_ik3(p, l1, l2, target, n2)
+    answered = out["out_status"] == 0
+    assert answered.mean() > 0.95 and np.all((error <= law)[answered])
+    if l1 + l2 <= 16384 and a == 24:  # 64 units of Q7.8; of the words half a step is 0.002 LSB
+        assert np.max(error[q >= 256**2], initial=0) <= 0.3
+    bend = truth.difference(theta[1], 0 * theta[1])
+    assert np.all((bend * (1 - 2 * elbow) >= -truth.TURN / 2 ** min(a, 21)) | (np.abs(np.abs(bend) - np.pi) < 1e-6))
+
+
+def test_inverse_is_straight_or_folded_out_of_reach():
+    x, y = np.array([30000, 100, -30000, 5]), np.array([0, 0, 20000, -90])
+    out = table.ik2(DEFAULT, in_x=x, in_y=y, in_elbow=np.array([0, 1, 1, 0]), cfg_l1=9000, cfg_l2=8000,
+                    **table.config(DEFAULT, cfg_l1=9000, cfg_l2=8000))
+    assert out["out_status"].tolist() == [1, 1, 1, 1]
+    assert out["out_j2"].tolist() == [0, 1 << 17, 0, 1 << 17]
+    off = truth.difference(_angle(DEFAULT, out["out_j1"]), np.arctan2(y, x))
+    assert np.abs(off).max() <= np.pi / 2**18 + 2 * bounds.angle_of_vector(18)

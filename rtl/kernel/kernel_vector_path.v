@@ -5,10 +5,9 @@
 `default_nettype none
 module kernel_vector_path #(
     parameter JOINTS = 2,  // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
-    parameter U = 16       // fraction bits of a unit vector's coordinates, 8 to 16: 16, what the products carry
+    parameter U = 16       // fraction bits that words are rounded to, 8 to 17, or 18: they are not. 16
 ) (
     input  wire               clk,
-    input  wire               rst,
     input  wire [15:0]        cfg_l1,
     input  wire [15:0]        cfg_l2,
     input  wire signed [33:0] cfg_q,
@@ -20,12 +19,11 @@ module kernel_vector_path #(
     input  wire signed [15:0] in_y,
     input  wire signed [15:0] in_z,
     input  wire               in_elbow,
-    output reg  [U+1:0]       out_c1,
-    output reg  [U+1:0]       out_n1,
-    output reg  [U+1:0]       out_c2,
-    output reg  [U+1:0]       out_n2,
-    output reg  [U+1:0]       out_c3,
-    output reg  [U+1:0]       out_n3,
+    output wire [2:0]         out_cos,
+    output wire [2:0]         out_sin,
+    output wire [23:0]        out_word,
+    output wire               out_flat,
+    output wire               out_negative,
     output wire [3:0]         out_status
 );
     localparam YAW = JOINTS == 3;
@@ -50,9 +48,10 @@ module kernel_vector_path #(
     wire               over, none;
     wire               first = YAW ? to_rho : in_start;  // the next clock is that of the gap
     kernel_vector_turn #(.JOINTS(JOINTS)) operands (
-        .clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_up(to_rho), .in_rho(to_rho), .in_total(total[33:13]),
-        .in_k1(to_k1), .in_k2(to_k2), .in_turn(turn), .in_move(move), .in_power(power), .in_clamp(clamped),
-        .in_odd(s[0]), .in_sum(result), .in_product(product[52:31]), .in_addend(minus_q), .out_sum(total));
+        .clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_up(to_rho), .in_rho(to_rho),
+        .in_total(total[33:13]), .in_k1(to_k1), .in_k2(to_k2), .in_turn(turn), .in_move(move), .in_power(power),
+        .in_clamp(clamped), .in_odd(s[0]), .in_sum(result), .in_product(product[52:31]), .in_addend(minus_q),
+        .out_sum(total));
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
@@ -60,9 +59,9 @@ module kernel_vector_path #(
     reg  signed [26:0] left, right;
     reg  [15:0]        l1;
     reg                half;
+    localparam [21:0]  ROUND = U > 17 ? 22'd0 : 22'd1 << (U > 17 ? 0 : 17 - U);
     assign             product = left * right;
-    assign             result = product[52:31] + ({2'd0, l1, 4'd0} | {21'd0, half} << 17 - U);
-    wire [U+1:0]       unit = result[19:18-U];
+    assign             result = product[52:31] + ({2'd0, l1, 4'd0} | (half ? ROUND : 22'd0));
     wire               outside = beyond || product[53:49] != {5{product[53]}};
 
     // v = 1 - c2^2 with 26 fraction bits; first factors of sqrt(v), 1/q', 2/sqrt(q'), 22 bits and a constant 1
@@ -77,7 +76,12 @@ module kernel_vector_path #(
     kernel_vector_slopes slopes (.clk(clk), .in_read(root || read), .in_range(read ? {1'b1, clamped} : {1'b0, low}),
         .in_segment(read ? factor[20:12] : e[20:12]), .out_slope(slope));
 
-    reg zero3;
+    reg    zero3;
+    assign out_cos = {cos3 && !zero, cos2, cos1 && !zero};
+    assign out_sin = {sin3 && !zero, sin2, sin1 && !zero};
+    assign out_word = {result, product[30:29]};
+    assign out_flat = outside;
+    assign out_negative = short;
     assign out_status = {2'd0, YAW ? zero3 : zero, clamped};
     always @(posedge clk) begin
         minus_q <= {24'd0, sin3, 9'd0};
@@ -131,19 +135,6 @@ module kernel_vector_path #(
             endcase
         if (cos2 && outside)
             left <= {short, 1'b1, 25'd0};
-
-        if (cos2)
-            out_c2 <= outside ? {short, 1'b1, {U{1'b0}}} : unit;
-        if (sin2)
-            out_n2 <= unit;
-        if (rst || cos1 && !zero)
-            out_c1 <= rst ? {2'b01, {U{1'b0}}} : unit;
-        if (rst || sin1 && !zero)
-            out_n1 <= rst ? {(U+2){1'b0}} : unit;
-        if (rst || cos3 && !zero)
-            out_c3 <= rst ? {2'b01, {U{1'b0}}} : unit;
-        if (rst || sin3 && !zero)
-            out_n3 <= rst ? {(U+2){1'b0}} : unit;
     end
 endmodule
 `default_nettype wire

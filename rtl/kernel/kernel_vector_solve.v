@@ -9,7 +9,8 @@
 `default_nettype none
 module kernel_vector_solve #(
     parameter JOINTS = 2,  // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
-    parameter U = 16       // fraction bits of a unit vector's coordinates, 8 to 16: 16, what the products carry
+    parameter LAG = 0,     // clocks that a codec takes behind the last word: 0, it is a register; 2: angle_of_vector
+    parameter U = 16       // fraction bits that words are rounded to, 8 to 17, or 18: they are not. 16
 ) (
     input  wire               clk,
     input  wire               rst,
@@ -26,12 +27,11 @@ module kernel_vector_solve #(
     input  wire               in_elbow,
     output reg                out_valid,
     input  wire               out_ready,
-    output wire [U+1:0]       out_c1,
-    output wire [U+1:0]       out_n1,
-    output wire [U+1:0]       out_c2,
-    output wire [U+1:0]       out_n2,
-    output wire [U+1:0]       out_c3,
-    output wire [U+1:0]       out_n3,
+    output wire [2:0]         out_cos,
+    output wire [2:0]         out_sin,
+    output wire [23:0]        out_word,
+    output wire               out_flat,
+    output wire               out_negative,
     output wire [3:0]         out_status
 );
     // Schedule. start: k1 k2 x y z minus_q s elbow clamped <- in_x in_y in_z in_elbow
@@ -94,25 +94,43 @@ module kernel_vector_solve #(
         /* 1/q'; b     */ {TURN,     SHIFTED, RESULT, HALF,   OTHER},
         /* c1; a       */ {KEEP,     SHIFTED, SAME,   HALF,   COS1},
         /* n1          */ {KEEP,     SHIFTED, SAME,   NONE,   SIN1}};
+    localparam [2*26-1:0] CODE = {
+        /* chord       */ {KEEP,     HOLD,    SAME,   NONE,   OTHER},
+        /* joint 1     */ {KEEP,     HOLD,    SAME,   NONE,   OTHER}};
     wire [25:0] op;
-    wire        idle;
+    wire        idle, last;
     wire        accept = in_valid && in_ready;
     generate
-        if (JOINTS == 2) begin : g_plane
+        if (JOINTS == 2 && LAG == 0) begin : g_plane
             schedule #(.LINES(9), .BITS(26), .TABLE(SOLVE)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end else begin : g_space
+        end else if (JOINTS == 2) begin : g_plane_code
+            schedule #(.LINES(11), .BITS(26), .TABLE({SOLVE, CODE})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end else if (LAG == 0) begin : g_space
             schedule #(.LINES(18), .BITS(26), .TABLE({YAW, SOLVE})) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end else begin : g_space_code
+            schedule #(.LINES(20), .BITS(26), .TABLE({YAW, SOLVE, CODE})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (LAG == 0) begin : g_now
+            assign last = op[10];
+        end else begin : g_later
+            reg [1:0] after;  // what codes the last word
+            always @(posedge clk)
+                after <= rst ? 2'd0 : {after[0], op[10]};
+            assign last = after[1];
         end
     endgenerate
     kernel_vector_path #(.JOINTS(JOINTS), .U(U)) path (
-        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
-        .in_start(accept), .in_op(op), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_elbow(in_elbow), .out_c1(out_c1),
-        .out_n1(out_n1), .out_c2(out_c2), .out_n2(out_n2), .out_c3(out_c3), .out_n3(out_n3), .out_status(out_status));
+        .clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
+        .in_start(accept), .in_op(op), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_elbow(in_elbow), .out_cos(out_cos),
+        .out_sin(out_sin), .out_word(out_word), .out_flat(out_flat), .out_negative(out_negative),
+        .out_status(out_status));
 
     assign in_ready = idle && (!out_valid || out_ready);
     always @(posedge clk)
-        out_valid <= !rst && (op[10] || (out_valid && !out_ready));
+        out_valid <= !rst && (last || (out_valid && !out_ready));
 endmodule
 `default_nettype wire

@@ -9,12 +9,15 @@ from quadrance.fixed import wrap
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
+from tb.vector import targets
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Link lengths: longest, near the edge of saturation, none, one link alone, one LSB, and some at random."""
     if not core.cfg:
         return [{}]
+    if core.function in ("ik2", "ik3"):
+        return targets.configs(core, rng)
     high = (1 << core.params["W"]) - 1
     half = high >> 2
     part = 5 * (high >> 3)  # alone it saturates an axis, not every direction
@@ -55,4 +58,4 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
         return stimulus.joined(_words(core, rng), stimulus.saturation(core, cfg))
-    return _points(core, rng)
+    return targets.corners(core, cfg, rng) if core.cfg else _points(core, rng)

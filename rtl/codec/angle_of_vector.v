@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Codec of binary angles behind kernel_vector_solve: cosine, then sine of a joint make its word.
+//   out_j = axis +- arcsin(m), m the sine, or the cosine where it is in [-3/4, 3/4); 512 chords of the arc sine
+// Formats: in_cos, in_sin a bit a joint: in_word s4.20 is its cosine, its sine; in_flat, in_negative: c2 is at an end,
+// is negative. out_j angles of A bits modulo a turn, nearest, joint 1 lowest; inside units of 2^-(A+3) turn.
+// Error: of the arc sine of m; 2^-18.6 rad for half the sag, 2^-20.4 for m, knot and truncation a unit: page.
+// After reset 0, but of joint 2, whose word is never held. Latency 3 from the sine on; a joint every 2.
+// Model: codecs.angle_of_vector
+`default_nettype none
+module angle_of_vector #(
+    parameter JOINTS = 2,  // 2 or 3: as the kernel has. 2
+    parameter A = 18       // bits of a word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [2:0]          in_cos,
+    input  wire [2:0]          in_sin,
+    input  wire [23:0]         in_word,
+    input  wire                in_flat,
+    input  wire                in_negative,
+    output reg  [JOINTS*A-1:0] out_j
+);
+    localparam D = A + 3;
+
+    // 2^44 (arcsin(i / 256) - half the sag), i from 0 to 224, held above, by differences: with b = 2 i + 1 and
+    // n = 2^18 - b^2 that is 2/sqrt(n) (1 + (2^18 + 2 b^2) / 6 n^2); then in turns of 2^-62. ROUND: half a word of 8 units
+    // less half a unit, half of the two units that are truncated, half of the last bit of m
+    function [64*257-1:0] arcs(input integer unused);
+        integer    i;
+        reg [63:0] k, b, n, root, rise, arc;
+        begin
+            arc = 0;
+            root = 64'd1 << 31;
+            for (i = 0; i < 257; i = i + 1) begin
+                k = i < 224 ? {32'd0, i} : 64'd223;
+                b = 2 * k + 1;
+                n = 262144 - b * b;
+                root = root + (n << 44) / root >> 1;
+                root = root + (n << 44) / root >> 1;
+                root = root + (n << 44) / root >> 1;
+                rise = (64'd1 << 63) / root << 4;
+                rise = rise + ((rise >> 8) * (262144 + 2 * b * b) / (6 * n) / n << 8);
+                arcs[64*i +: 64] = (arc - (k << 40) / ((65536 - k * k) * (root >> 23)) >> 14) * 64'd683565276;
+                arc = i < 224 ? arc + rise : arc;
+            end
+        end
+    endfunction
+    localparam [64*257-1:0] ARCS = arcs(0);
+    localparam [63:0]       ROUND = (64'd9 << 61 - D) + (64'd683565276 << 9);
+    reg [2*D-11:0] chords[0:511];  // {knot, step}
+    reg [D-2:0]    here;
+    reg [63:0]     next;
+    integer        i;
+    initial begin
+        next = ROUND - ARCS[64*256 +: 64] >> 62 - D;
+        for (i = -256; i < 256; i = i + 1) begin
+            here = next[D-2:0];
+            next = ROUND + (i < -1 ? -ARCS[64*(-i-1) +: 64] : ARCS[64*(i < 0 ? 0 : i+1) +: 64]) >> 62 - D;
+            chords[i & 511] = {here, next[D-10:0] - here[D-10:0]};
+        end
+    end
+
+    reg  [20:0]     m;
+    reg             far, back, under;  // the cosine is not in [-3/4, 3/4); it is negative; the sine is
+    reg  [2:0]      read, give;        // a bit a joint
+    wire            fits = in_word[21] ? in_word[20] && in_word[19:18] != 0 : !in_word[20] && in_word[19:18] != 3;
+    wire            minus = far ? back : !under;
+    reg  [1:0]      axis;
+    reg  [2*D-11:0] chord;
+    reg  [11:0]     place;
+    wire [D-2:0]    knot;
+    wire [D-10:0]   step, rise;
+    wire [11:0]     cut;
+    wire [2:0]      below;
+    wire [A-1:0]    word;
+    assign          {knot, step} = chord;
+    assign          {rise, cut} = step * place;
+    assign          {word, below} = {axis[1] ^ (knot[D-2] && !axis[0]), axis[0] ^ knot[D-2], knot[D-3:0]}
+                                  + {9'd0, rise};
+    wire            unused = &{1'b0, below, cut, in_word[22], give};
+
+    always @(posedge clk) begin
+        if (in_cos != 0 || in_sin != 0 && far)
+            m <= in_word[20:0];
+        if (in_cos != 0) begin
+            far  <= !fits || in_cos[1] && in_flat;
+            back <= in_cos[1] ? in_negative : in_word[23];
+        end
+        if (in_sin != 0)
+            under <= in_word[23];
+        if (read != 0) begin
+            chord <= chords[m[20:12] ^ {9{minus}}];
+            place <= m[11:0] ^ {12{minus}};
+            axis  <= far ? {back, 1'b0} : {under, 1'b1};
+        end
+        read <= rst ? 3'd0 : in_sin;
+        give <= rst ? 3'd0 : read;
+    end
+
+    genvar j;
+    generate
+        for (j = 0; j < JOINTS; j = j + 1) begin : g_joint
+            always @(posedge clk)
+                if (rst && j != 1 || give[j])
+                    out_j[A*j +: A] <= rst && j != 1 ? {A{1'b0}} : word;
+        end
+    endgenerate
+endmodule
+`default_nettype wire
