@@ -74,7 +74,8 @@ module kernel_solve_path #(
     reg  [21:0] factor;
     wire [19:0] slope;
     kernel_vector_slopes slopes (.clk(clk), .in_read(root || read),
-        .in_range(read ? {1'b1, clamped} : {tiny, low && !tiny}), .in_segment(read ? factor[20:12] : e[20:12]), .out_slope(slope));
+        .in_range(read ? {1'b1, clamped} : {tiny, low && !tiny}), .in_segment(read ? factor[20:12] : e[20:12]),
+        .out_slope(slope));
 
     // m is b where |b| / q < 3/4
     wire [2:0] size = product[49:47] ^ {3{product[53]}};
