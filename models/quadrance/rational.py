@@ -136,7 +136,7 @@ def _plane(p: Params, x: Ints, y: Ints, more: int, elbow: Ints, *words: Ints,
 
     The gap is that of the quadrance of the word x, or of the `exact` one.
     """
-    found = vector_solve.in_plane(x, y, more, elbow, *words, spread=True, exact=exact)
+    found = vector_solve.solve(x, y, more, elbow, *words, spread=True, exact=exact)
     j1 = _direction(p, *vector_solve.seen(found.k1, found.k2, x, y, more, found.s), found.reciprocal)
     square = _square(found.cosine)
     bent = found.clamped | (square >> 39 != 0)  # n2^2 is less than c2^2

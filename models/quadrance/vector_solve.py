@@ -106,7 +106,7 @@ def _power(s: Ints) -> Ints:
     return np.int64(1) << 15 + GUARD + (s & 1)
 
 
-class Plane(NamedTuple):
+class Solved(NamedTuple):
     """What is known of the target (x, y) when the direction of joint 1 is still to come."""
 
     cosine: Ints  # c2 as a product with 49 fraction bits, where it is not out of reach
@@ -120,8 +120,8 @@ class Plane(NamedTuple):
     zero: Ints  # x = y = 0
 
 
-def in_plane(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints, cfg_e: Ints,
-             spread: bool = False, exact: Ints | None = None) -> Plane:
+def solve(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints, cfg_e: Ints,
+          spread: bool = False, exact: Ints | None = None) -> Solved:
     """Joint 2 of the target (x, y), x with `more` fraction bits, and what joint 1 follows from.
 
     `spread`: as kernel_solve does it, whose root is finer near 0 and takes the elbow's sign when it has become k2. The
@@ -148,7 +148,7 @@ def in_plane(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q
     inverse = _inverse(total << 2 * s >> 7 + SUM, clamped)
     k1 = np.where(clamped, np.where(k1 < 0, -1, 1) * _power(s), k1)
     s = np.where(clamped, s >> 1, s)
-    return Plane(product, n2, 2 * k1 + 1, 2 * k2 + 1, s, reciprocal(inverse), clamped, short, q == 0)
+    return Solved(product, n2, 2 * k1 + 1, 2 * k2 + 1, s, reciprocal(inverse), clamped, short, q == 0)
 
 
 def _elbow(x: Ints, y: Ints, more: int, *words: Ints) -> tuple[Ints, ...]:
@@ -156,7 +156,7 @@ def _elbow(x: Ints, y: Ints, more: int, *words: Ints) -> tuple[Ints, ...]:
 
     Cosines and sines are the products that they are, with 49 fraction bits.
     """
-    found = in_plane(x, y, more, *words)
+    found = solve(x, y, more, *words)
     b, a = seen(found.k1, found.k2, x, y, more, found.s)
     c2 = np.where(found.clamped, np.where(found.short, -1, 1) << 49, found.cosine)
     return b * found.reciprocal, a * found.reciprocal, c2, found.sine, found.clamped, found.zero

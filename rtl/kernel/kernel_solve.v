@@ -4,7 +4,7 @@
 //   q = x^2 + y^2, c2 = (q - Q1 - Q2) / 2 L1 L2, n2 = +-sqrt(1 - c2^2), k = L1 + L2 (c2, n2), (c1, n1) = p conj(k) / q
 // Out of reach c2 = +-1, n2 = 0 and (c1, n1) = +-p / |p|: the same products, 2 / sqrt(q) for 1/q, a power of two for k.
 // Formats: in_* s16.0; cfg_*: vector_solve.config; out_axis u2.0 quarter turns, out_below: the direction lies clockwise
-// of it; out_square u1.40, the square of the sine between them; of joint i + 1 in clocks of out_take[i], the last holds.
+// of it; out_square u1.40, the square of the sine between them; of joint i + 1 in clocks of out_take[i]: the last.
 // Latency, II: 12, 26. Error: page. Status: unreachable (nearest point), singular (x = y = 0: joint 3, of two joints
 // joint 1, is not taken; nor joint 1 of three where z = 0 too). Models: rational.ik2, rational.ik3
 `default_nettype none

@@ -51,9 +51,10 @@ module kernel_solve_path #(
     reg         [33:0] gap_xy;                       // x^2 + y^2 - Q1 - Q2
     reg         [20:0] rho;
     kernel_vector_turn #(.JOINTS(JOINTS)) operands (
-        .clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_up(up), .in_rho(rho_to), .in_total(rho),
-        .in_k1(to_k1), .in_k2(to_k2), .in_turn(turn), .in_move(move), .in_power(power), .in_clamp(clamped),
-        .in_odd(s[0]), .in_sum(result), .in_product(product[52:31] ^ {22{halve && elbow}}), .in_addend(minus_q), .out_sum(total));
+        .clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_up(up), .in_rho(rho_to),
+        .in_total(rho), .in_k1(to_k1), .in_k2(to_k2), .in_turn(turn), .in_move(move), .in_power(power),
+        .in_clamp(clamped), .in_odd(s[0]), .in_sum(result), .in_product(product[52:31] ^ {22{halve && elbow}}),
+        .in_addend(minus_q), .out_sum(total));
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
@@ -72,8 +73,9 @@ module kernel_solve_path #(
     wire [21:0] inverse_w = {1'b0, word[24:16], ~word[15], clamped ? {word[15], ~word[14:5]} : ~word[14:4]};
     reg  [21:0] factor;
     wire [19:0] slope;
-    kernel_vector_slopes slopes (.clk(clk), .in_read(root || read), .in_range(read ? {1'b1, clamped} : {tiny, low && !tiny}),
-        .in_segment(read ? factor[20:12] : e[20:12]), .out_slope(slope));
+    kernel_vector_slopes slopes (.clk(clk), .in_read(root || read),
+        .in_range(read ? {1'b1, clamped} : {tiny, low && !tiny}), .in_segment(read ? factor[20:12] : e[20:12]),
+        .out_slope(slope));
 
     // m is b where |b| / q < 3/4
     wire [2:0] size = product[49:47] ^ {3{product[53]}};
