@@ -2,7 +2,7 @@
 
 A joint has one port, or two: cosine and sine of a vector. Its type (`rtl/cores.toml`) says how its words are encoded
 and decoded and what rounding to them costs, here and nowhere else. Words go in and out by the names of the ports, as
-they do in the models of the cores.
+they do in the models of the cores; `from_degrees`, `from_counts`, `convert` and their like take and give plain arrays.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance import fixed, truth
-from quadrance.cores import Joint
+from quadrance.cores import TYPES, Joint, Port
 from quadrance.fixed import Ints, ints
 from quadrance.truth import Floats, floats
 
@@ -38,6 +38,16 @@ def _vector_at(place: Floats, width: int) -> Floats:
     return np.mod(border * QUARTER + off, truth.TURN)
 
 
+def _half_tangent_place(theta: Floats, width: int) -> Floats:
+    half = np.rint(theta / np.pi)
+    return 2.0 ** (width - 1) * half + 2.0 ** (width - 2) * np.tan((theta - half * np.pi) / 2)
+
+
+def _half_tangent_at(place: Floats, width: int) -> Floats:
+    half = np.rint(place / 2.0 ** (width - 1))
+    return np.mod(half * np.pi + 2 * np.arctan((place - 2.0 ** (width - 1) * half) / 2.0 ** (width - 2)), truth.TURN)
+
+
 Coding = tuple[Callable[[Floats, int], Floats], Callable[[Floats, int], Floats]]
 # type: (place of an angle, angle of a place); both take the width of the port. A place is a real number that grows with
 # the angle. Of a type of one word it is the word before rounding; of a vector it is where the direction leaves the
@@ -47,6 +57,7 @@ CODINGS: dict[str, Coding] = {
                lambda word, width: truth.spread_word_to_angle(word, width - 2)),
     "angle": (lambda theta, width: theta * (2.0**width / truth.TURN), truth.binary_word_to_angle),
     "vector": (_vector_place, _vector_at),
+    "half_tangent": (_half_tangent_place, _half_tangent_at),
 }
 
 
@@ -129,8 +140,9 @@ def half_step(joint: Joint) -> float:
     """The most that rounding to words of this joint turns it, in radians.
 
     Half an LSB beside a quadrant border, where a type of one word is as coarse as it gets: asin 2^(-(S + 1) / 2) of a
-    turn-spread, whose sin^2 is flat there (0.0099 degrees at S = 24), pi / 2^A of a binary angle, everywhere. A vector
-    loses half an LSB of both coordinates on the diagonals: asin (sqrt(1/2) 2^-U), 0.0006 degrees at U = 16.
+    turn-spread, whose sin^2 is flat there (0.0099 degrees at S = 24), pi / 2^A of a binary angle, everywhere; 2 arctan
+    2^-(T + 1) of a half-tangent, beside the x axis, and half of that beside the y axis (0.0009 degrees at T = 16). A
+    vector loses half an LSB of both coordinates on the diagonals: asin (sqrt(1/2) 2^-U), 0.0006 degrees at U = 16.
     """
     return math.asin(math.sqrt(0.5) / 2.0 ** (joint[0].width - 2)) if len(joint) == 2 else float(at(joint, 0.5))
 
@@ -138,11 +150,11 @@ def half_step(joint: Joint) -> float:
 def coarsest(joint: Joint, off: Floats) -> Floats:
     """Places `off` of an LSB before and behind those words whose rounding turns the joint most; off < 1/2.
 
-    Every quadrant border; of a vector beside each diagonal a word (a, b) of nearly unit length, (a + off, b - off) and
-    (a - off, b + off).
+    Every quadrant border, of a half-tangent every second one; of a vector beside each diagonal a word (a, b) of nearly
+    unit length, (a + off, b - off) and (a - off, b + off).
     """
     if len(joint) == 1:
-        borders = (np.arange(4.0) * quadrant(joint))[:, None]
+        borders = (np.arange(4.0) * quadrant(joint))[::2 if joint[0].type == "half_tangent" else 1, None]
         return np.concatenate([borders - off, borders + off], axis=None)
     one = 2.0 ** (joint[0].width - 2)
     a = np.rint(one * math.sqrt(0.5)) + np.arange(-int(one) // 16, int(one) // 16 + 1)
@@ -163,6 +175,98 @@ def border_words(joint: Joint) -> dict[str, Ints]:
     near = np.concatenate([steps, -steps])[:, None] + np.arange(-2, 3)
     places = np.unique((np.arange(4)[:, None] * border + near.ravel()) % (4 * border))
     return words_at(joint, places)
+
+
+# Plain words: an encoder's count, degrees or radians, and the words of any two types
+
+Words = Ints | tuple[Ints, Ints]  # of a vector the pair (c, n)
+
+
+def joint_of(kind: str, bits: int) -> Joint:
+    """The ports of a joint word, as a core would have them.
+
+    Parameters
+    ----------
+    kind : str
+        "angle", "spread", "vector" or "half_tangent".
+    bits : int
+        A, S, U or T: the width of an angle, the fraction bits of the others.
+    """
+    if kind not in TYPES:
+        raise ValueError(f"{kind} is no type of joint word; types are {', '.join(TYPES)}")
+    letters, more, signed = TYPES[kind]
+    return tuple(Port(letter, bits + more, signed, kind) for letter in letters)
+
+
+def from_radians(kind: str, bits: int, theta: ArrayLike) -> Words:
+    """Joint words nearest to angles; within `half_step(joint_of(kind, bits))` of them.
+
+    Parameters
+    ----------
+    kind, bits
+        As of `joint_of`.
+    theta : float array
+        Radians, any turn.
+
+    Returns
+    -------
+    int64 array of that shape; of a vector the pair (c, n) of such arrays
+    """
+    words = tuple(encode(joint_of(kind, bits), theta).values())
+    return words if len(words) > 1 else words[0]
+
+
+def to_radians(kind: str, bits: int, words: ArrayLike | tuple[ArrayLike, ArrayLike]) -> Floats:
+    """Angles in [0, 2 pi) of joint words, of a vector the pair (c, n), whose length does not matter."""
+    joint = joint_of(kind, bits)
+    return decode(joint, dict(zip((port.name for port in joint), words if len(joint) > 1 else (words,))))
+
+
+def from_degrees(kind: str, bits: int, degrees: ArrayLike) -> Words:
+    """As `from_radians`, from degrees of any turn."""
+    return from_radians(kind, bits, np.radians(np.mod(floats(degrees), 360)))
+
+
+def to_degrees(kind: str, bits: int, words: ArrayLike | tuple[ArrayLike, ArrayLike]) -> Floats:
+    """As `to_radians`, in degrees, [0, 360)."""
+    return np.degrees(to_radians(kind, bits, words))
+
+
+def from_counts(kind: str, bits: int, count: ArrayLike, counts: int) -> Words:
+    """Joint words nearest to an encoder's counts.
+
+    Parameters
+    ----------
+    kind, bits
+        As of `joint_of`.
+    count : int array
+        Of any turn and sign, 0 at the joint's zero.
+    counts : int
+        Counts of a full turn of the joint: four times the lines of a quadrature encoder, times the ratio of the gear.
+
+    Returns
+    -------
+    As `from_radians`. An angle is exact in integers (ties upward): where `counts` is 2^A it is the count modulo a turn.
+    """
+    count = np.mod(ints(count), counts)
+    if kind == "angle":
+        return ints((count << bits + 1) + counts) // (2 * counts) & (1 << bits) - 1
+    return from_radians(kind, bits, count * (truth.TURN / counts))
+
+
+def to_counts(kind: str, bits: int, words: ArrayLike | tuple[ArrayLike, ArrayLike], counts: int) -> Ints:
+    """An encoder's counts in [0, counts) nearest to joint words; as `from_counts`."""
+    return np.floor(to_radians(kind, bits, words) * (counts / truth.TURN) + 0.5).astype(np.int64) % counts
+
+
+def convert(kind: str, bits: int, words: ArrayLike | tuple[ArrayLike, ArrayLike], to: str, to_bits: int) -> Words:
+    """Joint words of another type, nearest to what the words stand for.
+
+    The codecs of rtl/codec answer the same within their bounds (`bounds.angle_to_vector` and so on), of them
+    `vector_to_spread_iter` exactly but for ties; `conversion` has what each answers bit for bit. They take a vector for
+    one of unit length; here it may have any length but 0.
+    """
+    return from_radians(to, to_bits, to_radians(kind, bits, words))
 
 
 # Bit-true models of rtl/codec
@@ -228,10 +332,10 @@ def quotient(numerator: Ints, divisor: Ints, bits: int) -> Ints:
 
 
 @cache
-def sine_knots(k: int, t: int) -> Ints:
+def sine_knots(k: int, t: int, drop: int = 0) -> Ints:
     """``sin(2 pi i / 2^t)``, i = 0 ... 2^t, half a sag outside the curve, rounded up to a unit of 2^-k, 1 held.
 
-    The integers of angle_chord.v, operation by operation.
+    With `drop` 1 is 1, and half of 2^drop units are added. The integers of angle_chord.v, operation by operation.
     """
     one, quarter = 1 << 30, []
     for i in range((1 << t - 2) + 1):
@@ -243,13 +347,17 @@ def sine_knots(k: int, t: int) -> Ints:
         s = x * s >> 30
         quarter.append(min(s + (s * 646814 >> 18 + 2 * t), one))
     rise = quarter + quarter[-2:0:-1]
-    return ints([min(s + (1 << 30 - k) - 1 >> 30 - k, (1 << k) - 1) for s in [*rise, *(-s for s in rise), 0]])
+    knots = ints([s + (1 << 30 - k) - 1 >> 30 - k for s in [*rise, *(-s for s in rise), 0]])
+    return knots + (1 << drop - 1) if drop else np.minimum(knots, (1 << k) - 1)
 
 
-def angle_chord(k: int, t: int, a: int, word: Ints, cosine: bool) -> Ints:
-    """Sine or cosine of an a-bit binary angle in units of 2^-k, completed from one of the 2^t chords of a turn."""
+def angle_chord(k: int, t: int, a: int, word: Ints, cosine: bool, drop: int = 0) -> Ints:
+    """Sine or cosine of an a-bit binary angle in units of 2^-k, completed from one of the 2^t chords of a turn.
+
+    With `drop` its lowest bits are to be dropped: half of the last bit kept is in it.
+    """
     b, place = a - t, ints(word) + (cosine << a - 2) & (1 << a) - 1
-    knots, i = sine_knots(k, t), place >> b
+    knots, i = sine_knots(k, t, drop), place >> b
     return knots[i] + ((knots[i + 1] - knots[i]) * (place & (1 << b) - 1) >> b)
 
 

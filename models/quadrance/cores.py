@@ -17,7 +17,8 @@ RTL = ROOT / "rtl"
 STATUS_BITS = {"unreachable": 0, "singular": 1, "overflow": 2, "not_converged": 3}
 FAMILIES = ("arith", "codec", "cordic", "vector", "table", "rational", "classic", "paper", "engine")
 # Joint words by type: the letters of their ports, bits of a word beside those of its parameter, two's complement or not
-TYPES = {"spread": ("j", 2, False), "angle": ("j", 0, False), "vector": ("cn", 2, True)}
+TYPES = {"spread": ("j", 2, False), "angle": ("j", 0, False), "vector": ("cn", 2, True),
+         "half_tangent": ("j", 2, False)}
 PORTS = ("cfg", "in", "out")
 FUNCTION_KEYS = {"model", *PORTS, "status"}
 CORE_KEYS = {"architecture", "latency", "ii", "illegal", "sets"}
@@ -27,8 +28,8 @@ CORE_KEYS = {"architecture", "latency", "ii", "illegal", "sets"}
 class Port:
     """One data port: its Verilog name, width in bits, whether it is two's complement, and the type of a joint word.
 
-    type : "spread" (turn-spread), "angle" (binary angle), "vector" (cosine or sine of a unit vector), or None for a
-    plain word; `quadrance.codecs` reads them.
+    type : "spread" (turn-spread), "angle" (binary angle), "vector" (cosine or sine of a unit vector), "half_tangent",
+    or None for a plain word; `quadrance.codecs` reads them.
     """
 
     name: str
@@ -150,7 +151,8 @@ def formula(text: str | int, params: dict[str, int], where: str) -> int:
 
 
 def _ports(kind: str, name: str, spec: str, params: dict[str, int], where: str) -> Joint:
-    """The ports that `spec` describes: ``sW`` or ``u2*W+2`` (plain), ``spread S``, ``angle A``, ``vector U`` (joints).
+    """The ports that `spec` describes: ``sW`` or ``u2*W+2`` (plain), ``spread S``, ``angle A``, ``vector U``,
+    ``half_tangent T`` (joints).
 
     A vector takes two ports, a letter each in place of the j of its name: c1 and n1 for j1.
     """

@@ -19,7 +19,7 @@ def _sweep(s: int, count: int = 20000) -> np.ndarray:
 
 WORDS = [(Port("in_j1", width, signed, of),) for of, width, signed in (
     ("spread", 26, False), ("spread", 10, False), ("spread", 32, False), ("angle", 16, False), ("angle", 10, False),
-    ("angle", 16, True))]
+    ("angle", 16, True), ("half_tangent", 18, False), ("half_tangent", 10, False))]
 VECTORS = [tuple(Port(f"in_{letter}1", u + 2, True, "vector") for letter in "cn") for u in (16, 10)]
 
 
@@ -132,7 +132,7 @@ def test_half_a_step_is_what_the_pages_say():
 def test_the_coarsest_words_lose_half_a_step(joint):
     theta = codecs.at(joint, codecs.coarsest(joint, np.array([0.5 - 2.0**-12])))
     turned = np.abs(truth.difference(codecs.decode(joint, codecs.encode(joint, theta)), theta))
-    assert theta.size == 8 and turned.min() > 0.98 * codecs.half_step(joint)
+    assert theta.size == (4 if joint[0].type == "half_tangent" else 8) and turned.min() > 0.98 * codecs.half_step(joint)
 
 
 def test_signed_angles_are_words_of_their_port():
@@ -142,7 +142,7 @@ def test_signed_angles_are_words_of_their_port():
 
 
 def test_a_plain_word_is_no_joint():
-    with pytest.raises(ValueError, match="in_x: a port of type None is no joint word; types are spread, angle, vector"):
+    with pytest.raises(ValueError, match="in_x: a port of type None is no joint word; types are spread, angle, "):
         codecs.encode((Port("in_x", 16, True),), 0.0)
 
 
@@ -155,6 +155,56 @@ def test_border_words_are_about_every_border(joint):
         for step in (0, 1, -1, 2, -2, quadrant // 4, -(quadrant // 4), quadrant // 2):
             at = codecs.words_at(joint, np.array(k * quadrant + step))
             assert tuple(int(at[port.name]) for port in joint) in found
+
+
+# Plain words
+
+KINDS = {"angle": 18, "spread": 24, "vector": 16, "half_tangent": 16}
+
+
+def test_a_half_tangent_word_is_the_tangent_of_half_the_angle_and_a_half_turn():
+    theta = np.radians([0, 30, 90, 150, 180, 210, 270, 330])
+    word = codecs.from_radians("half_tangent", 16, theta)
+    t, half = (word + (1 << 16) & 0x1FFFF) - (1 << 16), word + (1 << 16) >> 17 & 1
+    assert half.tolist() == [0, 0, 1, 1, 1, 1, 0, 0]
+    assert t == pytest.approx(2**16 * np.tan((theta - np.pi * half) / 2 - np.pi * (theta > 4.7)), abs=0.51)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_degrees_radians_and_counts_are_one_angle(kind):
+    bits = KINDS[kind]
+    degrees = np.arange(-720, 720) + 0.3
+    words = codecs.from_degrees(kind, bits, degrees)
+    assert np.array_equal(words, codecs.from_radians(kind, bits, np.radians(degrees % 360)))
+    half = np.degrees(codecs.half_step(codecs.joint_of(kind, bits)))
+    assert np.abs((codecs.to_degrees(kind, bits, words) - degrees + 180) % 360 - 180).max() <= half * (1 + 1e-9)
+    counts = 4 * 500  # a word tells 2000 counts a turn apart
+    count = np.arange(-3000, 3000)
+    words = codecs.from_counts(kind, bits, count, counts)
+    assert np.array_equal(codecs.to_counts(kind, bits, words, counts), count % counts)
+    assert np.shape(words) == ((2, 6000) if kind == "vector" else (6000,))
+
+
+def test_counts_become_angles_in_integers():
+    assert codecs.from_counts("angle", 16, [0, 1, 65535, 65536, -1], 1 << 16).tolist() == [0, 1, 65535, 0, 65535]
+    assert codecs.from_counts("angle", 10, [1, 2, 3, 4095], 4096).tolist() == [0, 1, 1, 0]  # ties upward, modulo a turn
+    assert codecs.from_counts("angle", 24, 10**9 + 7, 10**6) == ((7 << 25) + 10**6) // (2 * 10**6)
+    assert codecs.from_counts("vector", 16, 250, 1000) == (0, 1 << 16)
+    with pytest.raises(ValueError, match="quaternion is no type of joint word; types are spread, angle, vector"):
+        codecs.from_counts("quaternion", 16, 0, 1000)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("to", KINDS)
+def test_conversion_there_and_back(kind, to):
+    """Finer words come back as they were; and any word within both roundings."""
+    theta = np.random.default_rng(9).uniform(0, truth.TURN, 3000)
+    words = codecs.from_radians(kind, 8, theta)
+    if kind != "vector":  # directions of its words are closer than its LSB
+        assert np.array_equal(codecs.convert(to, 28, codecs.convert(kind, 8, words, to, 28), kind, 8), words)
+    there = codecs.convert(kind, KINDS[kind], codecs.from_radians(kind, KINDS[kind], theta), to, KINDS[to])
+    both = sum(codecs.half_step(codecs.joint_of(one, KINDS[one])) for one in (kind, to))
+    assert np.abs(truth.difference(codecs.to_radians(to, KINDS[to], there), theta)).max() <= both
 
 
 @given(st.integers(-131072, 131071), st.integers(-131072, 131071))

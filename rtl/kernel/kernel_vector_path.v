@@ -5,7 +5,7 @@
 `default_nettype none
 module kernel_vector_path #(
     parameter JOINTS = 2,  // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
-    parameter U = 16       // fraction bits that words are rounded to, 8 to 17, or 18: they are not. 16
+    parameter U = 16       // fraction bits that words are rounded to, 8 to 17, or 18: they are not; 16
 ) (
     input  wire               clk,
     input  wire [15:0]        cfg_l1,
@@ -24,6 +24,7 @@ module kernel_vector_path #(
     output wire [23:0]        out_word,
     output wire               out_flat,
     output wire               out_negative,
+    output wire               out_none,
     output wire [3:0]         out_status
 );
     localparam YAW = JOINTS == 3;
@@ -76,8 +77,9 @@ module kernel_vector_path #(
         .in_segment(read ? factor[20:12] : e[20:12]), .out_slope(slope));
 
     reg    zero3;
-    assign out_cos = {cos3 && !zero, cos2, cos1 && !zero};
-    assign out_sin = {sin3 && !zero, sin2, sin1 && !zero};
+    assign out_cos = {cos3, cos2, cos1};
+    assign out_sin = {sin3, sin2, sin1};
+    assign out_none = zero;
     assign out_word = {result, product[30:29]};
     assign out_flat = outside;
     assign out_negative = short;

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from quadrance import codecs, truth
+from quadrance import codecs, conversion, truth
 from quadrance.cores import Core, Port
 from quadrance.fixed import Ints, ints
 from quadrance.truth import Floats, floats
@@ -66,6 +66,18 @@ def _at_most_one(core: Core, rng: np.random.Generator, count: int) -> dict[str, 
     return {"in_rem": np.minimum(words["in_rem"], words["in_d"]), "in_d": np.maximum(words["in_d"], 1)}
 
 
+def _unit_vectors(core: Core, rng: np.random.Generator, count: int) -> dict[str, Ints]:
+    """Every direction, rounded, the axes and diagonals among them."""
+    theta = np.append(rng.uniform(0, truth.TURN, count - 8), np.arange(8) * (truth.TURN / 8))
+    return codecs.encode(core.inputs, theta)
+
+
+def _nearly_unit_vectors(core: Core, rng: np.random.Generator, count: int) -> dict[str, Ints]:
+    """Every direction, of length 1 within 1/64."""
+    theta, length = rng.uniform(0, truth.TURN, count), 2.0 ** core.params["U"] * (1 + rng.uniform(-1, 1, count) / 64)
+    return {port.name: np.rint(length * part).astype(np.int64) for port, part in zip(core.inputs, truth.unit(theta))}
+
+
 # Truths
 
 
@@ -112,6 +124,30 @@ def _vector_to_spread(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
     return {"out_j": codecs.place((_out(core, "out_j"),), truth.angle(inputs["in_c"], inputs["in_n"]))}
 
 
+def _to_vector(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    return {port.name: 2.0 ** core.params["U"] * part
+            for port, part in zip(core.outputs, truth.unit(codecs.decode(core.inputs, inputs)))}
+
+
+def _from_vector(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    """Of a unit vector: the direction whose minor coordinate, the one that the core takes, is that of the words."""
+    c, n = (inputs[port.name] for port in core.inputs)
+    _, axis, minor, _ = conversion.nearest_axis(core.params["U"], 1, c, n)
+    sine = minor * np.where(np.where(axis % 2, n >= 0, c < 0), -1, 1) * 2.0 ** -core.params["U"]
+    theta = axis * (np.pi / 2) + np.arcsin(np.clip(sine, -1, 1))
+    return {"out_j": codecs.place((_out(core, "out_j"),), theta)}
+
+
+def _angle_to_spread(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    return {"out_j": codecs.place((_out(core, "out_j"),), codecs.decode(core.inputs, inputs))}
+
+
+def _normalise(core: Core, inputs: dict[str, Ints]) -> dict[str, Floats]:
+    c, n = (floats(inputs[port.name]) for port in core.inputs)
+    factor = (3 - (c * c + n * n) * 4.0 ** -core.params["U"]) / 2
+    return {"out_c": c * factor, "out_n": n * factor}
+
+
 PRIMITIVES: dict[str, tuple[Callable, Callable]] = {
     "isqrt": (_any_words, _isqrt),
     "root": (_any_words, _root),
@@ -121,4 +157,12 @@ PRIMITIVES: dict[str, tuple[Callable, Callable]] = {
     "rotate": (_any_words, _rotate),
     "vector": (_long_vectors, _vector),
     "vector_to_spread": (_any_words, _vector_to_spread),
+    "angle_to_vector": (_any_words, _to_vector),
+    "spread_to_vector": (_any_words, _to_vector),
+    "half_tangent_to_vector": (_any_words, _to_vector),
+    "vector_to_angle": (_unit_vectors, _from_vector),
+    "unit_to_spread": (_unit_vectors, _from_vector),
+    "vector_to_half_tangent": (_unit_vectors, _from_vector),
+    "angle_to_spread": (_any_words, _angle_to_spread),
+    "normalise": (_nearly_unit_vectors, _normalise),
 }

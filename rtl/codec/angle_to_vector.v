@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Unit vector of a binary angle: c = cos j, n = sin j, by one table of chords and one multiplier.
+// Formats: in_j angle of A bits; out_c, out_n s2.U (1.0 is 2^U), nearest; exact on the axes.
+// Error of a coordinate: 0.83 * 2^-U at U = 16, half a unit of rounding included.
+// Latency 2, II 2: the cosine, then the sine of the word that was accepted.
+// Status: none. Source: the definition; sine table with linear interpolation. Model: conversion.angle_to_vector
+`default_nettype none
+module angle_to_vector #(
+    parameter A = 18,  // bits of the word, 12 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter U = 16   // fraction bits of cosine and sine, 12 to 18: 16 turn a vector by 0.0006 degrees at most
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire [A-1:0]        in_j,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output reg  signed [U+1:0] out_c,
+    output wire signed [U+1:0] out_n
+);
+    generate
+        if (A < 12 || A > 24 || U < 12 || U > 18) begin : g_illegal
+            angle_to_vector_needs_A_from_12_to_24_and_U_from_12_to_18 rule ();
+        end
+    endgenerate
+
+    localparam K = U + 3;                                  // fraction bits of a root: three are rounded away
+    localparam T = A < (U + 5) / 2 + 1 ? A - 1 : (U + 5) / 2;  // address bits of the table
+
+    reg    second;  // the clock after the accepting one: the cosine is completed, the sine is read
+    wire   accept = in_valid && in_ready;
+    assign in_ready = !second && (!out_valid || out_ready);
+
+    reg  [T-1:0]      upper;  // of the word
+    wire [2*K-T+20:0] chord;
+    always @(posedge clk)
+        if (accept)
+            upper <= in_j[A-1:A-T];
+    angle_chord #(.A(A), .K(K), .T(T), .DROP(3)) codec (.clk(clk), .in_read(accept || second), .in_keep(second),
+        .in_cos(!second), .in_j({second ? upper : in_j[A-1:A-T], in_j[A-T-1:0]}), .out_chord(chord));
+
+    wire [K+1:0]   knot;
+    wire [K-T+3:0] step, rise;
+    wire [14:0]    offset, below;
+    wire           same;    // a copy of the sign
+    wire [2:0]     dropped;
+    assign {knot, step, offset} = chord;
+    assign {same, rise, below} = $signed(step) * $signed({1'b0, offset});
+    assign {out_n, dropped} = knot + {{(T-2){rise[K-T+3]}}, rise};
+    wire           unused = &{1'b0, same, below, dropped};
+
+    always @(posedge clk) begin
+        if (second)
+            out_c <= out_n;
+        second    <= accept;
+        out_valid <= second || (out_valid && !out_ready);
+        if (rst) begin
+            second    <= 1'b0;
+            out_valid <= 1'b0;
+        end
+    end
+endmodule
+`default_nettype wire

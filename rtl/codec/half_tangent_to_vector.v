@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Unit vector of a half-tangent word: c = +-(1 - t^2) / (1 + t^2), n = +-2 |t| / (1 + t^2), by one table of chords of
+// both and one multiplier. Their signs are in the table: that of c is the half turn's, n has that of t too.
+// Formats: in_j half-tangent u2.T (rtl/codec/README.md); out_c, out_n s2.U (1.0 is 2^U), nearest; exact on the axes.
+// Error of a coordinate: 1.14 * 2^-U at U = 16, 0.67 * 2^-U at U = 13, half a unit of rounding included.
+// Latency 2, II 2: the cosine, then the sine of the word that was accepted.
+// Status: none. Source: stereographic form of the unit circle. Model: conversion.half_tangent_to_vector
+`default_nettype none
+module half_tangent_to_vector #(
+    parameter T = 16,  // fraction bits of the half-tangent, 9 to 19: 16 resolve 0.0009 degrees beside the x axis
+    parameter U = 16   // fraction bits of cosine and sine, 12 to 18: 16 turn a vector by 0.0006 degrees at most
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire [T+1:0]        in_j,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output reg  signed [U+1:0] out_c,
+    output wire signed [U+1:0] out_n
+);
+    generate
+        if (T < 9 || T > 19 || U < 12 || U > 18) begin : g_illegal
+            half_tangent_to_vector_needs_T_from_9_to_19_and_U_from_12_to_18 rule ();
+        end
+    endgenerate
+
+    localparam K = U + 3;  // fraction bits of a root: three are rounded away
+    // Knot i, |t| = i / 256: half a sag, f''(t) / 2^20, outside the curve, rounded upward since the root is truncated,
+    // and with half a unit of the result more
+    function [K+1:0] knot(input integer i, input sine, input negative);
+        reg [63:0] n, q, cube, f;
+        begin
+            n = {32'd0, i};
+            q = 64'd65536 + n * n;
+            cube = q * q * q >> 32;
+            if (sine)
+                f = (n << 39) / q + (n * (64'd196608 - n * n) << 4) / cube;
+            else if (3 * n * n < 64'd65536)
+                f = (64'd65536 - n * n << 30) / q + (64'd65536 - 3 * n * n << 12) / cube;
+            else
+                f = (64'd65536 - n * n << 30) / q - (3 * n * n - 64'd65536 << 12) / cube;
+            if (f > 64'd1 << 30)
+                f = 64'd1 << 30;
+            f = (negative ? -f : f) + (64'd1 << 30 - K) - 1 >> 30 - K;
+            f = f + 4;
+            knot = f[K+1:0];
+        end
+    endfunction
+    reg [2*K-4:0] chords[0:1023];  // {knot, step}: of negative and positive cosines and sines
+    reg [K+1:0]   here, next;
+    integer       i, j;
+    initial
+        for (j = 0; j < 4; j = j + 1) begin
+            next = knot(0, j[0], j[1]);
+            for (i = 0; i < 256; i = i + 1) begin
+                here = next;
+                next = knot(i + 1, j[0], j[1]);
+                chords[256 * j + i] = {here, next[K-6:0] - here[K-6:0]};
+            end
+        end
+
+    reg    second;  // the clock after the accepting one: the cosine is completed, the sine is read
+    wire   accept = in_valid && in_ready;
+    assign in_ready = !second && (!out_valid || out_ready);
+
+    wire           below = in_j[T];                            // t is negative
+    wire [19:0]    size = {in_j[T-1:0], {(20-T){1'b0}}} ^ {20{below}};  // |t|, 2^-20 less where it is negative
+    reg  [7:0]     segment;
+    reg            negative;  // the sine
+    reg  [11:0]    place;
+    reg  [2*K-4:0] chord;
+    wire [K+1:0]   knot_read;
+    wire [K-6:0]   step, rise;
+    wire [11:0]    cut;
+    wire           same;      // a copy of the sign
+    wire [2:0]     dropped;
+    assign {knot_read, step} = chord;
+    assign {same, rise, cut} = $signed(step) * $signed({1'b0, place});
+    assign {out_n, dropped} = knot_read + {{7{rise[K-6]}}, rise};
+    wire           unused = &{1'b0, same, cut, dropped};
+
+    always @(posedge clk) begin
+        if (accept || second)
+            chord <= chords[second ? {negative, 1'b1, segment} : {in_j[T+1] ^ below, 1'b0, size[19:12]}];
+        if (accept) begin
+            segment  <= size[19:12];
+            place    <= size[11:0];
+            negative <= in_j[T+1];
+        end
+        if (second)
+            out_c <= out_n;
+        second    <= accept;
+        out_valid <= second || (out_valid && !out_ready);
+        if (rst) begin
+            second    <= 1'b0;
+            out_valid <= 1'b0;
+        end
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Half-tangent of a unit vector, t = n / (1 + c) where c >= 0 and of the opposite vector elsewhere: the nearer axis and
+// what the minor coordinate adds to it, by 512 chords about either axis. No division.
+// Formats: in_c, in_n s2.U (1.0 is 2^U); out_j half-tangent u2.T modulo 4, nearest (rtl/codec/README.md).
+// Error: 0.92 LSB of the word at T = 16, 0.76 at T = 12 for the minor coordinate as it is given, so that a
+// rounded unit vector costs sqrt(1/2) * 2^-U rad more. The vector is taken as it is: a length of 1 + e turns it by
+// e * tan, tan <= 1.06. Latency 2, II 1.
+// Status: singular (no unit vector, |c| < 1/2 and |n| < 11/16: the last word is held, 0 after a reset)
+// Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_half_tangent
+`default_nettype none
+module vector_to_half_tangent #(
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 turn a vector by 0.0006 degrees at most
+    parameter T = 16   // fraction bits of the half-tangent, 8 to 20: 16 resolve 0.0009 degrees beside the x axis
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [U+1:0] in_c,
+    input  wire signed [U+1:0] in_n,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output reg  [T+1:0]        out_j,
+    output wire [3:0]          out_status
+);
+    generate
+        if (U < 8 || U > 18 || T < 8 || T > 20) begin : g_illegal
+            vector_to_half_tangent_needs_U_from_8_to_18_and_T_from_8_to_20 rule ();
+        end
+    endgenerate
+
+    // 2^30 of the half-tangent of arcsin(i / 256) or, of the y axis, of how far it is from there, less half the sag of a
+    // chord; i from 0 to 190 and no further
+    localparam D = T + 2, KNOTS = 257;
+    function [31*KNOTS-1:0] tangents(input y);
+        integer    i, k;
+        reg [63:0] n, square, root, cube, t;
+        begin
+            tangents = 0;
+            root = 64'd1 << 30;  // 1 - n^2 under it, the cosine
+            for (i = 1; i < KNOTS; i = i + 1) begin
+                n = i > 190 ? 64'd190 : {32'd0, i};
+                square = (64'd65536 - n * n) << 44;
+                for (k = 0; k < 4 && i <= 190; k = k + 1)
+                    root = (root + square / root) >> 1;
+                cube = (root * root >> 30) * root >> 30;
+                t = (n << 52) / ((64'd1 << 30) + root);
+                if (!y)
+                    t = t - (t >> 20) * ((64'd1 << 30) + 2 * root) / (cube * ((64'd1 << 30) + root) >> 30);
+                else begin
+                    t = (64'd1 << 30) - (root << 8) / (64'd256 + n);
+                    cube = cube * (64'd256 + n) >> 8;
+                    t = n < 64'd128 ? t + (64'd256 - 2 * n << 32) / cube : t - (2 * n - 64'd256 << 32) / cube;
+                end
+                tangents[31*i +: 31] = t[30:0];
+            end
+        end
+    endfunction
+    // Knot i, -256 to 256: with half a word and half a unit of truncation more
+    localparam [31*KNOTS-1:0] X = tangents(1'b0), Y = tangents(1'b1);
+    function [T+2:0] knot(input integer i, input y);
+        reg [63:0] size;
+        begin
+            size = {33'd0, y ? Y[31*(i < 0 ? -i : i) +: 31] : X[31*(i < 0 ? -i : i) +: 31]};
+            size = (64'd3 << 30 - D) + (i < 0 ? -size : size) >> 30 - D;
+            knot = size[T+2:0];
+        end
+    endfunction
+    reg [2*T-3:0] chords[0:1023];  // {knot, step}: about the x axis, about the y axis
+    reg [T+2:0]   here, next;
+    integer       i, j;
+    initial
+        for (j = 0; j < 2; j = j + 1) begin
+            next = knot(-256, j[0]);
+            for (i = -256; i < 256; i = i + 1) begin
+                here = next;
+                next = knot(i + 1, j[0]);
+                chords[512 * j + (i & 511)] = {here, next[T-6:0] - here[T-6:0]};
+            end
+        end
+
+    wire               none;
+    wire [1:0]         near;
+    wire signed [21:0] sine;
+    /* verilator lint_off PINCONNECTEMPTY */
+    nearest_axis #(.U(U), .E(20-U)) coordinate (
+        .in_c(in_c), .in_n(in_n), .out_none(none), .out_axis(near), .out_minor(), .out_sine(sine));
+    /* verilator lint_on PINCONNECTEMPTY */
+
+    reg  [2*T-3:0] chord;
+    reg  [11:0]    place;
+    reg  [1:0]     axis;
+    reg  [1:0]     stages;  // which of them hold a sample
+    reg            lacks, singular;  // of the sample in the first stage, of the one in the second
+    wire [T+2:0]   start;
+    wire [T-6:0]   step, rise;
+    wire [11:0]    cut;
+    assign         {start, step} = chord;
+    assign         {rise, cut} = step * place;
+    wire [T+3:0]   from = {axis[1] ^ (start[T+2] && !axis[0]), axis[0] ^ start[T+2], start[T+1:0]};
+    wire [T+3:0]   word = from + {9'd0, rise};
+    wire           unused = &{1'b0, sine[21], cut, word[1:0]};
+
+    assign out_valid = stages[1];
+    assign in_ready = !out_valid || out_ready;
+    assign out_status = {2'd0, singular, 1'b0};
+    always @(posedge clk) begin
+        if (in_ready) begin
+            chord     <= chords[{near[0], sine[20:12]}];
+            place     <= sine[11:0];
+            axis      <= near;
+            lacks     <= none;
+            stages    <= {stages[0], in_valid};
+            singular  <= lacks;
+            if (stages[0] && !lacks)
+                out_j <= word[T+3:2];
+        end
+        if (rst) begin
+            stages    <= 2'b00;
+            out_j     <= {(T+2){1'b0}};
+        end
+    end
+endmodule
+`default_nettype wire
