@@ -164,6 +164,12 @@ def test_the_total_is_that_of_the_report_and_a_codec_adds_to_it():
     assert designs.total(inverse, {"W": 16, "F": 8, "U": 16, "word": 10}, ARM, 4096) > 50
 
 
+def test_errors_are_in_lsb_of_q7_8_whatever_the_core_has():
+    coarse, fine = (designs.total(Design("vector_fk1", "vector"), {"W": f + 8, "F": f, "U": 20}, ARM, 4096)
+                    for f in (8, 10))
+    assert 0.6 < coarse < 0.75 and 0.15 < fine < 0.19, "rounding alone, sqrt(1/2) LSB of the core's own"
+
+
 # What is kept
 
 

@@ -48,6 +48,10 @@ def sets(found, function="fk1", target=TARGET):
     return {one["core"]: one for one in verdict.reaching(found, function, target)}
 
 
+def report(found, *rows):
+    return {"cores": list(rows), "verdict": found}
+
+
 def test_an_infeasible_core_is_not_among_the_winners(found):
     assert list(sets(found)) == ["table_fk1", "classic_fk1_iter"]
     assert list(sets(found, target="2 LSB")) == ["table_fk1", "rational_fk1"]
@@ -93,8 +97,8 @@ def test_the_readme_names_families(found):
 
 
 def test_what_a_spread_saves_and_costs(found):
-    assert judgement.itself_at(found).endswith("fk1 at 2 LSB, fk2 at 1 LSB and ik1 at 1 LSB.")
-    sentences = judgement.itself(found)
+    assert judgement.itself_at(report(found)).endswith("fk1 at 2 LSB, fk2 at 1 LSB and ik1 at 1 LSB.")
+    sentences = judgement.itself(report(found))
     assert ("It saves memory blocks in ik1 (2 against 3): a spread is a quotient of squared lengths, so no table of an "
             "arc is needed.") in sentences
     assert ("It costs memory blocks in fk1 (4 against 2) and fk2 (7 against 2): the square root of a spread needs four "
@@ -107,18 +111,39 @@ def test_what_a_spread_saves_and_costs(found):
 def test_a_sentence_turns_with_its_figures(found):
     found["parts"]["ri"]["area"]["cyclonev"]["mem"] = 5
     found["parts"]["r2"] |= {"ii": 3}
-    sentences = judgement.itself(found)
+    sentences = judgement.itself(report(found))
     assert "It costs memory blocks in ik1 (5 against 3)." in sentences, "no reason that is none"
     assert "It saves cycles between samples in fk1 (2 against 3) and fk2 (3 against 4)." in sentences
     assert not any("saves memory" in one or "do not add" in one for one in sentences)
     found["parts"]["ri"]["area"]["cyclonev"]["mem"] = 3
-    assert "It takes as many memory blocks in ik1." in judgement.itself(found)
+    assert "It takes as many memory blocks in ik1." in judgement.itself(report(found))
 
 
-def test_without_a_common_target_nothing_is_compared(found):
+def test_without_a_common_target_the_first_sets_are_compared(made, found):
+    ours = theirs = next(one for one in made["cores"] if one["core"] == "rational_ik1")
+    area = {"cyclonev": {"lut": 420, "ff": 1, "dsp": 3, "mem": 6}}
+    spread = ours | {"core": "rational_ik2", "function": "ik2", "params": {"W": 16, "F": 8, "S": 24}, "total_lsb": 3.1,
+                     "area": {"cyclonev": area["cyclonev"] | {"mem": 4}}}
+    angle = theirs | {"core": "table_ik2", "family": "table", "function": "ik2", "total_lsb": 0.8, "area": area,
+                      "params": {"W": 16, "F": 8, "A": 18}}
+    rows = report(found, spread, angle)
+    assert "ik2 at no common target (first sets: 3.1 and 0.8 LSB)" in judgement.itself_at(rows)
+    sentences = judgement.itself(rows)
+    assert ("It saves memory blocks in ik1 (2 against 3) and ik2 (4 against 6): a spread is a quotient of squared "
+            "lengths, so no table of an arc is needed.") in sentences
+    assert any(one.startswith("It costs bits of a joint word in ik1 (28 against 18) and ik2 (26 against 18): a spread")
+               for one in sentences)
+    spread["area"]["cyclonev"]["mem"] = 7
+    assert "It costs memory blocks in ik2 (7 against 6)." in judgement.itself(rows)
+    both = [one | {"core": f"{one['family']}_ik1", "function": "ik1"} for one in (spread, angle)]
+    assert "ik1 at 1 LSB" in judgement.itself_at(report(found, spread, angle, *both)), "a target comes first"
+
+
+def test_without_both_families_nothing_is_compared(found):
     for core in ("rational_fk1", "rational_fk2", "rational_ik1"):
         found["designs"][core]["picks"] = {}
-    assert judgement.itself(found) == [] and judgement.itself_at(found).startswith("No function has both")
+    assert judgement.itself(report(found)) == []
+    assert judgement.itself_at(report(found)).startswith("No function has both")
 
 
 # Tasks with codecs

@@ -40,8 +40,8 @@ def _verdict(report: dict) -> str:
         return "No verdict was searched on this arm."
     found = report["verdict"]
     return "\n\n".join([f"With a total error of at most {README_TARGET} of Q7.8 at the tip:",
-                        listed(judgement.families(found, README_TARGET), ""), judgement.itself_at(found),
-                        listed(judgement.itself(found), "")])
+                        listed(judgement.families(found, README_TARGET), ""), judgement.itself_at(report),
+                        listed(judgement.itself(report), "")])
 
 
 def _marked(text: str) -> None:

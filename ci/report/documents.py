@@ -81,8 +81,9 @@ def _titled(table: Table, *after: str) -> list[str]:
     return [f"## {table.title}", table.markdown(), *after]
 
 
-def _verdict(found: dict) -> list[str]:
+def _verdict(report: dict) -> list[str]:
     """The verdict at equal accuracy: tables, picture, scenarios, sentences."""
+    found = report["verdict"]
     parts = ["## The verdict at equal accuracy", VERDICT_NOTE.format(**designs.RULES["price"])]
     for function in KINEMATIC:
         if verdict.plain(found, function):
@@ -95,8 +96,8 @@ def _verdict(found: dict) -> list[str]:
         table = verdict.scenario_table(found, way, word)
         parts += [f"**{table.title[0].upper()}{table.title[1:]}**",
                   table.markdown() if table.rows else "No core reaches it with what is built."]
-    return [*parts, "### What rational trigonometry itself changes", judgement.itself_at(found),
-            listed(judgement.itself(found), "")]
+    return [*parts, "### What rational trigonometry itself changes", judgement.itself_at(report),
+            listed(judgement.itself(report), "")]
 
 
 def markdown(report: dict) -> str:
@@ -112,7 +113,7 @@ def markdown(report: dict) -> str:
                            "Over the workspace of two joints (elbow 0), the same scale everywhere:",
                            "![Tip error over the workspace](tip_error_map.png)")]
     if report.get("verdict"):
-        parts += _verdict(report["verdict"])
+        parts += _verdict(report)
     if others:
         parts += _titled(cost_table("Primitives", others))
         table = primitive_table(others)

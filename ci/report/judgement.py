@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ci.report.rows import KINEMATIC, number
+from ci.report.comparison import leaders
+from ci.report.rows import KINEMATIC, Row, number
 from ci.report.verdict import TARGETS, Figures, plain, price, reaching
 
 FIGURES = (("alut", "fewest ALUTs beside DSP and memory blocks", ""),
@@ -76,20 +77,34 @@ REASON = {  # (figure, way, sign of spread - angle): why
     ("bits", "ik", 1): "a spread is flat at a quadrant border, where two of its bits are worth one of an angle"}
 
 
-def pairs(verdict: dict, ours: str = "rational", theirs: str = "table") -> dict[str, tuple[str, Figures, Figures]]:
-    """Function -> the tightest target that both families reach, and their sets there."""
-    found = {}
+def _of_row(row: Row) -> Figures:
+    """The figures that are compared, of a row of the report."""
+    area, params = row["area"]["cyclonev"], row["params"]
+    return {"alut": area["lut"], "dsp": area["dsp"], "mem": area["mem"], "cycles": row["latency_cycles"],
+            "ii": row["ii"], "bits": params["S"] + 2 if "S" in params else params["A"]}
+
+
+def pairs(report: dict) -> dict[str, tuple[str, Figures, Figures]]:
+    """Function -> where a spread and an angle are compared, and their figures there.
+
+    At the tightest target that `rational_*` and `table_*` both reach; without such a target, at their first sets.
+    """
+    found, first = {}, leaders(report)
     for function in KINEMATIC:
+        ours, theirs = (first.get(function, {}).get(family) for family in ("rational", "table"))
+        if ours and theirs:
+            errors = f"{number(ours['total_lsb'])} and {number(theirs['total_lsb'])} LSB"
+            found[function] = f"no common target (first sets: {errors})", _of_row(ours), _of_row(theirs)
         for target in TARGETS:
-            of = {one["family"]: one for one in reversed(reaching(verdict, function, target))}
-            if ours in of and theirs in of:
-                found[function] = target, of[ours], of[theirs]
+            of = {one["family"]: one for one in reversed(reaching(report["verdict"], function, target))}
+            if {"rational", "table"} <= set(of):
+                found[function] = target, of["rational"], of["table"]
     return found
 
 
-def itself(verdict: dict) -> list[str]:
+def itself(report: dict) -> list[str]:
     """What a spread saves and costs against a binary angle with the same means."""
-    found, sentences = pairs(verdict), []
+    found, sentences = pairs(report), []
     for key, text in ITSELF:
         for way, sign in ((way, sign) for sign in (-1, 1) for way in ("fk", "ik")):
             cases = [f"{function} ({ours[key]} against {theirs[key]})" for function, (_, ours, theirs) in found.items()
@@ -103,11 +118,11 @@ def itself(verdict: dict) -> list[str]:
     return sentences
 
 
-def itself_at(verdict: dict) -> str:
+def itself_at(report: dict) -> str:
     """Where `itself` compares."""
-    found = pairs(verdict)
+    found = pairs(report)
     if not found:
-        return "No function has both `rational_*` and `table_*` at a common target yet."
+        return "No function has both `rational_*` and `table_*` yet."
     where = joined(f"{function} at {target}" for function, (target, *_) in found.items())
     return ("A turn-spread (`rational_*`) against a binary angle (`table_*`), both with tables and products, each at "
             f"the tightest target that both reach: {where}.")

@@ -38,7 +38,7 @@ def show(report: dict) -> None:
                              ("Where CORDIC wins", cordic_wins(report)),
                              ("The verdict at equal accuracy", judgement.wins(report["verdict"])
                               if report.get("verdict") else []),
-                             ("What rational trigonometry itself changes", judgement.itself(report["verdict"])
+                             ("What rational trigonometry itself changes", judgement.itself(report)
                               if report.get("verdict") else [])):
         if sentences:
             console.print(f"[bold]{title}[/bold]")

@@ -43,22 +43,6 @@ def divide(p: Params, *, in_n: Ints, in_d: Ints) -> dict[str, Ints]:
             "out_div_by_zero": zero.astype(np.int64)}
 
 
-@cache
-def _reciprocal_slopes() -> Ints:
-    """2^18 / q^2 in the middle of q = a / 512 to (a + 1) / 512, raised as reciprocal_product.v says.
-
-    Below 1/4 such that 1 / q stays just below 4.
-    """
-    below = [(1 << 29) // (max(a, 64) + 1) for a in range(128)]
-    return ints(below + [((((2 * b * b + 1) * (1024 * b + 1) << 16) // b**3 << 12) // (b * b) + 1) >> 1
-                         for b in range(257, 4096, 2)])
-
-
-def reciprocal_product(qs: Ints) -> Ints:
-    """``2^24 / q``, q = qs / 2^19 from 1/4 to 4, as a tangent's product; relative error 2^-17 up to 2, 2^-15 at 4."""
-    return (qs ^ 0x3FF) * _reciprocal_slopes()[qs >> 10] >> 13
-
-
 def round_saturate(p: Params, *, in_x: Ints) -> dict[str, Ints]:
     """``floor(x / 2^SHIFT + 1/2)`` clamped to WO signed bits, and whether it was clamped."""
     x, overflow = fixed.saturate(fixed.round_shift(in_x, p["SHIFT"]), p["WO"])

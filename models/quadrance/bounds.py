@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import classic, codecs, conversion, cordic, paper, rational, table, truth, vector, vector_solve
+from quadrance import classic, codecs, conversion, cordic, paper, table, truth, vector, vector_solve
 from quadrance.cores import Core
 from quadrance.fixed import ints, wrap
 from quadrance.truth import Floats, floats
@@ -85,16 +85,6 @@ def root_product(bits: int = 17) -> float:
     unit of the slope, 2^-17, times w < 2. The sum is found over all words: 0.515 / 2^15 at B = 17, 0.305 / 2^15 above.
     """
     return (0.52 if bits == 17 else 0.31) / 2**15
-
-
-def reciprocal_product(q: ArrayLike) -> Floats:
-    """Relative error of `arith.reciprocal_product` at q, 1/4 to 4, which is taken in the middle of its last bit.
-
-    Half of what the tangent loses at a border of a segment, half a unit of the slope, half a unit of q, the cut of the
-    product. 2^-17 at 1/4 and up to 2, 2^-15 at 4.
-    """
-    q = floats(q)
-    return 2**-17 / (16 * q**2) + q**2 * 2**-19 + 2**-20 / q + q * 2**-24
 
 
 def spread_chord(u: int) -> float:
@@ -326,38 +316,46 @@ def _aligned(p: Params, *lengths: ArrayLike) -> tuple[Floats, ...]:
 def rational_gap(p: Params, l1: int, l2: int) -> float:
     """Error of the quadrance (LSB^2 of a coordinate) that cos theta2 of rational_ik2 and rational_ik3 stands for.
 
-    The bits of the gap q - Q1 - Q2 that are shifted out and their half, 2 * 64 for long links; the rounding of cfg_r;
-    the cut of c2 to 20 bits, both times 2 L1 L2. All of lengths aligned to 16 bits.
+    That of `vector_gap`, whose front end they share; in space the gap is that of the exact quadrance. 16 at
+    L1 = L2 = 2^13.
     """
-    words, scale = rational.config(p, cfg_l1=l1, cfg_l2=l2), 4.0 ** (16 - p["W"])
-    double = 2 * l1 * l2 * scale
-    return ((128 if words["cfg_e"] == 0 else 0) + double / words["cfg_r"] + double / 2**20) / scale
+    return vector_gap(p, l1, l2) / 4.0 ** (16 - p["W"])
 
 
-def rational_aim(rho: ArrayLike, joints: int = 2) -> Floats:
-    """Tip error by the direction at distance `rho`.
+def _rational_root(v: ArrayLike) -> Floats:
+    """|n2^2 - v| of the root of v = 1 - c2^2 in kernel_solve, in its three ranges: `_vector_root` down to 2^-12.
 
-    a and b to 2^-20 of q' >= 1/4, and u: 1.5 / 2^17; 1/q' to 2^-17 for q' <= 2, with the cut of q' half more, times
-    tan <= 2: 3 / 2^17. In space q' reaches 3, where 1/q' has 2.3 / 2^17, and tan <= 3^(1/2): 4.9 / 2^17.
+    Below it h = 2^-19: 1/16 b^2 of twice v; half a unit of the slope, 2^-19 of 2^-10 of it; half a unit of the first
+    factor. In the first segment, below 2^-19, the tangent is up to 2^-22 off. c2^2 to 2^-25.
     """
-    return floats(rho) * ((1.5 + (3.0 if joints == 2 else 4.9)) * 2**-17)
+    v = np.maximum(floats(v), 2.0**-40)
+    tiny = 2.0**-43 / v + v**1.5 * 2**-7 + 2**-32
+    return np.where(v >= 2**-12, _vector_root(v), np.where(v >= 2**-19, tiny, 2.0**-22) + 2**-25)
 
 
-def _bend(p: Params, l1: int, l2: int, rho: Floats) -> tuple[Floats, Floats]:
-    """Of the elbow that the core computes for a tip in reach at `rho`: least |sin theta2|, and most it is off (rad).
+def _bend(p: Params, l1: int, l2: int, rho: Floats) -> tuple[Floats, Floats, Floats]:
+    """Of the elbow that the core computes for a tip in reach at `rho`, all about 16-bit words: error of the cosine, of
+    the square of the sine beside it, and of the angle (rad).
 
-    c2 is off by at most gap / (2 L1 L2) either way, and is a multiple of 2^-20: where it is not 1, the sine is at least
-    2^-9.5.
+    The cosine is off by gap / (2 L1 L2). Joint 2 is c2, or n2 where that is less in magnitude: then the cosine of its
+    word is off by root / (2 |c2|), c2^2 >= 1/2, besides, and where it is not, n2 by root / (2 |n2|).
     """
     double = max(2 * l1 * l2, 1e-9)
-    off = rational_gap(p, l1, l2) / double
+    off = vector_gap(p, l1, l2) / double
     c2 = np.clip((rho * rho - l1 * l1 - l2 * l2) / double, -1, 1)
+    v = 1 - c2 * c2
+    root = np.max([_rational_root(np.maximum(v + sign * 2 * off, 0)) for sign in (-1, 0, 1)], axis=0)
+    cosine = off + 0.75 * root
     theta = np.arccos(c2)
-    most = np.maximum(*(np.abs(np.arccos(np.clip(c2 + sign * off, -1, 1)) - theta) for sign in (-1, 1)))
-    return np.sqrt(np.maximum(1 - c2 * c2 - 2 * off, 2.0**-19)), most
+    most = np.maximum(*(np.abs(np.arccos(np.clip(c2 + sign * cosine, -1, 1)) - theta) for sign in (-1, 1)))
+    return cosine, root, most
 
 
-def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, joints: int = 2) -> Floats:
+RATIONAL_TANGENT = 1.14
+"""Tangent of a direction from the axis about which kernel_solve gives it: its sine is below 3/4 or its cosine not."""
+
+
+def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike) -> Floats:
     """Tip of rational_ik2 for a target in reach.
 
     Parameters
@@ -366,86 +364,87 @@ def rational_ik2(p: Params, l1: int, l2: int, rho: ArrayLike, joints: int = 2) -
         Links in LSB.
     rho : float array
         Distance of the target from the shoulder, LSB.
-    joints : int
-        3: the target is (rho, z) of rational_ik3.
 
     Notes
     -----
-    The core computes an elbow theta2' that is off, and joint 1 of this elbow. Both together put the tip within e:
+    The core computes an elbow theta2' that is off, and joint 1 of the vector k that goes with it. Both together put
+    the tip within e, t being `RATIONAL_TANGENT`:
 
-    * The gap moves the tip by gap / (2 rho) along rho, and as much across: an error e of (k1, k2) turns the tip by e
-      across and, since the spread takes the length of k for that of the tip, by tan <= 3^(1/2) times e along: 2 e
-      together. Below rho^2 = 4 gap, near the shoulder, the direction is lost: the tip is within
-      2 rho + gap^(1/2).
-    * The root: twice `root_product` at 20 bits times L2; and c2^2 is cut to 24 bits, which moves the sine by at most
-      2^-24 over itself, twice.
-    * k1 and k2 have 3 fraction bits and a constant half behind them, and a one's complement, all of it twice.
-    * `rational_aim`.
+    * The elbow's cosine is off by `_bend`: the arm is longer or shorter by 2 L1 L2 times that, over 2 rho.
+    * k is not quite the tip of that elbow: the root is off by 3/4 of `_bend`'s at most in the coordinate that the word
+      of joint 2 does not give, times L2, across.
+    * The square of joint 1's sine takes the length of k for that of the tip: both, and the root along, over 2 rho,
+      times t; and `_vector_inverse`, rho t.
+    * k1 and k2 have 4 fraction bits about a half: 2^(1/2) / 32, across, and t times that along; likewise the cut of a
+      and b to 1/8 LSB^2, and of what is shifted to 2^-25 at q' >= 1/4.
+
+    Below rho^2 = 4 times what the quadrance of k is off, near the shoulder, the direction is lost: the tip is within
+    2 rho and the root of it.
 
     "Beyond the rounding of the words" takes from the cell of each word the angle nearest to the exact one, for each
     joint by itself. With a, b what joints 1 and 2 are off, and s, t in [0, 1] the shares of them that are left, the tip
     is off by s (J1 a + J2 b) + (t - s) J2 b: at most e, and as J1 a = -J2 b within e, |t - s| L2 |b|. So:
 
-    * Near the circles, where b is large, L2 |b| more, |b| <= (gap / (L1 L2))^(1/2); and (1 + |b|) for what is not
-      linear. But (1 - t) b is no more than one side of a cell, (1 - s) a no more than both sides, and a cell's side is
-      at most h = asin 2^(-(S + 1) / 2): never more than max(L2, 2 rho) h. At S = 24 h is the less, at S <= 20 b is.
+    * Near the circles, where b is large, L2 |b| more, and (1 + |b|) for what is not linear. But (1 - t) b is no more
+      than one side of a cell, (1 - s) a no more than both sides, and a cell's side is at most
+      h = asin 2^(-(S + 1) / 2): never more than max(L2, 2 rho) h.
     """
     (l1a, l2a, r), half_word = _aligned(p, l1, l2, rho), math.asin(2.0 ** (-(p["S"] + 1) / 2))
-    p16 = p | {"W": 16}
-    gap = rational_gap(p16, int(l1a), int(l2a))
-    sine, off = _bend(p16, int(l1a), int(l2a), r)
-    root = 2 * l2a * (root_product(20) + 2**-24 / sine)
-    cut = 2 * (2**0.5 / 16 + 1 / 16)
-    together = np.where(r**2 < 4 * gap, 2 * r + math.sqrt(gap), gap / np.maximum(r, 1e-9)) + root + cut
-    together = together + rational_aim(r, joints)
+    far, t = np.maximum(r, 1e-9), RATIONAL_TANGENT
+    cosine, root, off = _bend(p | {"W": 16}, int(l1a), int(l2a), r)
+    seen = 2 * l1a * l2a * cosine  # quadrance of the elbow's word
+    length = seen + l2a * l2a * root  # and of k
+    cut = 2**0.5 * (1 + t) * (1 / 32 + 0.25 / far + 2**-23 * r)
+    together = seen / (2 * far) + 0.75 * l2a * root + t * (length / (2 * far) + r * _vector_inverse(r * r)) + cut
+    together = together * (1 + length / far**2 + 0.05 / far)
+    together = np.where(r * r < 4 * length + 4, 2 * r + np.sqrt(length), together)
     apart = np.minimum(l2a * off * (1 + off), np.maximum(l2a, 2 * r) * half_word)
     return (together + apart) * 2.0 ** (p["W"] - 16)
 
 
-def _rational_rho(p: Params, target: ArrayLike) -> tuple[Floats, Floats]:
-    """Error of rho of rational_ik3, LSB: with all its bits, and what its cut to one fraction bit after the shift adds.
-
-    The chord of v <= 1/2 (of any v below rho = 4096, there 2^-4 of it), the cut of v to 24 bits, of rho to 3 fraction
-    bits about a half; then, by the target's redundant sign bits, the cut to a word.
-    """
-    x, y, z = _aligned(p, *floats(target))
-    rho, longest = np.hypot(x, y), np.max(np.abs([x, y, z]), axis=0)
-    large = rho >= 4096
-    fine = np.where(large, 0.52 + 1 / 32, 0.31 / 8) + 1 / 16
-    unit = 2.0 ** (p["W"] - 16)
-    return fine * unit, 2.0 ** (np.ceil(np.log2(longest + 1)) - 16) * unit
+def _rational_yaw(p: Params, rho: Floats) -> Floats:
+    """Tip error by joint 3 at the distance `rho` from its axis."""
+    length, turned = _vector_yaw(floats(rho) * 2.0 ** (16 - p["W"]))
+    return rho * (RATIONAL_TANGENT * length + turned)
 
 
 def rational_ik3(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     """Tip of rational_ik3 for targets (3, N) in reach: `rational_ik2` in the plane of the arm, rho and the yaw.
 
-    An error of rho turns (rho, z) and stretches it, so it counts twice.
+    The gap has no error of rho. Of joint 1 rho is a coordinate (`vector_rho`): it turns (rho, z), and stretches it
+    beside k, `RATIONAL_TANGENT` times that.
     """
     x, y, z = floats(target)
     rho = np.hypot(x, y)
-    off = sum(_rational_rho(p, target))
-    return rational_ik2(p, l1, l2, np.sqrt(rho * rho + z * z), 3) + 2 * off + rational_aim(rho)
+    off = (1 + RATIONAL_TANGENT) * vector_rho(p, target)
+    return rational_ik2(p, l1, l2, np.sqrt(rho * rho + z * z)) + off + _rational_yaw(p, rho)
+
+
+RATIONAL_NEAREST = 0.6 * 2.0**-16
+"""Angle (rad) of the direction of joint 1 of a target out of reach.
+
+2 / sqrt(q'), times `RATIONAL_TANGENT`: half of what the tangent loses 3/16 b^2, 0.19 * 2^-16, half a unit of the slope
+0.25 * 2^-16 at q' = 1 (not both), its first factor 0.06 * 2^-16; the half unit in place of k2 0.06 * 2^-16; the cut of
+what is shifted to 2^-25, sqrt(q') >= 1/2, 0.02 * 2^-16, and of the sum to 1/8, 0.09 * 2^-16 of the shortest target.
+"""
 
 
 def rational_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     """Tip of rational_ik2 or rational_ik3 from the nearest point, for targets (2 or 3, N) that are flagged unreachable.
 
     Both elbows are then stretched or folded exactly, and the tip has the radius R = L1 + L2 or |L1 - L2| exactly: the
-    direction alone errs. `rational_aim` at R; elbow 1 has -2^-20 of k1 for k2 = 0, a one's complement. In space the
-    plane's point (rho, z) is off by the error d of rho, seen from the base at the distance r of the target: an angle
-    asin(d / r), a chord 2 R sin(asin(d / r) / 2). In the hole this is the greater the shorter the target is, by
-    R / r: an LSB beside the base it may be a tenth of R. Once more the last cut of rho, which q' has in one of its
-    factors only. The yaw's own error is `rational_aim` at R.
+    direction alone errs, `RATIONAL_NEAREST`. In space the plane's point (rho, z) is off by the error d of rho, seen
+    from the base at the distance r of the target: an angle asin(d / r), a chord 2 R sin(asin(d / r) / 2). In the hole
+    this is the greater the shorter the target is, by R / r. The yaw's own error is that at R.
     """
     target = floats(target)
     r = np.sqrt((target * target).sum(axis=0))
     radius = np.where(r > (l1 + l2 + abs(l1 - l2)) / 2, l1 + l2, abs(l1 - l2))
-    aim = rational_aim(radius, len(target)) + radius * 2**-19
     if len(target) == 2:
-        return aim
-    fine, cut = _rational_rho(p, target)
-    turned = np.arcsin(np.minimum((fine + 2 * cut) / np.maximum(r, 1e-9), 1))
-    return aim + 2 * radius * np.sin(turned / 2) + rational_aim(radius)
+        return radius * RATIONAL_NEAREST
+    turned = np.arcsin(np.minimum(vector_rho(p, target) / np.maximum(r, 1e-9), 1))
+    yaw = _rational_yaw(p, np.hypot(target[0], target[1])) * radius / np.maximum(r, 1e-9)
+    return radius * RATIONAL_NEAREST + 2 * radius * np.sin(turned / 2) + yaw
 
 
 # vector: two and three joints, inverse

@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 
-from quadrance import arith, codecs
+from quadrance import arith, codecs, vector_solve
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 
 Params = dict[str, int]
@@ -32,6 +32,12 @@ def fk1(p: Params, *, in_j1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
     x, over_x = coordinate(1 - odd, odd ^ lower)
     y, over_y = coordinate(odd, lower)
     return {"out_x": x, "out_y": y, "out_status": 4 * ints(over_x | over_y)}
+
+
+def _zeros(*words: Ints) -> Ints:
+    """Sign bits that all of these 16-bit words can spare."""
+    either = np.bitwise_or.reduce([word ^ word >> 63 for word in words])
+    return 15 - np.ceil(np.log2(either + 1)).astype(np.int64)
 
 
 @cache
@@ -102,19 +108,7 @@ def fk3(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints, cfg_l1: Ints, cfg_l
 # Two and three joints, inverse
 
 
-def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
-    """Words that the inverse cores want besides the lengths, all of lengths aligned to 16 bits.
-
-    `cfg_e` says by how many bits the gap q - Q1 - Q2 is shifted, 7 - 8 e to the right; `cfg_q` is Q1 + Q2 less the
-    half that rounds this shift; `cfg_r` is 2^(44 + 7 - 8 e) / (2 L1 L2 + half), always less: a point in reach,
-    borders included, never seems out of it.
-    """
-    l1, l2 = (length << 16 - p["W"] for length in (cfg_l1, cfg_l2))
-    double = 2 * l1 * l2
-    e = 0 if double >= 1 << 25 else 1 if double >= 1 << 17 else 2 if double >= 1 << 9 else 3
-    half = 64 if e == 0 else 0
-    ratio = ((1 << 51 - 8 * e) - 1) // max(double + half, 1)
-    return {"cfg_q": l1 * l1 + l2 * l2 - half, "cfg_r": min(ratio, (1 << 26) - 1), "cfg_e": e}
+config = vector_solve.config  # words that the inverse cores want besides the lengths
 
 
 def _about_axis(s: int, axis: Ints, negative: Ints, product: Ints) -> Ints:
@@ -123,42 +117,32 @@ def _about_axis(s: int, axis: Ints, negative: Ints, product: Ints) -> Ints:
     return (axis << s) + np.where(negative, -spread, spread) & (4 << s) - 1
 
 
-def _zeros(*words: Ints) -> Ints:
-    """Sign bits that all of these 16-bit words can spare."""
-    either = np.bitwise_or.reduce([word ^ word >> 63 for word in words])
-    return 15 - np.ceil(np.log2(either + 1)).astype(np.int64)
+def _square(product: Ints) -> Ints:
+    """Square, 40 fraction bits, of a product with 49 fraction bits: 25 of them times 26."""
+    return wrap(product >> 24, 27) * wrap(product >> 23, 27) >> 11
 
 
-def _direction(p: Params, b: Ints, a: Ints, qs: Ints, halfway: Ints) -> Ints:
-    """Turn-spread word of the direction (b, a), 1.0 is 2^20: (m / q)^2, m^2 / q where `halfway`; m the smaller one."""
-    long = ((a ^ a >> 63) >> 14 & 0xFF) <= (qs >> 14 & 0x7F)
-    m = np.where(long, a, b)
-    u = wrap(m * arith.reciprocal_product(qs) >> 24, 27)
-    axis = np.where(long, 2 * (b < 0), 1 + 2 * (a < 0))
-    return _about_axis(p["S"], axis, (a < 0) ^ (b < 0) ^ ~long, u * np.where(halfway, m, u))
+def _direction(p: Params, b: Ints, a: Ints, r: Ints) -> Ints:
+    """Turn-spread word of the direction (b, a) r, a unit vector; by b where it is shorter than 3/4."""
+    c = b * r
+    far = ((c ^ c >> 63) >> 47 & 7) >= 3
+    square = _square(np.where(far, a, b) * r)
+    return _about_axis(p["S"], np.where(far, 2 * (c < 0), 1 + 2 * (a < 0)), (a < 0) ^ (c < 0) ^ ~far, square)
 
 
-def _elbow(p: Params, x: Ints, y: Ints, more: int, k: Ints, qs: Ints, gap: Ints, elbow: Ints, l1: Ints, l2: Ints,
-           cfg_r: Ints, cfg_e: Ints) -> tuple[Ints, Ints, Ints]:
-    """(j1, j2, unreachable) of the target (x, y) with `more` fraction bits, already shifted by k."""
-    n = np.where(cfg_e == 0, gap >> 7, gap << np.maximum(8 * cfg_e - 7, 0))
-    far = (n < -(1 << 26)) | (n >= 1 << 26)
-    c2 = np.where(far, 0, n) * cfg_r >> 24
-    clamped = far | (c2 < -(1 << 20)) | (c2 >= 1 << 20)
-    short = gap < 0
-    c2 = np.where(clamped, np.where(short, -1, 1) << 20, c2)
-    square = c2 * c2
-    j2 = _about_axis(p["S"], 1 + 2 * elbow, short == (elbow != 0), square)
+def _plane(p: Params, x: Ints, y: Ints, more: int, elbow: Ints, *words: Ints,
+           exact: Ints | None = None) -> tuple[Ints, ...]:
+    """(j1, j2, unreachable, at the shoulder) of the target (x, y), x with `more` fraction bits.
 
-    root = arith.root_product({"S": 24, "B": 20}, in_v=square >> 16 & 0xFFFFFF, in_not=ints(1))
-    k1 = (l1 << 3) + (c2 * l2 >> 17)
-    k2 = (root["out_w"] * l2 >> 9) * root["out_slope"] >> 25
-    one = np.where(k1 < 0, -1, 1) << 19
-    k1, k2 = (wrap((2 * word + 1) << k, 21) for word in (k1, k2))
-    k1, k2 = np.where(clamped, one, k1), np.where(square >> 40, 0, k2)
-    b = wrap((k1 * x >> 4 + more) + ((k2 ^ -elbow) * y >> 4 + more), 33) >> 10
-    a = wrap((k1 * y >> 4 + more) + ((k2 ^ elbow - 1) * x >> 4 + more), 33) >> 10
-    return _direction(p, b, a, qs, clamped), j2, clamped
+    The gap is that of the quadrance of the word x, or of the `exact` one.
+    """
+    found = vector_solve.solve(x, y, more, elbow, *words, spread=True, exact=exact)
+    j1 = _direction(p, *vector_solve.seen(found.k1, found.k2, x, y, more, found.s), found.reciprocal)
+    square = _square(found.cosine)
+    bent = found.clamped | (square >> 39 != 0)  # n2^2 is less than c2^2
+    upright = _about_axis(p["S"], 1 + 2 * elbow, found.short == (elbow != 0), square)
+    straight = _about_axis(p["S"], 2 * found.short, found.short ^ (elbow != 0), _square(found.sine))
+    return j1, np.where(bent, straight, upright), found.clamped, found.zero
 
 
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
@@ -167,29 +151,19 @@ def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_
     x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
         in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
     x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
-    k, zero, gap = _zeros(x, y), (x == 0) & (y == 0), x * x + y * y - cfg_q
-    x, y = x << k, y << k
-    qs = x * x + y * y >> 11
-    j1, j2, clamped = _elbow(p, x, y, 0, k, qs, gap, elbow, l1, l2, cfg_r, cfg_e)
+    j1, j2, clamped, zero = _plane(p, x, y, 0, elbow, l1, l2, cfg_q, cfg_r, cfg_e)
     return {"out_j1": hold_last(j1, ~zero), "out_j2": j2, "out_status": ints(clamped) + 2 * ints(zero)}
 
 
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
         cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
-    """Yaw of (x, y), then `ik2` on (rho, z), rho = sqrt(x^2 + y^2)."""
+    """Yaw of (x, y), then `ik2` on (rho, z), rho = sqrt(x^2 + y^2) with 4 fraction bits."""
     x, y, z, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
         in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
     x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
-    square, near, k, zero = x * x + y * y, _zeros(x, y), _zeros(x, y, z), (x == 0) & (y == 0)
-    gap, large = square + z * z - cfg_q, square >= 1 << 24
-    x, y, z = x << near, y << near, z << k
-    qs = x * x + y * y >> 11
-    j3 = _direction(p, x << 5, y << 5, qs, ints(1))
-    root = arith.root_product({"S": 24, "B": 20}, in_v=np.where(large, square >> 8, square), in_not=ints(0))
-    rho = (root["out_w"] << np.where(large, 7, 3)) * (root["out_slope"] << 2) >> 27  # 3 fraction bits
-    fine = (2 * rho + 1) << k
-    rho = fine >> 3  # 1 fraction bit
-    qs = (rho * fine >> 5) + z * z >> 11
-    j1, j2, clamped = _elbow(p, rho, z << 1, 1, k, qs, gap, elbow, l1, l2, cfg_r, cfg_e)
-    return {"out_j1": hold_last(j1, ~zero | (z != 0)), "out_j2": j2, "out_j3": hold_last(j3, ~zero),
-            "out_status": ints(clamped) + 2 * ints(zero)}
+    on_axis = (x == 0) & (y == 0)
+    b, a, r, rho = vector_solve.yaw(x, y)
+    j1, j2, clamped, zero = _plane(p, rho, z, vector_solve.GUARD, elbow, l1, l2, cfg_q, cfg_r, cfg_e,
+                                   exact=x * x + y * y + z * z)
+    return {"out_j1": hold_last(j1, ~zero), "out_j2": j2, "out_j3": hold_last(_direction(p, b, a, r), ~on_axis),
+            "out_status": ints(clamped) + 2 * ints(on_axis)}

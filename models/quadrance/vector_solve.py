@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from math import isqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -38,12 +39,12 @@ def _slopes() -> Ints:
     table = np.zeros((4, 512), dtype=np.int64)
     for a in range(512):
         b = 2 * a + 1
-        for i in range(4 if a >= 128 else 2):
-            if i == 2:
+        for i in range(4 if a >= 128 else 3):
+            if i == 2 and a >= 128:
                 table[i, a] = (((((2 * b * b + 1) << 36) // (b * b)) << 4) // (b * b) >> 4) + 1 >> 1
             else:
-                square = ((8 * b * b - 1 if i < 2 else 8 * b * b + 3) << 40) // b**3
-                square = (square << 3, square >> 2, 0, (square << 23) // (b * b))[i]
+                square = ((8 * b * b - 1 if i < 3 else 8 * b * b + 3) << 40) // b**3
+                square = (square << 3, square >> 2, square >> 7, (square << 23) // (b * b))[i]
                 table[i, a] = isqrt(square) + 1 >> 1
     return table.ravel() & 0xFFFFF
 
@@ -53,12 +54,12 @@ def _factor(word: Ints) -> Ints:
     return (word >> 26 - FACTOR << 26 - FACTOR) + (1 << 25 - FACTOR)
 
 
-def _root(v: Ints) -> Ints:
-    """sqrt(v / 2^26) as a product with 49 fraction bits."""
-    low = v >> 21 == 0
-    e = np.where(low, v & 0x1FFFFF, v >> 5)
+def _root(v: Ints, fine: bool) -> tuple[Ints, Ints]:
+    """sqrt(v / 2^26) as a product with 49 fraction bits; `fine`: with a range of its own for v below 2^-12."""
+    low, tiny = v >> 21 == 0, (v >> 14 == 0) & fine
+    e = np.where(tiny, (v << 5) + 16 & 0x1FFFFF, np.where(low, v & 0x1FFFFF, v >> 5))
     w = (e >> 11 << 16) + ((~e >> 11 & 1) << 15) + ((e & 0x7FF) << 4)
-    return _factor(w), _slopes()[512 * low + (e >> 12)]
+    return _factor(w), _slopes()[np.where(tiny, 1024, 512 * low) + (e >> 12)]
 
 
 def _inverse(q: Ints, root: Ints) -> Ints:
@@ -90,11 +91,14 @@ def _word(p: Params, product: Ints) -> Ints:
     return wrap((product >> 48 - p["U"]) + 1 >> 1, p["U"] + 2)
 
 
-def _direction(k1: Ints, k2: Ints, x: Ints, y: Ints, more: int, s: Ints,
-               inverse: Ints) -> tuple[Ints, Ints]:
-    """The products of the cosine and the sine of (x, y) seen from (k1, k2), s and inverse as of its quadrance."""
-    r = wrap(inverse >> 23, 27)
-    return _shift(_turn(k1, k2, x, y, more), s) * r, _shift(_turn(-k2, k1, x, y, more), s) * r
+def seen(k1: Ints, k2: Ints, x: Ints, y: Ints, more: int, s: Ints) -> tuple[Ints, Ints]:
+    """(x, y) seen from the axis (k1, k2): k1 x + k2 y and k1 y - k2 x, shifted."""
+    return _shift(_turn(k1, k2, x, y, more), s), _shift(_turn(-k2, k1, x, y, more), s)
+
+
+def reciprocal(inverse: Ints) -> Ints:
+    """The word of 1/q' or of 2 / sqrt(q') from its product, 1.0 is 2^24."""
+    return wrap(inverse >> 23, 27)
 
 
 def _power(s: Ints) -> Ints:
@@ -102,14 +106,29 @@ def _power(s: Ints) -> Ints:
     return np.int64(1) << 15 + GUARD + (s & 1)
 
 
-def _elbow(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints,
-           cfg_e: Ints) -> tuple[Ints, ...]:
-    """(c1, n1, c2, n2, unreachable, at the shoulder) of the target (x, y), x with `more` fraction bits.
+class Solved(NamedTuple):
+    """What is known of the target (x, y) when the direction of joint 1 is still to come."""
 
-    Cosines and sines are the products that they are, with 49 fraction bits.
+    cosine: Ints  # c2 as a product with 49 fraction bits, where it is not out of reach
+    sine: Ints  # n2, likewise
+    k1: Ints  # the tip of the arm with joint 1 at 0, with the constant 1 behind it
+    k2: Ints
+    s: Ints  # the shift of `seen`
+    reciprocal: Ints
+    clamped: Ints  # out of reach
+    short: Ints  # c2 < 0
+    zero: Ints  # x = y = 0
+
+
+def solve(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints, cfg_e: Ints,
+          spread: bool = False, exact: Ints | None = None) -> Solved:
+    """Joint 2 of the target (x, y), x with `more` fraction bits, and what joint 1 follows from.
+
+    `spread`: as kernel_solve does it, whose root is finer near 0 and takes the elbow's sign when it has become k2. The
+    gap is that of the quadrance of the word x where it is not given `exact`.
     """
     total = _turn(x << GUARD + 1 - more, y << GUARD + 1, x, y, more)
-    q, gap = total >> SUM, total + (cfg_q << SUM)
+    q, gap = total >> SUM, (total if exact is None else exact << SUM) + (cfg_q << SUM)
     up = 2 * cfg_e - 7 - SUM
     n = gap << np.maximum(up, 0) >> np.maximum(-up, 0)
     beyond = (n < -(1 << 26)) | (n >= 1 << 26)
@@ -119,26 +138,38 @@ def _elbow(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: 
     c2 = np.where(clamped, np.where(short, -1, 1) << 25, product >> 24)
     fine = np.where(clamped, 0, product >> 23)  # c2 with a bit more
     square = c2 * fine >> 25  # 2^26: the root of 1 - c2^2 would read 1
-    w, slope = _root(~square & 0x3FFFFFF)
-    w = np.where(clamped | (square >> 26 != 0), 1 << 25 - FACTOR, np.where(elbow == 1, -w, w))
+    w, slope = _root(~square & 0x3FFFFFF, spread)
+    w = np.where(clamped | (square >> 26 != 0), 1 << 25 - FACTOR, np.where((elbow == 1) & (not spread), -w, w))
     k1 = (c2 * l2 >> 25 - GUARD) + (l1 << GUARD)
     n2 = w * (slope << 6)
     k2 = (n2 >> 24) * l2 >> 25 - GUARD
+    k2 = np.where((elbow == 1) & spread, ~k2, k2)
     s = _spare(q)
     inverse = _inverse(total << 2 * s >> 7 + SUM, clamped)
     k1 = np.where(clamped, np.where(k1 < 0, -1, 1) * _power(s), k1)
     s = np.where(clamped, s >> 1, s)
-    c1, n1 = _direction(2 * k1 + 1, 2 * k2 + 1, x, y, more, s, inverse)
-    return c1, n1, np.where(clamped, np.where(short, -1, 1) << 49, product), n2, clamped, q == 0
+    return Solved(product, n2, 2 * k1 + 1, 2 * k2 + 1, s, reciprocal(inverse), clamped, short, q == 0)
 
 
-def _yaw(x: Ints, y: Ints) -> tuple[Ints, Ints, Ints]:
-    """The products of the cosine and the sine of (x, y), and its length c3 x + n3 y, GUARD fraction bits, nearest."""
+def _elbow(x: Ints, y: Ints, more: int, *words: Ints) -> tuple[Ints, ...]:
+    """(c1, n1, c2, n2, unreachable, at the shoulder) of the target (x, y), x with `more` fraction bits.
+
+    Cosines and sines are the products that they are, with 49 fraction bits.
+    """
+    found = solve(x, y, more, *words)
+    b, a = seen(found.k1, found.k2, x, y, more, found.s)
+    c2 = np.where(found.clamped, np.where(found.short, -1, 1) << 49, found.cosine)
+    return b * found.reciprocal, a * found.reciprocal, c2, found.sine, found.clamped, found.zero
+
+
+def yaw(x: Ints, y: Ints) -> tuple[Ints, Ints, Ints, Ints]:
+    """(x, y) shifted and 2 / sqrt(q'), whose products are (c3, n3); its length c3 x + n3 y, GUARD fraction bits."""
     q = x * x + y * y
     s = _spare(q)
-    c3, n3 = _direction(2 * _power(s) + 1, ints(1), x, y, 0, s >> 1, _inverse(q << 2 * s >> 7, np.True_))
-    total = _turn(2 * (c3 >> 31) + 1, 2 * (n3 >> 31) + 1, x, y)  # of cosines with 18 fraction bits: 17
-    return c3, n3, total + (1 << 16 - GUARD) >> 17 - GUARD
+    b, a = seen(2 * _power(s) + 1, ints(1), x, y, 0, s >> 1)
+    r = reciprocal(_inverse(q << 2 * s >> 7, np.True_))
+    total = _turn(2 * (b * r >> 31) + 1, 2 * (a * r >> 31) + 1, x, y)  # of cosines with 18 fraction bits: 17
+    return b, a, r, total + (1 << 16 - GUARD) >> 17 - GUARD
 
 
 def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
@@ -152,8 +183,8 @@ def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words:
     """As `plane`, of a core in space; and the same of joint 3: (c3, n3, on its axis)."""
     x, y, z, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, *words))
     x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
-    c3, n3, rho = _yaw(x, y)
-    return *_elbow(rho, z, GUARD, elbow, l1, l2, *rest), c3, n3, (x == 0) & (y == 0)
+    b, a, r, rho = yaw(x, y)
+    return *_elbow(rho, z, GUARD, elbow, l1, l2, *rest), b * r, a * r, (x == 0) & (y == 0)
 
 
 def _held(p: Params, joint: int, c: Ints, n: Ints, undefined: Ints) -> dict[str, Ints]:

@@ -214,8 +214,8 @@ def test_rho_and_the_yaw_are_within_their_bounds() -> None:
     target = rng.integers(-32768, 32768, (2, 200_000)) >> rng.integers(0, 16, 200_000)
     target = target[:, (target != 0).any(axis=0)]
     exact = np.hypot(*target)
-    c3, n3, rho = vector_solve._yaw(*target)
+    b, a, r, rho = vector_solve.yaw(*target)
     assert np.all(np.abs(rho / 16 - exact) <= bounds.vector_rho(P, target))
-    c3, n3, (length, turned) = c3 / 2**49, n3 / 2**49, bounds._vector_yaw(exact)
+    c3, n3, (length, turned) = b * r / 2**49, a * r / 2**49, bounds._vector_yaw(exact)
     assert np.all(np.abs(np.hypot(c3, n3) - 1) <= length)
     assert np.all(np.abs(target[0] * n3 - target[1] * c3) / exact <= turned)

@@ -2,8 +2,8 @@
 // Codec of binary angles behind kernel_vector_solve: cosine, then sine of a joint make its word.
 //   out_j = axis +- arcsin(m), m the sine, or the cosine where it is in [-3/4, 3/4); 512 chords of the arc sine
 // Formats: in_cos, in_sin a bit a joint: in_word s4.20 is its cosine, its sine; in_flat, in_negative: c2 is at an end,
-// is negative. out_j angles of A bits modulo a turn, nearest, joint 1 lowest; inside units of 2^-(A+3) turn.
-// Error: of the arc sine of m; 2^-18.6 rad for half the sag, 2^-20.4 for m, knot and truncation a unit: page.
+// is negative; in_none: joints 1 and 3 hold their words; out_j angles of A bits modulo a turn, nearest, joint 1 lowest.
+// Error of the arc sine of m: 2^-18.4 rad for half the sag, 2^-20.4 for m, knot and rise 2^-(A+4) turn.
 // After reset 0, but of joint 2, whose word is never held. Latency 3 from the sine on; a joint every 2.
 // Model: codecs.angle_of_vector
 `default_nettype none
@@ -18,13 +18,14 @@ module angle_of_vector #(
     input  wire [23:0]         in_word,
     input  wire                in_flat,
     input  wire                in_negative,
+    input  wire                in_none,
     output reg  [JOINTS*A-1:0] out_j
 );
     localparam D = A + 3;
 
     // 2^44 (arcsin(i / 256) - half the sag), i from 0 to 224, held above, by differences: with b = 2 i + 1 and
-    // n = 2^18 - b^2 that is 2/sqrt(n) (1 + (2^18 + 2 b^2) / 6 n^2); then in turns of 2^-62. ROUND: half a word of 8 units
-    // less half a unit, half of the two units that are truncated, half of the last bit of m
+    // n = 2^18 - b^2 that is 2/sqrt(n) (1 + (2^18 + 2 b^2) / 6 n^2); then in turns of 2^-62. ROUND: half a word of 8
+    // units less half a unit, half of the two units that are truncated, half of the last bit of m
     function [64*257-1:0] arcs(input integer unused);
         integer    i;
         reg [63:0] k, b, n, root, rise, arc;
@@ -55,7 +56,8 @@ module angle_of_vector #(
         next = ROUND - ARCS[64*256 +: 64] >> 62 - D;
         for (i = -256; i < 256; i = i + 1) begin
             here = next[D-2:0];
-            next = ROUND + (i < -1 ? -ARCS[64*(-i-1) +: 64] : ARCS[64*(i < 0 ? 0 : i+1) +: 64]) >> 62 - D;
+            next = i < -1 ? -ARCS[64*(-i-1) +: 64] : ARCS[64*(i < 0 ? 0 : i+1) +: 64];
+            next = ROUND + next >> 62 - D;
             chords[i & 511] = {here, next[D-10:0] - here[D-10:0]};
         end
     end
@@ -101,7 +103,7 @@ module angle_of_vector #(
     generate
         for (j = 0; j < JOINTS; j = j + 1) begin : g_joint
             always @(posedge clk)
-                if (rst && j != 1 || give[j])
+                if (rst && j != 1 || give[j] && !(in_none && j != 1))
                     out_j[A*j +: A] <= rst && j != 1 ? {A{1'b0}} : word;
         end
     endgenerate

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions of the joints of a tip: of two in the plane (x, y), of three where joint 3 turns that plane about z.
-//   q = x^2 + y^2 (+ z^2), c2 = (q - Q1 - Q2) / 2 L1 L2, k1 = L1 + L2 c2, k2 = +-L2 n2; joint 1 has the direction of
-//   (b, a) / q, a = k1 y - k2 x, b = k1 x + k2 y; with three joints rho = |(x, y)| and z stand for x and y
-// Formats: in_* s16.0; cfg_*: rational.config; out_axis u2.0 quarter turns, out_below: the direction lies clockwise of
-// it; out_square u1.40, the square of the sine between them; of joint i + 1 in the clock of out_take[i].
-// Latency, II: 16; three joints 26. Error: page. Status: unreachable (nearest point), singular (x = y = 0: joint 3, of
-// two joints joint 1, is not taken; nor joint 1 of three where z = 0 too).
-// Source: rational trigonometry paper, eqs. 9, 18-23, in vector form. Models: rational.ik2, rational.ik3
+// Directions of the joints of a tip: two in the plane (x, y), or three, joint 3 turning that plane about z: (c3, n3) =
+// (x, y) / sqrt(x^2 + y^2), and rho = c3 x + n3 y and z stand for x and y. Each is given about its nearer axis.
+//   q = x^2 + y^2, c2 = (q - Q1 - Q2) / 2 L1 L2, n2 = +-sqrt(1 - c2^2), k = L1 + L2 (c2, n2), (c1, n1) = p conj(k) / q
+// Out of reach c2 = +-1, n2 = 0 and (c1, n1) = +-p / |p|: the same products, 2 / sqrt(q) for 1/q, a power of two for k.
+// Formats: in_* s16.0; cfg_*: vector_solve.config; out_axis u2.0 quarter turns, out_below: the direction lies clockwise
+// of it; out_square u1.40, the square of the sine between them; of joint i + 1 in clocks of out_take[i]: the last.
+// Latency, II: 12, 26. Error: page. Status: unreachable (nearest point), singular (x = y = 0: joint 3, of two joints
+// joint 1, is not taken; nor joint 1 of three where z = 0 too). Models: rational.ik2, rational.ik3
 `default_nettype none
 module kernel_solve #(
     parameter JOINTS = 2  // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
@@ -15,9 +15,9 @@ module kernel_solve #(
     input  wire               rst,
     input  wire [15:0]        cfg_l1,
     input  wire [15:0]        cfg_l2,
-    input  wire [32:0]        cfg_q,
+    input  wire signed [33:0] cfg_q,
     input  wire [25:0]        cfg_r,
-    input  wire [1:0]         cfg_e,
+    input  wire [3:0]         cfg_e,
     input  wire               in_valid,
     output wire               in_ready,
     input  wire signed [15:0] in_x,
@@ -32,99 +32,85 @@ module kernel_solve #(
     output wire [40:0]        out_square,
     output wire [3:0]         out_status
 );
-    // Schedule. start: x y z elbow k used q <- in_x in_y in_z in_elbow
-    localparam [2:0]         // the word that the shifter passes
-        IDLE    = 3'b000,    // - <- -: none is taken
-        REACH   = 3'b000,    // - <- reach k: k1
-        LEFT    = 3'b001,    // - <- left k: k2, or rho
-        Y       = 3'b010,    // - <- y k: y
-        X       = 3'b011,    // - <- x k: x
-        V       = 3'b100;    // - <- y z k: the vertical coordinate, z of three joints, y of two
-    localparam [7:0]         // operands of the two multipliers
-        KEEP    = 8'h00,     // - <- -: hold
-        YS      = 8'h01,     // ys <- -: the shifted word
-        XS      = 8'h02,     // xs <- ys: what ys has
-        K1      = 8'h04,     // k1 <- -: the shifted word
-        K2      = 8'h08,     // k2 <- -: the shifted word
-        ONE     = 8'h10,     // k1 k2 k <- -: 1, 0 and no shift
-        ZERO    = 8'h20,     // k1 <- -: 0
-        CLAMP   = 8'h40,     // k1 <- clamped reach: K1, but +-1 out of reach
-        FLAT    = 8'h80;     // k2 <- flat: K2, but 0 where the arm is straight
-    localparam [3:0]         // left operand of the third multiplier
-        ANY     = 4'd0,      // - <- -: it is not used
-        PRODUCT = 4'd0,      // left <- left right: the product
-        GAP     = 4'd1,      // left <- q: q - Q1 - Q2
-        ROOT    = 4'd2,      // left <- left right q: first factor of the root
-        SUM     = 4'd3,      // left <- xs ys k1 k2: a or b
-        INVERSE = 4'd4,      // left <- inverse: first factor of 1/q'
-        HOLD    = 4'd8;      // - <- -: hold
-    localparam [3:0]         // and the right one
-        CFG_R   = 4'd0,      // right <- -: cfg_r
-        CFG_L2  = 4'd1,      // right <- -: cfg_l2
-        SAME    = 4'd2,      // right <- left: left
-        ROOT_S  = 4'd3,      // right <- root: second factor of the root
-        INV_S   = 4'd4,      // right <- inverse: second factor of 1/q'
-        RESULT  = 4'd5,      // right <- left right: the product
-        RANGE   = 4'd6;      // right <- q: 2^8 or 1, as the root of q asks for
-    localparam [14:0]        // the rest
-        NONE    = 15'h0000,  // - <- -: nothing
-        USED    = 15'h0001,  // used <- used: bits of the word in the shifter that differ from their neighbours
-        COUNT   = 15'h0002,  // k <- used: the redundant sign bits
-        ORIGIN  = 15'h0004,  // on_axis <- used x y: x = y = 0
-        QUAD    = 15'h0008,  // q <- q xs ys k1 k2: add the sum of squares
-        SIGN    = 15'h0010,  // beyond obtuse at_base <- q z on_axis: sign and range of q - Q1 - Q2
-        RECIP   = 15'h0020,  // inverse <- xs ys k1 k2: read 1/q'
-        COS     = 15'h0040,  // clamped left <- left right beyond obtuse: the product is c2
-        ARM     = 15'h0080,  // reach <- left right: k1 = L1 + L2 c2
-        A       = 15'h0100,  // a_left <- xs ys k1 k2: the sum is a
-        B       = 15'h0200,  // b_left x_near <- xs ys k1 k2 left inverse: the sum is b, held back if a is less
-        BEND    = 15'h0400,  // - <- elbow: give k2 its sign
-        FAR     = 15'h0800,  // - <- clamped: out of reach right holds m
-        J2      = 15'h1000,  // root flat <- left right elbow obtuse: give joint 2, read n2
-        J3      = 15'h2000,  // root <- left right q a_left b_left x_near on_axis: give joint 3, read the root of q
-        J1      = 15'h4000;  // - <- left right a_left b_left x_near at_base: give joint 1
-    //                      shifter operands         left     right   rest
-    localparam [4*34-1:0] PLANE = {
-        /* 1 y           */ {Y,     YS | K1,         ANY,     ANY,    USED},
-        /* 2 x           */ {X,     YS | XS | K2,    ANY,     ANY,    USED | COUNT},
-        /* 3 q; y'       */ {Y,     YS | K1,         ANY,     ANY,    QUAD | ORIGIN},
-        /* 4 gap; x'     */ {X,     YS | XS | K2,    GAP,     CFG_R,  SIGN}};
-    localparam [14*34-1:0] SPACE = {
-        /* 1 y           */ {Y,     YS | K1,         ANY,     ANY,    USED},
-        /* 2 x           */ {X,     YS | XS | K2,    ANY,     ANY,    USED},
-        /* 3 x^2 + y^2   */ {IDLE,  KEEP,            ANY,     ANY,    QUAD | ORIGIN | COUNT},
-        /* 4 y'          */ {Y,     YS | K1,         ANY,     ANY,    NONE},
-        /* 5 x'          */ {X,     YS | XS | K2,    ANY,     ANY,    NONE},
-        /* 6 q'          */ {IDLE,  ONE,             ANY,     ANY,    RECIP},
-        /* 7 1/q'        */ {IDLE,  KEEP,            INVERSE, INV_S,  NONE},
-        /* 8 a = y'      */ {IDLE,  XS,              SUM,     RESULT, A},
-        /* 9 b = x'      */ {IDLE,  KEEP,            SUM,     HOLD,   B},
-        /* 10 m/q'       */ {IDLE,  KEEP,            PRODUCT, SAME,   NONE},
-        /* 11 m^2/q'; z  */ {V,     YS | K2 | ZERO,  ROOT,    RANGE,  USED | J3},
-        /* 12 q          */ {IDLE,  KEEP,            PRODUCT, ROOT_S, QUAD | COUNT},
-        /* 13 rho; z'    */ {V,     YS | K1,         PRODUCT, ANY,    NONE},
-        /* 14 gap; rho'  */ {LEFT,  YS | XS | K2,    GAP,     CFG_R,  SIGN}};
-    localparam [11*34-1:0] SOLVE = {
-        /* q', c2        */ {IDLE,  KEEP,            PRODUCT, CFG_L2, RECIP | COS},
-        /* L2 c2         */ {IDLE,  KEEP,            HOLD,    SAME,   ARM},
-        /* c2^2; k1'     */ {REACH, K1 | CLAMP,      ROOT,    CFG_L2, J2},
-        /* L2 w          */ {IDLE,  KEEP,            PRODUCT, ROOT_S, NONE},
-        /* k2 = L2 n2    */ {IDLE,  KEEP,            PRODUCT, ANY,    NONE},
-        /* k2'           */ {LEFT,  K2 | FLAT,       INVERSE, INV_S,  NONE},
-        /* a; 1/q'       */ {V,     YS | XS,         SUM,     RESULT, A | BEND},
-        /* b             */ {IDLE,  KEEP,            SUM,     HOLD,   B | BEND},
-        /* m/q'          */ {IDLE,  KEEP,            PRODUCT, SAME,   NONE},
-        /* m/q' or m     */ {IDLE,  KEEP,            HOLD,    SAME,   FAR},
-        /* (m/q')^2      */ {IDLE,  KEEP,            ANY,     ANY,    J1}};
-    wire [33:0] op;
+    // Schedule. start: k1 k2 x y z minus_q s elbow clamped <- in_x in_y in_z in_elbow
+    localparam [6:0]              // operands of the two multipliers
+        KEEP    = 7'b0000000,     // - <- -: hold
+        K1      = 7'b0000001,     // k1 <- left right addend clamped s: the product is k1
+        K2      = 7'b0000010,     // k2 <- left right elbow: the product is k2; with HALVE the elbow gives its sign
+        TURN    = 7'b0000100,     // k1 k2 <- k1 k2: (-k2, k1)
+        MOVE    = 7'b0001010,     // k1 k2 <- k2 left right: k2 moves to k1, the product is k2
+        POWER   = 7'b0010000,     // k1 k2 <- s: a power of two and 0
+        UP      = 7'b0100000,     // k1 k2 x y s minus_q rho zero3 <- k1 k2 x y z zero gap_xy: 0 and z; the sum is rho
+        RHO     = 7'b1000000;     // k1 x <- rho: rho
+    localparam [1:0]              // left operand of the third multiplier
+        SHIFTED = 2'd0,           // left <- k1 k2 x y s: the shifted sum
+        FACTOR  = 2'd1,           // left <- factor: first factor of a root or a reciprocal
+        PRODUCT = 2'd2,           // left <- left right: the product
+        HOLD    = 2'd3;           // - <- -: hold
+    localparam [2:0]              // and the right one
+        CFG_R   = 3'd0,           // right <- -: cfg_r
+        CFG_L2  = 3'd1,           // right <- -: cfg_l2
+        SLOPE   = 3'd2,           // right <- slope: second factor
+        RESULT  = 3'd3,           // right <- left right: the product
+        SAME    = 3'd4;           // - <- -: hold
+    localparam                    // what is added to the product of the next clock
+        NONE    = 1'b0,           // addend <- -: nothing
+        LENGTH  = 1'b1;           // addend <- -: L1
+    localparam [13:0]             // the rest
+        OTHER   = 14'h0000,       // - <- -: nothing
+        BYTES   = 14'h0001,       // s <- k1 k2 x y: bytes that q can spare
+        PAIRS   = 14'h0002,       // s zero <- k1 k2 x y s: pairs of bits that q can spare
+        GAP     = 14'h0004,       // beyond short <- k1 k2 x y minus_q s: sign and range of q - Q1 - Q2
+        ROOT    = 14'h0008,       // factor slope bent <- left right elbow clamped short: give joint 2 by c2^2, read n2
+        READ    = 14'h0010,       // slope <- factor clamped: read 1/q'
+        INVERSE = 14'h0020,       // factor <- k1 k2 x y s clamped: first factor of 1/q'
+        COS2    = 14'h0040,       // clamped left <- left right beyond short: the product is c2
+        SIN2    = 14'h0080,       // - <- left right elbow short bent: give joint 2 by n2^2 if that is less
+        HALVE   = 14'h0100,       // s <- s clamped: not q is shifted but its root: out of reach, and for joint 3
+        SIDE    = 14'h0200,       // a_left b_left x_near <- left right k1 k2 x y s: which is less; b is held if b is
+        BASE    = 14'h0400,       // gap_xy <- k1 k2 x y minus_q: the sum is x^2 + y^2 - Q1 - Q2
+        NEAREST = 14'h0800,       // minus_q <- -: half a unit of rho
+        J3      = 14'h1000,       // - <- left right a_left b_left x_near zero: give joint 3
+        J1      = 14'h2000;       // - <- left right a_left b_left x_near zero: give joint 1
+    //                     operands  left     right   addend  rest
+    localparam [1*27-1:0] PLANE = {
+        /* gap         */ {KEEP,     SHIFTED, CFG_R,  NONE,   GAP}};
+    localparam [15*27-1:0] SPACE = {
+        /* x^2 + y^2   */ {KEEP,     HOLD,    SAME,   NONE,   BASE},
+        /* its bytes   */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},
+        /* and pairs   */ {KEEP,     HOLD,    SAME,   NONE,   PAIRS},
+        /* q'          */ {POWER,    HOLD,    SAME,   NONE,   INVERSE},
+        /* slope       */ {KEEP,     HOLD,    SAME,   NONE,   READ | HALVE},
+        /* w           */ {KEEP,     FACTOR,  SLOPE,  NONE,   OTHER},
+        /* 1/sqrt; x   */ {TURN,     SHIFTED, RESULT, NONE,   OTHER},
+        /* c3; y       */ {TURN,     SHIFTED, SAME,   NONE,   SIDE},
+        /* m           */ {TURN,     PRODUCT, RESULT, NONE,   OTHER},
+        /* m^2         */ {TURN,     FACTOR,  SLOPE,  NONE,   J3},
+        /* 1/sqrt; x   */ {TURN,     SHIFTED, RESULT, NONE,   OTHER},
+        /* c3; y       */ {K2,       SHIFTED, SAME,   NONE,   OTHER},
+        /* n3          */ {MOVE,     HOLD,    SAME,   NONE,   NEAREST},
+        /* rho         */ {UP,       HOLD,    SAME,   NONE,   OTHER},
+        /* gap         */ {RHO,      SHIFTED, CFG_R,  NONE,   GAP}};
+    localparam [10*27-1:0] SOLVE = {
+        /* c2          */ {KEEP,     PRODUCT, RESULT, NONE,   COS2 | BYTES},
+        /* c2^2        */ {KEEP,     HOLD,    CFG_L2, LENGTH, ROOT | PAIRS},
+        /* k1; q'      */ {K1,       FACTOR,  SLOPE,  NONE,   INVERSE},
+        /* n2          */ {KEEP,     PRODUCT, RESULT, NONE,   READ},
+        /* n2^2        */ {KEEP,     HOLD,    CFG_L2, NONE,   SIN2},
+        /* k2          */ {K2,       FACTOR,  SLOPE,  NONE,   HALVE},
+        /* 1/q'; b     */ {TURN,     SHIFTED, RESULT, NONE,   OTHER},
+        /* c1; a       */ {KEEP,     SHIFTED, SAME,   NONE,   SIDE},
+        /* m/q         */ {KEEP,     PRODUCT, RESULT, NONE,   OTHER},
+        /* (m/q)^2     */ {KEEP,     HOLD,    SAME,   NONE,   J1}};
+    wire [26:0] op;
     wire        idle;
     wire        accept = in_valid && in_ready;
     generate
         if (JOINTS == 2) begin : g_plane
-            schedule #(.LINES(15), .BITS(34), .TABLE({PLANE, SOLVE})) control (
+            schedule #(.LINES(11), .BITS(27), .TABLE({PLANE, SOLVE})) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end else begin : g_space
-            schedule #(.LINES(25), .BITS(34), .TABLE({SPACE, SOLVE})) control (
+            schedule #(.LINES(25), .BITS(27), .TABLE({SPACE, SOLVE})) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
     endgenerate
@@ -135,6 +121,6 @@ module kernel_solve #(
 
     assign in_ready = idle && (!out_valid || out_ready);
     always @(posedge clk)
-        out_valid <= !rst && (op[14] || (out_valid && !out_ready));
+        out_valid <= !rst && (op[13] || (out_valid && !out_ready));
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Datapath of kernel_solve, whose table says what happens when: in_op is one line of it, column by column.
 // Ports, formats and models as in kernel_solve; in_start: in_x, in_y, in_z, in_elbow are taken at the end of the clock.
-// Inside: x, y, z, q are exact; a shifted word is s17.4, left s7.20. A constant 1 below a word centres its truncation.
+// 1.0 is 2^25 in left, 2^26 in right but for the words in SLOPE, 2^24, in the product of them 2^49, of squares 2^51.
 `default_nettype none
 module kernel_solve_path #(
     parameter JOINTS = 2  // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
@@ -9,11 +9,11 @@ module kernel_solve_path #(
     input  wire               clk,
     input  wire [15:0]        cfg_l1,
     input  wire [15:0]        cfg_l2,
-    input  wire [32:0]        cfg_q,
+    input  wire signed [33:0] cfg_q,
     input  wire [25:0]        cfg_r,
-    input  wire [1:0]         cfg_e,
+    input  wire [3:0]         cfg_e,
     input  wire               in_start,
-    input  wire [33:0]        in_op,
+    input  wire [26:0]        in_op,
     input  wire signed [15:0] in_x,
     input  wire signed [15:0] in_y,
     input  wire signed [15:0] in_z,
@@ -25,126 +25,133 @@ module kernel_solve_path #(
     output wire [3:0]         out_status
 );
     localparam YAW = JOINTS == 3;
-    wire [2:0] pass;
-    wire [3:0] left_from, right_from;
-    wire       to_flat, to_clamp, to_zero, to_one, to_k2, to_k1, to_xs, to_ys;
-    wire       j1, j3, j2, far, bend, b, a, arm, cos, recip, sign, quad, base, count, collect;
-    assign {pass, to_flat, to_clamp, to_zero, to_one, to_k2, to_k1, to_xs, to_ys, left_from, right_from,
-            j1, j3, j2, far, bend, b, a, arm, cos, recip, sign, quad, base, count, collect} = in_op;
+    wire [1:0] left_from;
+    wire [2:0] right_from;
+    wire       rho_to, up, power, move, turn, to_k2, to_k1, add_l1;
+    wire       j1, j3, half, base, side, halve, sin2, cos2, inverse, read, root, gap, pairs, bytes;
+    assign {rho_to, up, power, move, turn, to_k2, to_k1, left_from, right_from, add_l1,
+            j1, j3, half, base, side, halve, sin2, cos2, inverse, read, root, gap, pairs, bytes} = in_op;
 
+    // At first minus_q makes q the gap; it rounds rho; where bytes and pairs are found it is 0
+    reg                elbow, clamped, zero, beyond, short;
+    reg                bent;            // c2^2 >= 1/2: joint 2 is given by n2^2
+    reg                a_left, b_left;  // a < 0, b < 0
+    reg                x_near;          // the x axis is the nearer one: m is a
+    reg         [33:0] minus_q;
+    reg  [3:0]         s;
     /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [26:0] left;
-    wire [53:0]        product;
-    wire [33:0]        sum;
-    wire [20:0]        inverse_w, q_near;
-    wire [2:0]         take;
+    wire signed [53:0] product;
     /* verilator lint_on UNUSEDSIGNAL */
+    wire        [21:0] result;
+    wire [26:0]        word;
+    wire [36:0]        total;
+    wire [1:0]         coarse, fine;
+    wire               over, none;
+    wire               first = YAW ? up : in_start;  // the next clock is that of the gap
+    reg         [33:0] gap_xy;                       // x^2 + y^2 - Q1 - Q2
+    reg         [20:0] rho;
+    kernel_vector_turn #(.JOINTS(JOINTS)) operands (
+        .clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_up(up), .in_rho(rho_to),
+        .in_total(rho), .in_k1(to_k1), .in_k2(to_k2), .in_turn(turn), .in_move(move), .in_power(power),
+        .in_clamp(clamped), .in_odd(s[0]), .in_sum(result), .in_product(product[52:31] ^ {22{halve && elbow}}),
+        .in_addend(minus_q), .out_sum(total));
+    kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
+        .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
-    // Coordinates and the shifter; a redundant sign bit is counted where all words agree
-    reg  signed [15:0] x, y, z;
-    reg  [3:0]         k;
-    reg  [14:0]        used;
-    reg  [20:0]        reach;  // k1
-    reg  [20:0]        raw;
-    wire [20:0]        word;
-    always @*
-        case ({pass[1] || !YAW && pass[2], pass[0]})
-            2'd3: raw = {x[15], x, 4'd0};
-            2'd2: raw = {y[15], y, 4'd0};
-            2'd1: raw = {left[22:3], 1'b1};
-            default: raw = YAW && pass[2] ? {z[15], z, 4'd0} : {reach[19:0], 1'b1};
-        endcase
-    wire [14:0] used_now = used | (raw[19:5] ^ raw[18:4]);
-    wire [3:0]  spare;
-    normalise #(.B(21)) shift (
-        .in_used(YAW ? used : used_now), .out_k(spare), .in_k(k), .in_x(raw), .out_x(word));
+    // The third multiplier. An addend is a register of its own, cleared where there is none.
+    reg  signed [26:0] left, right;
+    reg  [15:0]        l1;
+    assign             product = left * right;
+    assign             result = product[52:31] + {2'd0, l1, 4'd0};
+    wire               outside = beyond || product[53:49] != {5{product[53]}};
 
-    reg         elbow, on_axis, at_base;
-    reg         clamped;         // out of reach: c2 = +-1 and k2 = 0; k1 = +-1 will do, and m^2 / q' for (m / q')^2
-    reg         flat;            // c2 = +-1, k2 = 0: the root of 1 - c2^2 would read 1 for c2 = -1
-    reg         beyond;          // the shifter of the gap lost its upper bits
-    reg         obtuse;          // the gap is negative, c2 too
-    reg         a_left, b_left, x_near;  // a < 0, b < 0, the x axis is the nearer one: m is a
-    reg  [31:0] q;               // x^2 + y^2 (+ z^2)
-    kernel_solve_turn #(.X(YAW ? 1 : 0)) turn (
-        .clk(clk), .in_word(word), .in_ys(to_ys), .in_xs(to_xs), .in_k1(to_k1), .in_k2(to_k2), .in_one(to_one),
-        .in_zero(to_zero), .in_clamp(to_clamp && clamped), .in_sign(reach[20]), .in_flat(to_flat && flat),
-        .in_minus(bend && (a ^ elbow)), .out_sum(sum));
+    // v = 1 - c2^2 with 26 fraction bits; first factors of sqrt(v), 1/q', 2/sqrt(q'), 22 bits and a constant 1
+    wire [25:0] v = ~product[50:25];
+    wire        low = v[25:21] == 0, tiny = v[25:14] == 0;
+    wire [20:0] e = tiny ? {2'd0, v[13:0], 5'd16} : low ? v[20:0] : v[25:5];
+    wire [21:0] root_w = {e[20:11], ~e[11], e[10:0]};
+    wire [21:0] inverse_w = {1'b0, word[24:16], ~word[15], clamped ? {word[15], ~word[14:5]} : ~word[14:4]};
+    reg  [21:0] factor;
+    wire [19:0] slope;
+    kernel_vector_slopes slopes (.clk(clk), .in_read(root || read),
+        .in_range(read ? {1'b1, clamped} : {tiny, low && !tiny}), .in_segment(read ? factor[20:12] : e[20:12]),
+        .out_slope(slope));
 
-    // 1/q' = inverse_w * inverse_slope; q' has 19 fraction bits
-    wire [21+YAW:0] inverse_slope;
-    reciprocal_product #(.TOP(YAW)) inverse (
-        .clk(clk), .in_read(recip), .in_q(sum[31:11]), .out_q(q_near), .out_w(inverse_w), .out_slope(inverse_slope));
+    // m is b where |b| / q < 3/4
+    wire [2:0] size = product[49:47] ^ {3{product[53]}};
+    wire       far = size[2] || size[1] && size[0];
 
-    wire signed [26:0] n;
-    wire               gap_beyond, gap_negative;
-    kernel_solve_gap numerator (
-        .cfg_q(cfg_q), .cfg_e(cfg_e), .in_q(q), .out_n(n), .out_beyond(gap_beyond), .out_negative(gap_negative));
-
-    // n2 = sqrt(1 - c2^2), or sqrt(q / 2^32), sqrt(q / 2^24) where q is not big: root_w * root_slope
-    wire        big = q[31:24] != 0;
-    wire [18:0] root_w;
-    wire [19:0] root_slope;
-    root_product #(.S(24), .B(20)) chord (
-        .clk(clk), .in_read(j2 || j3), .in_not(!j3), .in_v(j3 ? big ? q[31:8] : q[23:0] : product[39:16]),
-        .out_w(root_w), .out_slope(root_slope));
-
-    // b becomes m where |a| > q' / 2, roughly
-    wire [7:0]  a_size = left[21:14] ^ {8{left[22]}};
-    wire        steep = a_size[7] || a_size[6:0] > q_near[20:14];
-    wire        outside;
-    kernel_solve_scale #(.YAW(YAW)) scale (
-        .clk(clk), .cfg_l2(cfg_l2), .cfg_r(cfg_r), .in_left(left_from), .in_right(right_from),
-        .in_keep_left(b && !steep), .in_keep_right(far && clamped), .in_c2(cos), .in_beyond(beyond),
-        .in_negative(obtuse), .in_n(n), .in_w(root_w), .in_slope(root_slope), .in_w_q(inverse_w),
-        .in_slope_q(inverse_slope), .in_sum(sum[32:10]), .in_big(big), .out_left(left), .out_product(product),
-        .out_outside(outside));
-
-    // c2 is the coordinate across the quarter turns, the axes of joint 2
-    assign      take = {j3 && !on_axis, j2, j1 && !at_base};
+    // The axes of joint 2 are the quarter turns for c2^2, none and half a turn for n2^2
+    reg         zero3;
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [2:0]  take = {j3 && !zero, root || sin2 && bent, j1 && !zero};
+    /* verilator lint_on UNUSEDSIGNAL */
     assign      out_take = take[JOINTS-1:0];
-    assign      out_axis = j2 ? {elbow, 1'b1} : {x_near ? b_left : a_left, !x_near};
-    assign      out_below = j2 ? obtuse == elbow : a_left ^ b_left ^ !x_near;
-    assign      out_square = product[40:0];
-    assign      out_status = {2'd0, on_axis, clamped};
-
+    assign      out_axis = root ? {elbow, 1'b1} : sin2 ? {short, 1'b0} : {x_near ? b_left : a_left, !x_near};
+    assign      out_below = root ? short == elbow : sin2 ? short ^ elbow : a_left ^ b_left ^ !x_near;
+    assign      out_square = product[51:11];
+    assign      out_status = {2'd0, YAW ? zero3 : zero, clamped};
     always @(posedge clk) begin
-        if (in_start) begin
-            x     <= in_x;
-            y     <= in_y;
-            z     <= in_z;
-            elbow <= in_elbow;
-            k     <= 4'd0;
-            q     <= 32'd0;
-            used  <= 15'd0;
-        end
-        if (collect)
-            used <= used_now;
-        if (count)
-            k <= spare;
-        if (to_one)
-            k <= 4'd0;
+        minus_q <= {24'd0, half, 9'd0};
+        if (in_start || first)
+            minus_q <= in_start ? cfg_q : gap_xy;
         if (base)
-            on_axis <= used == 0 && !x[15] && !y[15];
-        if (quad)
-            q <= sum[31:0] + (YAW ? q : 32'd0);
-        if (sign) begin
-            at_base <= on_axis && !(YAW && z != 0);
-            beyond  <= gap_beyond;
-            obtuse  <= gap_negative;
+            gap_xy <= total[36:3];
+        if (up)
+            rho <= total[33:13];
+        if (in_start)
+            elbow <= in_elbow;
+        if (up)
+            zero3 <= zero;
+        if (first)
+            s <= cfg_e;
+        if (bytes)
+            s[3:2] <= coarse;
+        if (cos2 || YAW && in_start)
+            clamped <= YAW && in_start || outside;
+        if (pairs) begin
+            s[1:0] <= fine;
+            zero   <= none;
         end
-        if (cos)
-            clamped <= outside;
-        if (arm)
-            reach <= {2'd0, cfg_l1, 3'd0} + product[46:26];
-        if (j2)
-            flat <= product[40];
-        if (a)
-            a_left <= sum[32];
-        if (b) begin
-            b_left <= sum[32];
-            x_near <= !steep;
+        if (halve && clamped)
+            s <= s >> 1;
+        if (gap) begin
+            beyond <= over;
+            short  <= total[36];
         end
+
+        if (root)
+            bent <= clamped || product[51] || product[50];
+        if (side) begin
+            b_left <= product[53];
+            a_left <= word[26];
+            x_near <= far;
+        end
+
+        l1 <= cfg_l1;
+        if (!add_l1)
+            l1 <= 16'd0;
+        if (root || inverse) begin
+            factor   <= inverse ? inverse_w : root_w;
+        end
+        if (root && (clamped || product[51])) begin  // the root of 1 - (-1)^2 would read 1
+            factor   <= 22'd0;
+        end
+        if (left_from != 2'd3 && !(side && !far))
+            case (left_from)
+                2'd2: left <= product[50:24];
+                2'd1: left <= {1'b0, factor, 4'd8};
+                default: left <= word;
+            endcase
+        if (!right_from[2])
+            case (right_from[1:0])
+                2'd0: right <= {1'b0, cfg_r};
+                2'd1: right <= {1'b0, cfg_l2, 10'd0};
+                2'd2: right <= {1'b0, slope, 6'd0};
+                default: right <= product[49:23];
+            endcase
+        if (cos2 && outside)
+            left <= {short, 1'b1, 25'd0};
     end
 endmodule
 `default_nettype wire

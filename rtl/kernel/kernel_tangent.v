@@ -6,7 +6,7 @@
 // Formats: in_x, in_y s16, any fraction; out_tangent s2.18; out_axis u2.0 quarter turns; both in the clock of out_take.
 // Error: 0.21 * 2^-14 rad of direction. Latency 4, II 4.
 // Status: singular (x = y = 0: no out_take but, after a reset, one of axis 0 and tangent 0).
-// Source: 1/M by tangents as reciprocal_product. Model: table.ik1
+// Source: 1/M by tangents as reciprocal_pair. Model: table.ik1
 `default_nettype none
 module kernel_tangent (
     input  wire               clk,

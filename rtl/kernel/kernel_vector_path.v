@@ -5,7 +5,7 @@
 `default_nettype none
 module kernel_vector_path #(
     parameter JOINTS = 2,  // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
-    parameter U = 16       // fraction bits that words are rounded to, 8 to 17, or 18: they are not. 16
+    parameter U = 16       // fraction bits that words are rounded to, 8 to 17, or 18: they are not; 16
 ) (
     input  wire               clk,
     input  wire [15:0]        cfg_l1,
@@ -24,6 +24,7 @@ module kernel_vector_path #(
     output wire [23:0]        out_word,
     output wire               out_flat,
     output wire               out_negative,
+    output wire               out_none,
     output wire [3:0]         out_status
 );
     localparam YAW = JOINTS == 3;
@@ -48,9 +49,10 @@ module kernel_vector_path #(
     wire               over, none;
     wire               first = YAW ? to_rho : in_start;  // the next clock is that of the gap
     kernel_vector_turn #(.JOINTS(JOINTS)) operands (
-        .clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_rho(to_rho), .in_total(total[33:13]),
-        .in_k1(to_k1), .in_k2(to_k2), .in_turn(turn), .in_move(move), .in_power(power), .in_clamp(clamped),
-        .in_odd(s[0]), .in_sum(result), .in_product(product[52:31]), .in_addend(minus_q), .out_sum(total));
+        .clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_up(to_rho), .in_rho(to_rho),
+        .in_total(total[33:13]), .in_k1(to_k1), .in_k2(to_k2), .in_turn(turn), .in_move(move), .in_power(power),
+        .in_clamp(clamped), .in_odd(s[0]), .in_sum(result), .in_product(product[52:31]), .in_addend(minus_q),
+        .out_sum(total));
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
@@ -76,8 +78,9 @@ module kernel_vector_path #(
         .in_segment(read ? factor[20:12] : e[20:12]), .out_slope(slope));
 
     reg    zero3;
-    assign out_cos = {cos3 && !zero, cos2, cos1 && !zero};
-    assign out_sin = {sin3 && !zero, sin2, sin1 && !zero};
+    assign out_cos = {cos3, cos2, cos1};
+    assign out_sin = {sin3, sin2, sin1};
+    assign out_none = zero;
     assign out_word = {result, product[30:29]};
     assign out_flat = outside;
     assign out_negative = short;

@@ -3,9 +3,11 @@
 // turning that plane about z: (c3, n3) = (x, y) / sqrt(x^2 + y^2), and rho = c3 x + n3 y and z stand for x and y.
 //   q = x^2 + y^2, c2 = (q - Q1 - Q2) / 2 L1 L2, n2 = +-sqrt(1 - c2^2), k = L1 + L2 (c2, n2), (c1, n1) = p conj(k) / q
 // Out of reach c2 = +-1, n2 = 0 and (c1, n1) = +-p / |p|: the same products, 2 / sqrt(q) for 1/q, a power of two for k.
-// Formats: in_* s16.0; cfg_*: vector_solve.config; out_* s2.U, nearest (ties upward).
-// Latency, II: 10, 19. Error: page. Status: unreachable (nearest point), singular (x = y = 0: the joint of this
-// direction holds its last value, (1, 0) after reset; joint 1 of three if z = 0 too). Models: vector_solve.ik2, .ik3
+// Formats: in_* s16.0; cfg_*: vector_solve.config; out_word s4.20, the cosine of joint i + 1 in the clock of out_cos[i]
+// and the sine in that of out_sin[i], with half a unit of U bits; out_flat: c2 is 1, or -1 with out_negative, its sign;
+// out_none: joints 1 and 3 have no direction, for two clocks behind their sine too.
+// Latency, II: 10, 19, and LAG. Error: page. Status: unreachable (nearest point), singular (x = y = 0: the joint of
+// this direction is undefined; so is joint 1 of three if z = 0 too). Models: vector_solve.ik2, .ik3, table.ik2, .ik3
 `default_nettype none
 module kernel_vector_solve #(
     parameter JOINTS = 2,  // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
@@ -32,6 +34,7 @@ module kernel_vector_solve #(
     output wire [23:0]        out_word,
     output wire               out_flat,
     output wire               out_negative,
+    output wire               out_none,
     output wire [3:0]         out_status
 );
     // Schedule. start: k1 k2 x y z minus_q s elbow clamped <- in_x in_y in_z in_elbow
@@ -58,23 +61,24 @@ module kernel_vector_solve #(
         NONE    = 2'b00,          // addend <- -: nothing
         HALF    = 2'b01,          // addend <- -: the half that rounds a word
         LENGTH  = 2'b10;          // addend <- -: L1
-    localparam [12:0]             // the rest
-        OTHER   = 13'h0000,       // - <- -: nothing
-        BYTES   = 13'h0001,       // s <- k1 k2 x y: bytes that q can spare
-        PAIRS   = 13'h0002,       // s zero <- k1 k2 x y s: pairs of bits that q can spare
-        GAP     = 13'h0004,       // beyond short <- k1 k2 x y minus_q s: sign and range of q - Q1 - Q2
-        ROOT    = 13'h0008,       // factor slope <- left right elbow clamped: read n2
-        READ    = 13'h0010,       // slope <- factor clamped: read 1/q'
-        INVERSE = 13'h0020,       // factor <- k1 k2 x y s clamped: first factor of 1/q'
-        COS2    = 13'h0040,       // c2 clamped left <- left right addend beyond short: c2
-        SIN2    = 13'h0080,       // n2 <- left right addend: n2
-        HALVE   = 13'h0100,       // s <- s clamped: not q is shifted but its root: out of reach, and for joint 3
-        COS1    = 13'h0200,       // c1 <- left right addend zero: c1
-        SIN1    = 13'h0400,       // n1 <- left right addend zero: n1
-        COS3    = 13'h0800,       // c3 <- left right addend zero: c3
-        SIN3    = 13'h1000;       // n3 minus_q <- left right addend zero: n3; half a unit of rho
+    localparam [13:0]             // the rest
+        OTHER   = 14'h0000,       // - <- -: nothing
+        BYTES   = 14'h0001,       // s <- k1 k2 x y: bytes that q can spare
+        PAIRS   = 14'h0002,       // s zero <- k1 k2 x y s: pairs of bits that q can spare
+        GAP     = 14'h0004,       // beyond short <- k1 k2 x y minus_q s: sign and range of q - Q1 - Q2
+        ROOT    = 14'h0008,       // factor slope <- left right elbow clamped: read n2
+        READ    = 14'h0010,       // slope <- factor clamped: read 1/q'
+        INVERSE = 14'h0020,       // factor <- k1 k2 x y s clamped: first factor of 1/q'
+        COS2    = 14'h0040,       // c2 clamped left <- left right addend beyond short: c2
+        SIN2    = 14'h0080,       // n2 <- left right addend: n2
+        HALVE   = 14'h0100,       // s <- s clamped: not q is shifted but its root: out of reach, and for joint 3
+        COS1    = 14'h0200,       // c1 <- left right addend zero: c1
+        SIN1    = 14'h0400,       // n1 <- left right addend zero: n1
+        COS3    = 14'h0800,       // c3 <- left right addend zero: c3
+        SIN3    = 14'h1000,       // n3 minus_q <- left right addend zero: n3; half a unit of rho
+        LAST    = 14'h2000;       // - <- -: the codec ends, the words stand in the next clock
     //                     operands  left     right   addend  rest
-    localparam [9*26-1:0] YAW = {
+    localparam [9*27-1:0] YAW = {
         /* x^2 + y^2   */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},
         /* and pairs   */ {KEEP,     HOLD,    SAME,   NONE,   PAIRS},
         /* q'          */ {POWER,    HOLD,    SAME,   NONE,   INVERSE},
@@ -84,7 +88,7 @@ module kernel_vector_solve #(
         /* c3; y       */ {K2,       SHIFTED, SAME,   HALF,   COS3},
         /* n3          */ {MOVE,     HOLD,    SAME,   NONE,   SIN3},
         /* rho         */ {RHO,      HOLD,    SAME,   NONE,   OTHER}};
-    localparam [9*26-1:0] SOLVE = {
+    localparam [9*27-1:0] SOLVE = {
         /* gap         */ {KEEP,     SHIFTED, CFG_R,  HALF,   GAP},
         /* c2          */ {KEEP,     PRODUCT, RESULT, NONE,   COS2 | BYTES},
         /* c2^2        */ {KEEP,     HOLD,    CFG_L2, LENGTH, ROOT | PAIRS},
@@ -94,43 +98,38 @@ module kernel_vector_solve #(
         /* 1/q'; b     */ {TURN,     SHIFTED, RESULT, HALF,   OTHER},
         /* c1; a       */ {KEEP,     SHIFTED, SAME,   HALF,   COS1},
         /* n1          */ {KEEP,     SHIFTED, SAME,   NONE,   SIN1}};
-    localparam [2*26-1:0] CODE = {
+    localparam [2*27-1:0] CODE = {
         /* chord       */ {KEEP,     HOLD,    SAME,   NONE,   OTHER},
-        /* joint 1     */ {KEEP,     HOLD,    SAME,   NONE,   OTHER}};
-    wire [25:0] op;
-    wire        idle, last;
+        /* joint 1     */ {KEEP,     HOLD,    SAME,   NONE,   LAST}};
+    wire [26:0] op;
+    wire        idle;
     wire        accept = in_valid && in_ready;
     generate
         if (JOINTS == 2 && LAG == 0) begin : g_plane
-            schedule #(.LINES(9), .BITS(26), .TABLE(SOLVE)) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end else if (JOINTS == 2) begin : g_plane_code
-            schedule #(.LINES(11), .BITS(26), .TABLE({SOLVE, CODE})) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end else if (LAG == 0) begin : g_space
-            schedule #(.LINES(18), .BITS(26), .TABLE({YAW, SOLVE})) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end else begin : g_space_code
-            schedule #(.LINES(20), .BITS(26), .TABLE({YAW, SOLVE, CODE})) control (
+            schedule #(.LINES(9), .BITS(27), .TABLE(SOLVE)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
-        if (LAG == 0) begin : g_now
-            assign last = op[10];
-        end else begin : g_later
-            reg [1:0] after;  // what codes the last word
-            always @(posedge clk)
-                after <= rst ? 2'd0 : {after[0], op[10]};
-            assign last = after[1];
+        if (JOINTS == 2 && LAG != 0) begin : g_plane_code
+            schedule #(.LINES(11), .BITS(27), .TABLE({SOLVE, CODE})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (JOINTS == 3 && LAG == 0) begin : g_space
+            schedule #(.LINES(18), .BITS(27), .TABLE({YAW, SOLVE})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (JOINTS == 3 && LAG != 0) begin : g_space_code
+            schedule #(.LINES(20), .BITS(27), .TABLE({YAW, SOLVE, CODE})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
     endgenerate
     kernel_vector_path #(.JOINTS(JOINTS), .U(U)) path (
         .clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
-        .in_start(accept), .in_op(op), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_elbow(in_elbow), .out_cos(out_cos),
-        .out_sin(out_sin), .out_word(out_word), .out_flat(out_flat), .out_negative(out_negative),
-        .out_status(out_status));
+        .in_start(accept), .in_op({op[26:14], op[12:0]}), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_elbow(in_elbow),
+        .out_cos(out_cos), .out_sin(out_sin), .out_word(out_word), .out_flat(out_flat), .out_negative(out_negative),
+        .out_none(out_none), .out_status(out_status));
 
     assign in_ready = idle && (!out_valid || out_ready);
     always @(posedge clk)
-        out_valid <= !rst && (last || (out_valid && !out_ready));
+        out_valid <= !rst && ((LAG == 0 ? op[10] : op[13]) || (out_valid && !out_ready));
 endmodule
 `default_nettype wire

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of two joints: both joints of a tip (x, y) for the elbow asked for.
 // Formats: in_x, in_y s(W-F).F, out_j1, out_j2 turn-spread u2.S modulo 4, nearest; cfg_*: rational.config.
-// Error of the tip <= 0.3 + 2.25 |tip| / 2^16 + 0.62 L2 / 2^15 + dq / |tip| LSB, dq = 264 at L1 = L2 = 2^13: page.
-// Latency, II: 16. Status: unreachable (nearest point answered), singular (x = y = 0: out_j1 held). Model: rational.ik2
+// Error of the tip <= 0.3 LSB at L1 = L2 = 2^13, from 1 unit of Q7.8 off the shoulder; elsewhere: page.
+// Latency, II: 12. Status: unreachable (nearest point answered), singular (x = y = 0: out_j1 held). Model: rational.ik2
 `default_nettype none
 module rational_ik2 #(
     parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
@@ -13,9 +13,9 @@ module rational_ik2 #(
     input  wire                rst,
     input  wire [W-1:0]        cfg_l1,
     input  wire [W-1:0]        cfg_l2,
-    input  wire [32:0]         cfg_q,
+    input  wire signed [33:0]  cfg_q,
     input  wire [25:0]         cfg_r,
-    input  wire [1:0]          cfg_e,
+    input  wire [3:0]          cfg_e,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire signed [W-1:0] in_x,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of three joints: joint 3 is the direction of (x, y), rho its length; rational_ik2 on (rho, z).
 // Formats: in_x, in_y, in_z s(W-F).F, out_j1..3 turn-spread u2.S modulo 4, nearest; cfg_*: rational.config.
-// Error of the tip: that of rational_ik2, 1.2 + 2^-k LSB for rho, 2.25 rho / 2^16 for joint 3: page. Latency, II: 26.
+// Error of the tip <= 0.65 LSB at L1 = L2 = 2^13, 1 unit of Q7.8 and more from the shoulder; page. Latency, II: 26.
 // Status: unreachable, singular (x = y = 0: out_j3 held, z = 0 too: out_j1). Model: rational.ik3
 `default_nettype none
 module rational_ik3 #(
@@ -13,9 +13,9 @@ module rational_ik3 #(
     input  wire                rst,
     input  wire [W-1:0]        cfg_l1,
     input  wire [W-1:0]        cfg_l2,
-    input  wire [32:0]         cfg_q,
+    input  wire signed [33:0]  cfg_q,
     input  wire [25:0]         cfg_r,
-    input  wire [1:0]          cfg_e,
+    input  wire [3:0]          cfg_e,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire signed [W-1:0] in_x,

@@ -38,14 +38,15 @@ module table_ik3 #(
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}}, z = {in_z, {(16-W){1'b0}}};
     wire [2:0]         cosine, sine;
     wire [23:0]        word;
-    wire               flat, negative;
+    wire               flat, negative, none;
     kernel_vector_solve #(.JOINTS(3), .LAG(2), .U(18)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z),
         .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
-        .out_word(word), .out_flat(flat), .out_negative(negative), .out_status(out_status));
+        .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
+        .out_status(out_status));
     angle_of_vector #(.JOINTS(3), .A(A)) codec (
         .clk(clk), .rst(rst), .in_cos(cosine), .in_sin(sine), .in_word(word), .in_flat(flat), .in_negative(negative),
-        .out_j({out_j3, out_j2, out_j1}));
+        .in_none(none), .out_j({out_j3, out_j2, out_j1}));
 endmodule
 `default_nettype wire

@@ -37,14 +37,15 @@ module vector_ik2 #(
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}};
     wire [2:0]         cosine, sine;
     wire [23:0]        word;
-    wire               flat, negative;
+    wire               flat, negative, none;
     kernel_vector_solve #(.JOINTS(2), .U(U)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(16'd0),
         .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
-        .out_word(word), .out_flat(flat), .out_negative(negative), .out_status(out_status));
+        .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
+        .out_status(out_status));
     unit_vectors #(.JOINTS(2), .U(U)) codec (
         .clk(clk), .rst(rst), .in_cos(cosine), .in_sin(sine), .in_word(word), .in_flat(flat), .in_negative(negative),
-        .out_c({out_c2, out_c1}), .out_n({out_n2, out_n1}));
+        .in_none(none), .out_c({out_c2, out_c1}), .out_n({out_n2, out_n1}));
 endmodule
 `default_nettype wire
