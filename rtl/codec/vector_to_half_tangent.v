@@ -29,7 +29,7 @@ module vector_to_half_tangent #(
         end
     endgenerate
 
-    // 2^30 of what arcsin(i / 256) adds to the half-tangent of the x axis or of the y axis, less half the sag of a chord;
+    // 2^30 of what arcsin(i / 256) adds to the half-tangent of the x or the y axis, less half the sag of a chord;
     // i from 0 to 190 and no further
     localparam D = T + 2, KNOTS = 257;
     function [31*KNOTS-1:0] tangents(input y);
