@@ -75,7 +75,8 @@ def test_the_total_is_made_of_its_parts(one):
         # words of a vector cost so little that the greatest parts need not meet in one sample
         assert found.total.max() >= max(parts) - (min(parts) if one.family == "vector" else 1e-9)
     else:
-        coarse = one.params.get("S") == 8 or one.params.get("A", 99) <= one.params["W"] + 2
+        # three coarse words rarely reach their worst in one sample
+        coarse = one.params.get("S") == 8 or (one.family, one.function) == ("table", "ik3")
         assert found.total.max() >= (0.9 if coarse else 0.99) * max(parts)
 
 
