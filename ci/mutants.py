@@ -136,8 +136,8 @@ def row(v: Verdict) -> list[str]:
     return [v.core, *map(str, (v.killed, len(v.bench), v.equivalent, len(v.survivors))), f"{v.rate:.1%}", str(v.seed)]
 
 
-def page(verdicts: list[Verdict]) -> str:
-    """The committed result."""
+def page(verdicts: list[Verdict], every: list[Core]) -> str:
+    """The committed result; which of `every` core has none is said."""
     def listed(name: str) -> list[str]:
         return [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in getattr(v, name)] or ["none"]
 
@@ -147,6 +147,8 @@ def page(verdicts: list[Verdict]) -> str:
              "proved equal counts against the bench.", "",
              f"| {' | '.join(COLUMNS)} |", "|---|" + "---:|" * (len(COLUMNS) - 1)]
     lines += [f"| {' | '.join(row(v))} |" for v in verdicts]
+    missing = [core.id for core in every if core.id not in {v.core for v in verdicts}]
+    lines += ["", f"Not broken since they last changed: {', '.join(missing)}."] if missing else []
     return "\n".join([*lines, "", "## Survivors", "", *listed("survivors"), "",
                       "## Killed by the cocotb bench alone", "", *listed("bench"), ""])
 
@@ -170,9 +172,10 @@ def main() -> int:
         found, failure = {}, error
     if failure is None:
         known |= {core: Verdict(**one) for (core, *_), one in found.items()}
-        standing = [known[core.id] for core in every if core.id in known]
+        standing = [known[core.id] for core in every
+                    if core.id in known and known[core.id].digest == digest(core, args.count)]
         STORE.write_text(json.dumps([asdict(one) for one in standing], indent=1) + "\n")
-        PAGE.write_text(page(standing))
+        PAGE.write_text(page(standing, every))
     verdicts = [known[core.id] for core in cores if core.id in known]
     table = Table(*COLUMNS)
     for v in verdicts:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from quadrance import cores
 
-from ci.report import PLOTS, README, blocks, comparison, documents, figures, measure, paper, rows, run, tables, terminal
+from ci.report import README, blocks, comparison, documents, figures, measure, paper, rows, run, tables, terminal
 
 FRONT = """# Title
 <!-- report:headline -->
@@ -31,7 +31,7 @@ text
 
 def test_plots_carry_the_digest_of_their_figures(tmp_path, made):
     figures.draw(made, {("fk2", "paper"): {"arithmetic": [[0.5]], "words": [[2.0]]}}, tmp_path)
-    for plot in PLOTS:
+    for plot in figures.plots(made):
         png = (tmp_path / plot).read_bytes()
         assert png.startswith(b"\x89PNG") and figures.stamp(made).encode() in png and len(png) > 10000
 

@@ -261,7 +261,19 @@ def test_what_was_changed_by_hand_or_is_missing_is_found(report, jobs):
     del other["verdict"]["parts"]
     assert search.check(other)[0].startswith("report.json: verdict: KeyError")
     del other["verdict"]
-    assert search.check(other) == ["report.json has no verdict"]
+    assert search.check(other) == [], "a report that shows no verdict"
+
+
+def test_a_verdict_is_shown_whole_or_not_at_all(report, jobs):
+    assert search.standing("cobra600", report) == {"verdict": report["verdict"]}
+    assert search.standing("cobra600", {}) == search.standing("cobra600", None) == {}
+    report["verdict"]["parts"]["table_fk1-W15F8A18"]["digest"] = "of other sources"
+    report["verdict"]["figures"] = search.digest_of(report["verdict"])
+    earlier = search.standing("cobra600", report)
+    assert earlier == {"earlier_verdict": report["verdict"]}
+    jobs.clear()
+    search.put_together("cobra600", report | earlier | {"verdict": None})
+    assert jobs == [(what, "table_fk1-W15F8A18") for what in ("clock", "area")], "what stands of it is kept"
 
 
 def test_report_check_covers_the_verdict(report, monkeypatch):

@@ -175,8 +175,11 @@ def test_tables_have_every_core_target_and_family(found):
 
 def test_the_pages_have_the_verdict(made, found):
     assert "verdict at equal accuracy" not in documents.markdown(made)
-    assert blocks.made(made)["verdict"] == "No verdict was searched on this arm."
+    assert blocks.made(made)["verdict"] == (
+        "The verdict at equal accuracy was not searched since the cores last changed: `make verdict`.")
+    assert "verdict.png" not in figures.plots(made)
     made["verdict"] = found
+    assert "verdict.png" in figures.plots(made) and "verdict.png" in blocks.made(made)["verdict"]
     text = documents.markdown(made)
     assert "## The verdict at equal accuracy" in text and "fk1, 1 LSB: fewest ALUTs" in text
     assert "a DSP block as 560 ALUTs and a memory block as 120" in " ".join(text.split())

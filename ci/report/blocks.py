@@ -20,6 +20,9 @@ from ci.report.paper import paper_tables
 from ci.report.rows import Row, name
 from ci.report.tables import headline_table, page_table
 
+VERDICT_MORE = ("[The report](reports/report.md#the-verdict-at-equal-accuracy) has the words, area and latency of "
+                "every core at every accuracy, and whole tasks with their codecs; [verdict.png](reports/verdict.png) "
+                "shows area against latency.")
 BLOCKS = ("headline", "smaller", "paper", "pareto", "verdict")
 NEEDED = "headline"
 README_TARGET = "1 LSB"
@@ -37,11 +40,11 @@ def made(report: dict) -> dict[str, str]:
 def _verdict(report: dict) -> str:
     """Who wins what at one LSB, and what rational trigonometry itself changes."""
     if not report.get("verdict"):
-        return "No verdict was searched on this arm."
+        return "The verdict at equal accuracy was not searched since the cores last changed: `make verdict`."
     found = report["verdict"]
     return "\n\n".join([f"With a total error of at most {README_TARGET} of Q7.8 at the tip:",
                         listed(judgement.families(found, README_TARGET), ""), judgement.itself_at(report),
-                        listed(judgement.itself(report), "")])
+                        listed(judgement.itself(report), ""), VERDICT_MORE])
 
 
 def _marked(text: str) -> None:

@@ -33,17 +33,24 @@ def stamp(report: dict) -> str:
                    report.get("verdict"), code.digests(CODE)])
 
 
+def plots(report: dict) -> tuple[str, ...]:
+    """Which of `PLOTS` a report has: the last one shows a verdict."""
+    return PLOTS if report.get("verdict") else PLOTS[:-1]
+
+
 def draw(report: dict, maps: dict[tuple[str, str], dict[str, list]], folder: Path) -> None:
-    """Write the plots (`PLOTS`) of the kinematic cores.
+    """Write the `plots` of the kinematic cores; one that the report does not have goes.
 
     Parameters
     ----------
     maps : (function, family) -> "arithmetic" or "words" -> grid of LSB over the workspace, NaN out of reach.
     """
     rows = q7_8(pick(report, KINEMATIC))
-    drawn = (_area(rows), _accuracy([row for row in rows if row["error_lsb"]]), _map(report["trajectory"], maps),
-             _verdict(report.get("verdict")))
-    for figure, plot in zip(drawn, PLOTS):
+    drawn = [_area(rows), _accuracy([row for row in rows if row["error_lsb"]]), _map(report["trajectory"], maps)]
+    drawn += [_verdict(report["verdict"])] if report.get("verdict") else []
+    for plot in PLOTS:
+        (folder / plot).unlink(missing_ok=True)
+    for figure, plot in zip(drawn, plots(report)):
         figure.savefig(folder / plot, dpi=90 if "map" in plot else 110,
                        metadata={"Software": None, "Description": stamp(report)})
         pyplot.close(figure)
@@ -135,7 +142,7 @@ def dominated(one: verdict.Figures, others: list[verdict.Figures]) -> bool:
     return any(cost(other) != cost(one) and all(a <= b for a, b in zip(cost(other), cost(one))) for other in others)
 
 
-def _verdict(found: dict | None) -> pyplot.Figure:
+def _verdict(found: dict) -> pyplot.Figure:
     """Area against time at equal accuracy, a panel a function: the shortest words of every core for every target."""
     labels = []
     figure, grid = pyplot.subplots(2, 3, figsize=(19, 13))
@@ -144,7 +151,7 @@ def _verdict(found: dict | None) -> pyplot.Figure:
                  ylabel="Cyclone V ALUT (proxy for LE)", xscale="log", yscale="log")
         axis.grid(True, which="both", alpha=0.25)
         points: dict[tuple, list] = {}
-        for target in verdict.TARGETS if found else ():
+        for target in verdict.TARGETS:
             sets = [one for one in verdict.reaching(found, function, target) if one["ns"]]
             for one in sets:
                 shape = BLOCKS[one["dsp"] > 0, one["mem"] > 0]

@@ -14,7 +14,7 @@ from quadrance import accuracy, arms, cores
 from quadrance.cores import Core
 
 from ci.cache import digest
-from ci.report import PLOTS, README, REPORTS, blocks, code, documents, figures
+from ci.report import README, REPORTS, blocks, code, documents, figures
 from ci.report.rows import Row, name
 from ci.synth.flows import timed_ports
 from tb.lib import program, tools
@@ -122,7 +122,7 @@ def check(folder: Path = REPORTS, readme: Path = README, listed: tuple[Core, ...
         problems.append("report.json: a figure was changed by hand")
     if not (folder / "report.md").exists() or (folder / "report.md").read_text() != text:
         problems.append("report.md is not what report.json generates")
-    for plot in PLOTS:
+    for plot in figures.plots(report):
         if not (folder / plot).exists() or stamp.encode() not in (folder / plot).read_bytes():
             problems.append(f"{plot} does not show the figures of report.json")
     return problems + blocks.stale(report, readme, cores.RTL if rtl is None else rtl)

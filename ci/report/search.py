@@ -92,9 +92,20 @@ def everything() -> list[Design]:
     return [*designs.plain(), *designs.coded()]
 
 
+def standing(arm_name: str, committed: dict | None) -> dict:
+    """The committed verdict: as ``verdict`` where all of it stands, else as ``earlier_verdict``, which is not shown.
+
+    A part of it would name winners among those that happen to stand.
+    """
+    found = (committed or {}).get("verdict") or (committed or {}).get("earlier_verdict")
+    if not found:
+        return {}
+    return {"earlier_verdict" if stale({"arm": arm_name, "verdict": found}) else "verdict": found}
+
+
 def _kept(report: dict | None) -> tuple[dict, dict]:
     """Designs, and parts of the same tools and flow, of a committed report that was not changed by hand."""
-    verdict = (report or {}).get("verdict") or {}
+    verdict = (report or {}).get("verdict") or (report or {}).get("earlier_verdict") or {}
     if not verdict or verdict["figures"] != digest_of(verdict):
         return {}, {}
     same = report["sources"]["flow"] == code.digests(freshness.FLOW) and all(
@@ -144,12 +155,15 @@ def differences(old: dict | None, new: dict) -> list[str]:
 
 
 def check(report: dict | None = None) -> list[str]:
-    """`stale` of a report, the committed one by default; a report that cannot be read is `freshness.check`'s."""
+    """`stale` of a report, the committed one by default, or nothing where it shows no verdict.
+
+    A report that cannot be read is `freshness.check`'s.
+    """
     report = freshness.committed() if report is None else report
     if not report:
         return []
     try:
-        return stale(report) if "verdict" in report else ["report.json has no verdict"]
+        return stale(report) if "verdict" in report else []
     except (KeyError, TypeError, AttributeError) as error:
         return [f"report.json: verdict: {type(error).__name__}: {error}"]
 
