@@ -6,7 +6,7 @@
     python -m ci.formal contract       the contracts: see ci/contract.py
 
 A proof that passed stands in reports/proofs.json beside the digest of its sources, properties and tools, and is made
-again when one of them changes: so the regression proves what a change touches.
+again when one of them changes: a change costs the proofs that it touches.
 
 A property file lists its own proofs in comments, one a line, so that the list is beside what it is a list of::
 
