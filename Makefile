@@ -7,6 +7,9 @@ N      ?= auto
 # the long run takes the date where no seed is given
 LONG_SEED := $(if $(filter file,$(origin SEED)),$(shell date -u +%Y%m%d),$(SEED))
 VENV := .venv
+ifneq ($(words $(CURDIR)),1)
+$(error the path "$(CURDIR)" has a space, with which make and Verilator cannot work: move the checkout)
+endif
 PY   := $(VENV)/bin/python
 export SEED
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
@@ -19,6 +22,8 @@ help: ## this list
 	@echo "options: ARM=name|file.toml  CORE=name  SEED=n  N=parallel jobs  FRESH=1"
 
 setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
+	@( mkdir -p build && : > build/.writable ) 2> /dev/null || { \
+		echo "$(CURDIR)/build cannot be written to: copy or clone the checkout to where you may write" >&2; exit 1; }
 
 $(VENV)/ready: requirements.lock pyproject.toml ci/setup.sh
 	@PYTHON=$(PYTHON) sh ci/setup.sh $(VENV)
