@@ -19,7 +19,7 @@ export SIM
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report verdict report-check formal netlist coverage waves mutants exhaustive clean
+.PHONY: help setup lint test smoke report verdict report-check packages formal netlist coverage waves mutants exhaustive clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
@@ -50,6 +50,9 @@ verdict: setup ## the report, and who wins at equal accuracy: the shortest words
 
 report-check: setup ## fails when the committed report no longer follows from the sources
 	@$(PY) -m ci.report --check
+
+packages: setup ## manifests of FuseSoC and Bender, file lists: written from rtl/cores.toml and the Verilog
+	@$(PY) -m ci.packages
 
 formal: setup ## proofs of the arithmetic primitives and the handshakes that do not stand; FRESH=1 makes all again
 	@$(PY) -m ci.formal $(if $(FRESH),--fresh)
