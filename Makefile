@@ -19,11 +19,11 @@ export SIM
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report verdict report-check packages formal netlist coverage waves mutants exhaustive clean
+.PHONY: help setup lint test smoke report accuracy verdict report-check packages formal netlist coverage waves mutants exhaustive clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
-	@echo "options: ARM=name|file.toml  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FRESH=1"
+	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FRESH=1"
 
 setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
 	@( mkdir -p build && : > build/.writable ) 2> /dev/null || { \
@@ -42,8 +42,11 @@ test: setup ## every bench in both simulators and every model test; CORE=name SI
 smoke: setup ## the first parameter set of every core: cocotb bench under Icarus, bulk run
 	@$(TESTS) -m smoke $(CHOSEN)
 
-report: setup ## latency, area, clock and accuracy of every core on ARM; FRESH=1 measures all again
-	@$(PY) -m ci.report --arm $(ARM) $(if $(FRESH),--fresh)
+report: setup ## latency, area, clock and accuracy of every core on ARM (another one: a minute); FRESH=1 measures all again
+	@$(PY) -m ci.report --arm "$(ARM)" $(if $(OUT),--out "$(OUT)") $(if $(FRESH),--fresh)
+
+accuracy: setup ## errors of one CORE on ARM, by its bit-true model, in seconds
+	@$(PY) -m ci.accuracy "$(ARM)" $(CORE)
 
 verdict: setup ## the report, and who wins at equal accuracy: the shortest words of every core (half an hour)
 	@$(PY) -m ci.report --verdict $(if $(FRESH),--fresh)

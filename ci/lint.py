@@ -18,7 +18,7 @@ from pathlib import Path
 
 from pyslang import TextDiagnosticClient
 from pyslang.driver import Driver
-from quadrance.cores import ROOT, RTL, Core, all_cores
+from quadrance.cores import ROOT, RTL, Core, all_cores, find
 
 from ci import packages, schedules
 from tb.lib import tools
@@ -110,16 +110,12 @@ def check_core(core: Core) -> list[str]:
 
 
 def check_wrapper(name: str) -> list[str]:
-    """The AXI-Stream wrapper of a core, at every parameter set of the core."""
-    wrong = []
-    for core in all_cores():
-        if core.name == name:
-            top = replace(core, name=f"axis_{name}", sources=(RTL / "axis" / f"axis_{name}.v", *core.sources))
-            for tool in (verilator, icarus, slang, yosys) if available("icarus") else (verilator, slang, yosys):
-                code, text = tool(top, core.params)
-                if code or text:
-                    wrong.append(f"axis_{core.id}: {tool.__name__}: {text or code}")
-    return wrong
+    """The AXI-Stream wrapper of a core, at the core's first parameter set."""
+    core = find(name)
+    top = replace(core, name=f"axis_{name}", sources=(RTL / "axis" / f"axis_{name}.v", *core.sources))
+    return [f"axis_{core.id}: {tool.__name__}: {text or code}"
+            for tool in ((verilator, icarus, slang) if available("icarus") else (verilator, slang))
+            for code, text in [tool(top, core.params)] if code or text]
 
 
 def check_file(path: Path) -> list[str]:

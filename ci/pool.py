@@ -81,10 +81,12 @@ def run(work: Callable, jobs: list[tuple[Hashable, ...]], since: float = 0.0,
                     else:
                         answers[job] = done.result()
                     progress.update(task, advance=1, description=" ".join(map(str, job)))
-        except BaseException:
+        except BaseException as stop:
             for worker in multiprocessing.active_children():
                 worker.terminate()
             pool.shutdown(wait=False, cancel_futures=True)
+            if isinstance(stop, KeyboardInterrupt):
+                raise KeyboardInterrupt(f"{len(answers)} of {len(jobs)}") from None
             raise
     if failures:
         raise RuntimeError("\n".join([f"{len(failures)} jobs failed", *failures]))
