@@ -16,14 +16,15 @@ CHOSEN := $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(SIM),--sim 
 TESTS  := $(PY) -m pytest -q -n $(N) --dist worksteal --names
 export SEED
 export SIM
+export FARM
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report accuracy verdict report-check packages formal netlist coverage waves mutants exhaustive clean
+.PHONY: help setup lint test smoke report accuracy verdict report-check packages formal netlist coverage waves mutants exhaustive worker clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
-	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FRESH=1"
+	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FARM=tcp://host:8786|local  FRESH=1"
 
 setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
 	@( mkdir -p build && : > build/.writable ) 2> /dev/null || { \
@@ -75,6 +76,10 @@ mutants: setup ## break every core in 100 ways; the benches must notice
 exhaustive: setup ## the long run, a new seed every day: 10^6 vectors a core, pairs of cores, random parameters
 	@echo "SEED=$(LONG_SEED) make exhaustive: repeats this run"
 	@SEED=$(LONG_SEED) $(TESTS) -m slow --durations 10 $(CHOSEN)
+
+worker: setup ## a Dask worker for the scheduler FARM=tcp://host:8786, whose runs carry the same FARM=
+	@test -n "$(FARM)" || { echo "make worker: give FARM=tcp://host:8786, the address of a dask scheduler" >&2; exit 1; }
+	@$(PY) -m distributed.cli.dask_worker $(FARM) --nthreads 1 --nworkers $(if $(filter auto,$(N)),auto,$(N)) --no-dashboard
 
 clean: ## remove what the tools made; .venv stays
 	rm -rf build
