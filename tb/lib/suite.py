@@ -32,6 +32,11 @@ def simulators() -> list[str]:
     return usable
 
 
+def bulk_samples(core: Core) -> int:
+    """Random words of the bulk run of every day."""
+    return min(BULK_SAMPLES, BULK_CLOCKS // (core.ii or 1))
+
+
 def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, label: str = "",
              plusargs: Sequence[str] = ()) -> int:
     """Corners and random words (all words of a narrow input) at every configuration; how many were compared.
@@ -89,7 +94,7 @@ def family(name: str):
     @pytest.mark.full
     @pytest.mark.parametrize("core", smoke)
     def bulk_bench(core: Core) -> None:
-        assert bulk_run(core, min(BULK_SAMPLES, BULK_CLOCKS // (core.ii or 1)), SEED) > 0
+        assert bulk_run(core, bulk_samples(core), SEED) > 0
 
     @pytest.mark.slow
     @pytest.mark.parametrize("core", cores, ids=ids)
