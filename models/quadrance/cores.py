@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent.parent
-RTL = ROOT / "rtl"
+PACKAGE = Path(__file__).resolve().parent
+ROOT = PACKAGE.parent.parent
+RTL = ROOT / "rtl" if (ROOT / "rtl" / "cores.toml").exists() else PACKAGE / "rtl"  # a checkout, or as pip installs it
 STATUS_BITS = {"unreachable": 0, "singular": 1, "overflow": 2, "not_converged": 3}
 FAMILIES = ("arith", "codec", "cordic", "vector", "table", "rational", "classic", "paper", "engine")
 # Joint words by type: the letters of their ports, bits of a word beside those of its parameter, two's complement or not
