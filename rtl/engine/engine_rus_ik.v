@@ -13,7 +13,7 @@ module engine_rus_ik #(
 ) (
     input  wire                clk,
     input  wire                rst,
-    input  wire signed [27:0]  cfg_k,
+    input  wire signed [26:0]  cfg_k,
     input  wire [25:0]         cfg_c,
     input  wire [15:0]         cfg_near,
     input  wire                in_valid,

@@ -9,7 +9,7 @@
 module engine_rus_leg (
     input  wire               clk,
     input  wire               rst,
-    input  wire signed [27:0] cfg_k,
+    input  wire signed [26:0] cfg_k,
     input  wire [25:0]        cfg_c,
     input  wire [15:0]        cfg_near,
     input  wire               in_start,
@@ -110,7 +110,7 @@ module engine_rus_leg (
     assign out_y = op[1];
     assign out_again = op[2];
     assign out_next = op[10];
-    assign out_cosine = op[17] && !op[16];
+    assign out_cosine = op[19] && !op[18];
     assign out_sine = op[14];
     wire   unused = &{1'b0, idle};
 endmodule

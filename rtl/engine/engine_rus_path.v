@@ -7,7 +7,7 @@
 `default_nettype none
 module engine_rus_path (
     input  wire               clk,
-    input  wire signed [27:0] cfg_k,
+    input  wire signed [26:0] cfg_k,
     input  wire [25:0]        cfg_c,
     input  wire [15:0]        cfg_near,
     input  wire [29:0]        in_op,
@@ -22,13 +22,13 @@ module engine_rus_path (
     output reg                out_near,
     output reg                out_over
 );
-    wire sine, cosine, square, plane, turn, rows, gap_c, gain, link_c, row_c, next_d, table_d, link_d, const, place;
+    wire sine, cosine, square, plane, turn, rows, gap_c, gain, link_c, row_c, next_d, table_d, link_d, with_k, place;
     wire num, divisor, to_s, copy, root, fine, find, disc, to_g, to_q, to_e, to_y, to_z, to_x;
     wire divide = next_d && table_d;
     wire height = gap_c && !gain, gap = gap_c && gain, gain1 = gain && !gap_c;
     wire first = rows && turn, link = link_c && row_c, zero = link_c && !row_c;
     wire unused = &{1'b0, in_op[14]};
-    assign {sine, cosine, square, plane, turn, rows, gain, gap_c, link_c, row_c, next_d, table_d, link_d, const, place}
+    assign {sine, cosine, square, plane, turn, rows, gain, gap_c, link_c, row_c, next_d, table_d, link_d, with_k, place}
         = in_op[29:15];
     assign {num, divisor, to_s, copy, root, fine, find, disc, to_g, to_q, to_e, to_y, to_z, to_x} = in_op[13:0];
 
@@ -96,7 +96,7 @@ module engine_rus_path (
             ar <= turn ? {{3{in_words[71]}}, in_words[71:54], 2'd0} : square ? {e[21], e} : g;
         if (turn || square || cosine || sine)
             br <= turn ? {{3{in_words[53]}}, in_words[53:36], 2'd0} : square ? {f[21], f} : inverted;
-        cl <= gap ? {{4{pc[47]}}, pc[47:25]} : height ? {{5{length[21]}}, length} : gain1 ? sum[26:0]
+        cl <= gap ? {{4{pc[47]}}, pc[47:25]} : height ? {{5{length[21]}}, length} : gain1 ? sum[28:2]
             : {{5{link ? in_cb[17] : in_row[35]}}, link ? in_cb : in_row[35:18], 4'd0};
         if (first || link || gap_c || gain)
             cr <= gap ? {{4{pc[47]}}, pc[47:25]} : height ? {{5{length[21]}}, length} : gain1 ? {1'b0, cfg_c}
@@ -106,7 +106,7 @@ module engine_rus_path (
         dl <= next_d ? word : table_d ? {1'b0, w, 4'd8} : {{5{in_nb[17]}}, in_nb, 4'd0};
         if (link_d || table_d)
             dr <= divide ? pd[49:23] : table_d ? {1'b0, slope, 6'd0} : {{7{in_words[35]}}, in_words[35:18], 2'd0};
-        add <= const ? {{2{cfg_k[27]}}, cfg_k} : place ? {{5{away[18]}}, away, 6'd2} : 30'd2;
+        add <= with_k ? {{3{cfg_k[26]}}, cfg_k} : place ? {{5{away[18]}}, away, 6'd2} : 30'd2;
 
         if (to_x)
             x <= length;
