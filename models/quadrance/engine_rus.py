@@ -33,8 +33,8 @@ def _window(value: Ints, shift: Ints) -> Ints:
 
 
 def _spare(value: Ints) -> Ints:
-    """Pairs of 44 bits that a value can spare, by bytes and then by pairs, at most 15."""
-    coarse = np.select([value >> low & 0xFF != 0 for low in (36, 28, 20)], [0, 1, 2], 3)
+    """Pairs of 44 bits that a value can spare, by bytes and then by pairs, at most 11."""
+    coarse = np.select([value >> low & 0xFF != 0 for low in (36, 28)], [0, 1], 2)
     top = _window(value, 4 * coarse)
     return 4 * coarse + np.select([top >> low & 3 != 0 for low in (23, 21, 19)], [0, 1, 2], 3)
 
@@ -92,7 +92,7 @@ def leg(row: dict[str, Ints], words: dict[str, Ints], cb: Ints, nb: Ints, cfg_k:
     none = divisor >> 23 & 3 == 0
     cosine, sine = (_word(_window(one, shift) * reciprocal) for one in numerators)
     return {"cosine": cosine, "sine": sine, "root": root, "far": beyond | none, "none": none,
-            "near": ~beyond & (root >> 6 < cfg_near), "over": np.any(over, axis=0)}
+            "near": ~beyond & (root >> 10 < cfg_near), "over": np.any(over, axis=0)}
 
 
 def ik(p: Params, *, in_load: Ints, in_leg: Ints, cfg_k: Ints, cfg_c: Ints, cfg_near: Ints, in_cb: Ints, in_nb: Ints,
@@ -154,7 +154,7 @@ def config(p: Params, robot: Robot, mm_per_lsb: float, near: float = 0.0) -> dic
         raise PoseError(f"{robot.id}: a crank has {SHORTEST + 1} LSB and more, crank and rod less than 2^17; "
                         f"they have {la:.0f} and {lb:.0f}")
     return {"cfg_k": round((la * la - lb * lb) * 2.0 ** (2 * FINE - 16)), "cfg_c": round(2.0 ** (42 - FINE) / la),
-            "cfg_near": min(math.ceil(near / mm_per_lsb / 4), 0xFFFF)}
+            "cfg_near": min(math.ceil(near / mm_per_lsb / 64), 0xFFF)}
 
 
 def _sample(load: int, leg_number: int, rows: np.ndarray, position: np.ndarray, p: Params, cb: float = 0,

@@ -15,7 +15,7 @@ module engine_rus_ik #(
     input  wire                rst,
     input  wire signed [26:0]  cfg_k,
     input  wire [25:0]         cfg_c,
-    input  wire [15:0]         cfg_near,
+    input  wire [11:0]         cfg_near,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire                in_load,

@@ -11,7 +11,7 @@ module engine_rus_leg (
     input  wire               rst,
     input  wire signed [26:0] cfg_k,
     input  wire [25:0]        cfg_c,
-    input  wire [15:0]        cfg_near,
+    input  wire [11:0]        cfg_near,
     input  wire               in_start,
     input  wire [71:0]        in_row,
     input  wire [71:0]        in_words,

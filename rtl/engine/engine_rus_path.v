@@ -9,7 +9,7 @@ module engine_rus_path (
     input  wire               clk,
     input  wire signed [26:0] cfg_k,
     input  wire [25:0]        cfg_c,
-    input  wire [15:0]        cfg_near,
+    input  wire [11:0]        cfg_near,
     input  wire [29:0]        in_op,
     input  wire [71:0]        in_row,
     input  wire [71:0]        in_words,
@@ -65,8 +65,7 @@ module engine_rus_path (
         case (shift[3:2])
             2'd0: coarse = n[45:13];
             2'd1: coarse = n[37:5];
-            2'd2: coarse = {n[29:0], 3'd0};
-            default: coarse = {n[21:0], 11'd0};
+            default: coarse = {n[29:0], 3'd0};
         endcase
         case (shift[1:0])
             2'd0: word = coarse[32:6];
@@ -75,9 +74,8 @@ module engine_rus_path (
             default: word = coarse[26:0];
         endcase
     end
-    wire q3 = q[43:36] != 0, q2 = q[35:28] != 0, q1 = q[27:20] != 0;
-    wire d3 = square_of_s[43:36] != 0, d2 = square_of_s[35:28] != 0, d1 = square_of_s[27:20] != 0;
-    wire [1:0] bytes_q = {!q3 && !q2, !q3 && (q2 || !q1)}, bytes_d = {!d3 && !d2, !d3 && (d2 || !d1)};
+    wire q2 = q[43:36] != 0, q1 = q[35:28] != 0, d2 = square_of_s[43:36] != 0, d1 = square_of_s[35:28] != 0;
+    wire [1:0] bytes_q = {!q2 && !q1, !q2 && q1}, bytes_d = {!d2 && !d1, !d2 && d1};
     wire p3 = coarse[30:29] != 0, p2 = coarse[28:27] != 0, p1 = coarse[26:25] != 0;
 
     // Roots and reciprocals, as in kernel_vector_path
@@ -85,7 +83,8 @@ module engine_rus_path (
     wire [19:0] slope;
     kernel_vector_slopes slopes (.clk(clk), .in_read(root || divisor), .in_range({divisor, 1'b0}),
         .in_segment(word[24:16]), .out_slope(slope));
-    wire [21:0] fall = pd[48:27] >> shift2;
+    wire [21:0] fall_bytes = shift2[3] ? pd[48:27] >> 8 : shift2[2] ? pd[48:27] >> 4 : pd[48:27];
+    wire [21:0] fall = fall_bytes >> shift2[1:0];
 
     assign out_word = pd[50:33] + {17'd0, pd[32]};
     assign out_root = s[21:0];
@@ -94,6 +93,8 @@ module engine_rus_path (
         bl <= rows ? {in_row[53:36], 4'd0} : plane ? z : square ? f : cosine ^ beyond ? f2 : e2;
         if (turn || square || cosine)
             ar <= turn ? {{3{in_words[71]}}, in_words[71:54], 2'd0} : square ? {e[21], e} : g;
+        if (cosine && beyond)
+            ar <= 23'd0;
         if (turn || square || cosine || sine)
             br <= turn ? {{3{in_words[53]}}, in_words[53:36], 2'd0} : square ? {f[21], f} : inverted;
         cl <= gap ? {{4{pc[47]}}, pc[47:25]} : height ? {{5{length[21]}}, length} : gain1 ? sum[28:2]
@@ -135,11 +136,8 @@ module engine_rus_path (
         if (find) begin
             beyond <= square_of_s[45] || wide;
             minus  <= minus2;
-            if (square_of_s[45] || wide)
-                g <= 23'd0;
+            n      <= square_of_s[45] || wide ? {2'b0, q} : square_of_s;
         end
-        if (find)
-            n <= square_of_s[45] || wide ? {2'b0, q} : square_of_s;
         if (root)
             n <= {2'b0, q};
         if (num)
@@ -162,7 +160,7 @@ module engine_rus_path (
         if (divisor) begin
             out_far  <= beyond || word[24:23] == 0;
             out_none <= word[24:23] == 0;
-            out_near <= !beyond && s[21:6] < cfg_near;
+            out_near <= !beyond && s[21:10] < cfg_near;
         end
     end
 endmodule
