@@ -19,7 +19,7 @@ export SIM
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report verdict report-check packages formal netlist coverage waves mutants exhaustive clean
+.PHONY: help setup lint test smoke report figures verdict report-check packages formal netlist coverage waves mutants exhaustive clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
@@ -44,6 +44,9 @@ smoke: setup ## the first parameter set of every core: cocotb bench under Icarus
 
 report: setup ## latency, area, clock and accuracy of every core on ARM; FRESH=1 measures all again
 	@$(PY) -m ci.report --arm $(ARM) $(if $(FRESH),--fresh)
+
+figures: setup ## the pictures of the parallel robot's paper, and its claims beside ours
+	@$(PY) -m ci.figures
 
 verdict: setup ## the report, and who wins at equal accuracy: the shortest words of every core (half an hour)
 	@$(PY) -m ci.report --verdict $(if $(FRESH),--fresh)
