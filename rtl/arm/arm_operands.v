@@ -3,7 +3,7 @@
 // built. out_sum = k1 x + k2 y + in_addend, each product truncated to 2^-3
 //   in_start: k1, k2 and x, y are in_x, in_y; in_rho: k1, x are rho less the shoulder offset, k2, y are z
 //   LATERAL = 0: rho is in_total, in_power: k1, k2 are +-2^15 (2^16 where in_odd), - where in_back, and 0
-//   LATERAL = 1: rho is k2, in_take: k1, k2 are in_length and in_lateral, where in_near 0 and such a power with its sign
+//   LATERAL = 1: rho is k2, in_take: k1, k2 are in_length and in_lateral, or where in_near 0 and a power with its sign
 //   in_k1: k1 is in_sum, or if in_clamp that power with its sign; in_k2: k2 is in_product; in_move: k1 is k2;
 //   in_turn: (k1, k2) is (-k2, k1)
 // Formats: in_x, in_y, in_z, in_lateral s16.0; in_shoulder s14.0; in_total s17.4; in_sum, in_product, in_length s18.4;

@@ -15,13 +15,14 @@ from tb.vector.stimulus import directions
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Lengths and constants: none, the greatest of both signs, ordinary ones."""
-    return _forward(core, rng) if core.function == "arm_fk3" else _inverse(core, rng)
+    return _inverse(core, rng) if core.function == "arm_ik3" else _forward(core, rng)
 
 
 def _forward(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     rows = [[port.high for port in core.cfg], [port.low for port in core.cfg], [0] * len(core.cfg)]
     for scale in (1, 4, 4, 16):
         rows.append([int(rng.integers(port.low // scale, port.high // scale, endpoint=True)) for port in core.cfg])
+    rows.append([{"cfg_sine": 0, "cfg_radius": 0}.get(port.name, port.high // 8) for port in core.cfg])  # no threshold
     return [dict(zip((port.name for port in core.cfg), row)) for row in rows]
 
 
@@ -48,7 +49,22 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     rng = np.random.default_rng(1)
     if core.function == "arm_fk3":
         return stimulus.joined(directions(core, rng), stimulus.saturation(core, cfg))
-    return _targets(core, cfg, rng)
+    return _targets(core, cfg, rng) if core.function == "arm_ik3" else _motions(core, rng)
+
+
+def _motions(core: Core, rng: np.random.Generator) -> Vectors:
+    """Directions as of rtl/vector with extreme, small and no rates or velocities; stretched and folded arms."""
+    found = directions(core, rng)
+    count, one = found["in_c1"].size, 1 << core.params["U"]
+    straight = rng.random(count) < 0.3
+    found["in_c2"][straight] = rng.choice([one, -one], straight.sum())
+    found["in_n2"][straight] = rng.integers(-3, 4, straight.sum())
+    for port in core.inputs:
+        if port.type is None:
+            words = np.where(rng.random(count) < 0.3, rng.choice(stimulus.extremes(port), count),
+                             rng.integers(port.low, port.high, count, endpoint=True))
+            found[port.name] = words >> np.where(rng.random(count) < 0.4, rng.integers(0, port.width, count), 0)
+    return found
 
 
 def _targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:

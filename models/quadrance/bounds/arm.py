@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import bounds
+from quadrance import arm_velocity, bounds
 from quadrance.truth import Floats, floats
 from quadrance.vector import GUARD
 
@@ -93,3 +93,42 @@ def arm_ik3_nearest(p: Params, l1: int, l2: int, rho: ArrayLike, far: ArrayLike,
     yaw = (axis + l1 + l2) * (math.sqrt(0.5) * unit + 2**-16)
     turns = (p["ELBOW"] + p["ABSOLUTE"]) * turned(p) * unit * l2
     return np.maximum(border + off + yaw + turns, arm_ik3(p, l1, l2, rho, 0, far, n2))
+
+
+# Velocity: rates in radians in a unit of time, velocities in LSB in that unit; cuts in units of 2^-GUARD, 1/16 LSB
+
+CUT = 2.0 ** -arm_velocity.GUARD
+
+
+def _across(s: ArrayLike, w2: ArrayLike) -> Floats:
+    """Velocity in the plane: L1 + e and f are cut once, each term of v' once more and where a complement stands in it
+    1 of its factor; two cuts and a complement of the turn by joint 1."""
+    s, w2 = np.abs(s), np.abs(w2)
+    return np.hypot(s + w2 + 2, 2 * s + 1) + 3
+
+
+def velocity2(w1: ArrayLike, w2: ArrayLike) -> Floats:
+    """A coordinate of arm_velocity2 against the vectors as they are given, none longer than 1; rounding 1/2."""
+    return 0.5 + CUT * _across(floats(w1) + w2, w2)
+
+
+def velocity3(w1: ArrayLike, w2: ArrayLike, w3: ArrayLike) -> Floats:
+    """The same of arm_velocity3: rho is cut as v' is, and turned by joint 3 both are cut again."""
+    yaw = np.abs(w3) * (math.sqrt(2) + 3) + 1
+    return 0.5 + CUT * (np.hypot(_across(floats(w1) + w2, w2), yaw) + 3)
+
+
+def rates2(p: Params, l1: float, l2: float, s: ArrayLike, speed: ArrayLike) -> Floats:
+    """How far the velocity of the answered rates is from that asked for, not singular, rates below saturation.
+
+    Half a unit of s turns link 2, half a unit of w1 link 1. v' is cut twice in both coordinates, with a complement; the
+    numerator of s has another; f, e and e s are cut, by s and 1. Lengths of rounded vectors, twice of joint 1.
+    """
+    words = 0.5 * (l1 + l2) / 2 ** p["V"]
+    return words + CUT * (3 * math.sqrt(2) + 2 + 3 * np.abs(s) + 2) + 3 * np.abs(speed) * 2.0 ** -p["U"]
+
+
+def rates3(p: Params, l1: float, l2: float, s: ArrayLike, w3: ArrayLike, rho: ArrayLike, speed: ArrayLike) -> Floats:
+    """The same of arm_rates3: v is turned by joint 3 first; half a unit of w3; rho is cut by 5 and its complement."""
+    yaw = 0.5 * np.abs(rho) / 2 ** p["V"] + CUT * (2 + 6 * np.abs(w3)) + 2 * np.abs(speed) * 2.0 ** -p["U"]
+    return rates2(p, l1, l2, s, speed) + 3 * math.sqrt(2) * CUT + yaw
