@@ -67,7 +67,8 @@ def _reciprocal(q: Ints) -> Ints:
 def _root(y: Ints) -> Ints:
     """sqrt(y) of a word y >= 0: y 4^j in [1/4, 1), its reciprocal root, times y 2^(j + 1)."""
     power = _power(_fold(y))
-    shift = np.where(power > 0, np.maximum(np.ceil(np.log2(np.maximum(power, 1) + 0.5)).astype(np.int64) - 2, 0) // 2, 0)
+    s = np.ceil(np.log2(np.maximum(power, 1) + 0.5)).astype(np.int64) - 1
+    shift = np.maximum(s - 1, 0) // 2
     four, two = np.where(power > 0, np.int64(1) << 2 * shift, 0), np.where(power > 0, np.int64(2) << shift, 0)
     return _dot((_low(y, two), _reciprocal(_low(y, four) >> 7)))
 
@@ -166,7 +167,8 @@ def no_rotation(p: Params, r: dict[str, Ints]) -> Ints:
         c1, c2, c3 = (r[row + column] for row in "123")
         wrong = wrong | _off(p, (c1, c1), (c2, c2), (c3, c3), (-ONE, ONE))
     for one, two, three in ("123", "231", "312"):
-        wrong = wrong | _off(p, (-ONE, r[one + "3"]), (r[two + "1"], r[three + "2"]), (r[three + "1"], r[two + "2"], -1))
+        cross = (r[two + "1"], r[three + "2"]), (r[three + "1"], r[two + "2"], -1)
+        wrong = wrong | _off(p, (-ONE, r[one + "3"]), *cross)
     return wrong
 
 
