@@ -39,13 +39,13 @@ module engine_roots #(
         out_four = 26'd0;
         out_twice = 14'd0;
         for (i = 0; i < 13; i = i + 1) begin
-            out_four[2*i] = out_power[2*i+1] || (i == 0 ? out_power[0] : 1'b0) || (i < 12 ? out_power[(2*i+2)%26] : 1'b0);
+            out_four[2*i] = out_power[2*i+1] || i == 0 && out_power[0] || i < 12 && out_power[(2*i+2)%26];
             out_twice[i+1] = out_four[2*i];
         end
     end
 
     wire [20:0] w;
-    reciprocal_root root (.clk(clk), .in_read(in_read), .in_q(in_q), .out_w(w), .out_slope(out_slope));
+    reciprocal_root reciprocal (.clk(clk), .in_read(in_read), .in_q(in_q), .out_w(w), .out_slope(out_slope));
     always @(posedge clk)
         if (in_read)
             out_w <= w;

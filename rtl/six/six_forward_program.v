@@ -13,7 +13,7 @@ module six_forward_program (
     output wire        out_done,
     output wire [46:0] out_op
 );
-    localparam [1:0] REG = 2'd0, PORT = 2'd1, LAST = 2'd2;
+    localparam [1:0] REG = 2'd0, PORT = 2'd1;
     localparam       OF = 1'b0, BY = 1'b1;
     localparam [5:0] NIL = 6'd0, PLUS = 6'b100000, MINUS = 6'b100100;
     localparam [1:0] LONE = 2'b00, ADD = 2'b10, SUB = 2'b11;

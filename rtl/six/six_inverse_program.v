@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Program of vector_ik6: a pose to the six unit vectors of one branch, in sums of two products and five roots.
-//   p = tip - l4 z; rho; joint 1 = direction of (+-rho, b) to p; gap = |p'|^2 - l2^2 - k^2; cosine and sine of the elbow
-//   (ce, ne) with its angle psi; joint 2; M = R03' R; joint 4 = direction of (m13, m23); joint 6 = row 2 of R46' R
+//   p = tip - l4 z; rho; joint 1 = direction of (+-rho, b) to p; gap = |p'|^2 - l2^2 - k^2; cosine and sine
+//   of the elbow (ce, ne) with its angle psi; joint 2; M = R03' R; joint 4 = direction of (m13, m23); joint 6 of the rest
 // Registers have the names of their words, ports I_; lN are the lengths c1 to c4. Line: word = A * B [+- C * D], DEST,
 // and what else is done with it. One line a clock; a register is read from the second line behind its writer on.
 // Model: six.ik6
@@ -16,8 +16,8 @@ module six_inverse_program (
 );
     localparam [1:0] REG = 2'd0, PORT = 2'd1, LAST = 2'd2, TABLE = 2'd3;
     localparam       OF = 1'b0, BY = 1'b1;
-    localparam [5:0] NIL = 6'd0, PLUS = 6'b100000, MINUS = 6'b100100, BACK = 6'b100001, DOWN = 6'b100010, FLIP = 6'b100011,
-        SLOPE = 6'd0, POWER = 6'd1, FOUR = 6'd2, TWICE = 6'd3;
+    localparam [5:0] NIL = 6'd0, PLUS = 6'b100000, MINUS = 6'b100100, BACK = 6'b100001, DOWN = 6'b100010,
+        FLIP = 6'b100011, SLOPE = 6'd0, POWER = 6'd1, FOUR = 6'd2, TWICE = 6'd3;
     localparam [1:0] LONE = 2'b00, ADD = 2'b10, SUB = 2'b11;
     localparam       DONE = 1'b0, KEEP = 1'b1;
     localparam [1:0] HIGH = 2'd0, LOW = 2'd1, MID = 2'd2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of six joints on unit vectors: rotation matrix and tip of an arm with an ortho-parallel base and a
-// spherical wrist. Formats: in_c*, in_n* cos and sin of a joint, s2.U; out_r*, row and column, s2.U; out_x, out_y, out_z
-// s(W-F).F; all to nearest (ties upward), coordinates saturated; cfg_* lengths s(W-F).(F+4), six.forward_config.
+// Forward kinematics of six joints on unit vectors: rotation matrix and tip of an arm with an ortho-parallel base and
+// a spherical wrist. Formats: in_c*, in_n* cos and sin of a joint, s2.U; out_r*, row and column, s2.U; out_x, out_y,
+// out_z s(W-F).F; all to nearest (ties upward), coordinates saturated; cfg_* lengths s(W-F).(F+4), six.forward_config.
 // Error: page. Latency, II: 44.
 // Status: overflow (a coordinate was saturated).
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.fk6
@@ -56,10 +56,12 @@ module vector_fk6 #(
         end
     endgenerate
 
-    wire        accept = in_valid && in_ready, idle, done;
+    wire        idle, done;
+    wire        accept = in_valid && in_ready;
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
-    six_forward_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done), .out_op(op));
+    six_forward_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+        .out_op(op));
 
     // Ports as words of the engine
     reg  [12*U+23:0]  joints;

@@ -4,8 +4,8 @@
 // out_n* cos and sin of a joint, s2.U, nearest; cfg_*: six.config.
 //   in_branch[0]: the shoulder looks back; [1]: sin(q3 + psi) < 0; [2]: sin q5 < 0
 // Error: page. Latency, II: 95.
-// Status: unreachable (nearest answer), singular (joint 1, 2 or 4 has no direction: its last one is held, (1, 0) after a
-// reset; the others take the rest), bit 3: the matrix is no rotation, by 16 units of 2^-U.
+// Status: unreachable (nearest answer), singular (joint 1, 2 or 4 has no direction: its last one is held, (1, 0) after
+// a reset; the others take the rest), bit 3: the matrix is no rotation, by 16 units of 2^-U.
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6
 `default_nettype none
 module vector_ik6 #(
@@ -62,10 +62,12 @@ module vector_ik6 #(
         end
     endgenerate
 
-    wire        accept = in_valid && in_ready, idle, done;
+    wire        idle, done;
+    wire        accept = in_valid && in_ready;
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
-    six_inverse_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done), .out_op(op));
+    six_inverse_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+        .out_op(op));
 
     // Ports as words of the engine
     reg  [9*U+17:0]  matrix;
