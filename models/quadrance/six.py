@@ -147,8 +147,8 @@ def forward_config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: 
 
 
 def floor(p: Params) -> int:
-    """The bit below which (M13, M23) is taken for nothing: four units of the matrix words."""
-    return H - p["U"] + 2
+    """The bit below which (M13, M23) is taken for nothing: eight units of the matrix words."""
+    return H - p["U"] + 3
 
 
 def slack(p: Params) -> int:
@@ -161,11 +161,12 @@ def _off(p: Params, *pairs: tuple) -> Ints:
 
 
 def no_rotation(p: Params, r: dict[str, Ints]) -> Ints:
-    """Columns of length 1 whose third is the cross product of the first two, each to `slack`."""
+    """Columns 1 and 2 of length 1 and at right angles, column 3 their cross product, each to `slack`."""
     wrong = ints(0) != 0
-    for column in "123":
+    for column in "12":
         c1, c2, c3 = (r[row + column] for row in "123")
         wrong = wrong | _off(p, (c1, c1), (c2, c2), (c3, c3), (-ONE, ONE))
+    wrong = wrong | _off(p, (r["11"], r["12"]), (r["21"], r["22"]), (r["31"], r["32"]))
     for one, two, three in ("123", "231", "312"):
         cross = (r[two + "1"], r[three + "2"]), (r[three + "1"], r[two + "2"], -1)
         wrong = wrong | _off(p, (-ONE, r[one + "3"]), *cross)

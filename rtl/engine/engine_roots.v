@@ -7,7 +7,7 @@
 // Latency of the powers: two clocks behind in_fold. Model: six._power, six._reciprocal
 `default_nettype none
 module engine_roots #(
-    parameter WRIST = 11  // lowest bit that counts with in_wrist, 0 to 25
+    parameter WRIST = 12  // lowest bit that counts with in_wrist, 0 to 25: 12, 8 units of 2^-16
 ) (
     input  wire        clk,
     input  wire        in_first,

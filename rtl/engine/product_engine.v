@@ -11,7 +11,7 @@
 `default_nettype none
 module product_engine #(
     parameter ROOTS = 1,   // 0: sums alone: no ACT, no ALIGN, no tables; 1
-    parameter WRIST = 11,  // ACT WRIST: lowest bit of a vector that gives it a direction, 0 to 25: 11, 4 units of 2^-16
+    parameter WRIST = 12,  // ACT WRIST: lowest bit of a vector that gives it a direction, 0 to 25: 12, 8 units of 2^-16
     parameter SLACK = 13   // ACT CHECK: lowest bit that is an error, 0 to 25: 13, 16 units of 2^-16
 ) (
     input  wire        clk,
