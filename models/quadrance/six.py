@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from quadrance import vector
+from quadrance import conversion, vector
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 
 Params = dict[str, int]
@@ -224,3 +224,23 @@ def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
     for i, (c, n) in enumerate(((c_1, n_1), (c_2, n_2), (c_3, n_3), (c_4, n_4), (c_5, n_5), (c_6, n_6)), 1):
         answer |= {f"out_c{i}": _rounded(p, c), f"out_n{i}": _rounded(p, n)}
     return answer | {"out_status": ints(inside | outside) + 2 * ints(no1 | no2 | no4) + 8 * ints(wrong)}
+
+
+# Behind the angle codec
+
+
+def table_fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """`fk6` of binary angles, each by angle_to_vector."""
+    words = {name: word for name, word in ports.items() if name.startswith("cfg_")}
+    for i in range(1, 7):
+        vectors = conversion.angle_to_vector(p, in_j=ports[f"in_j{i}"])
+        words |= {f"in_{letter}{i}": vectors[f"out_{letter}"] for letter in "cn"}
+    return fk6(p, **words)
+
+
+def table_ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """`ik6` to binary angles: one vector_to_angle takes the six vectors of a sample in turn."""
+    found = ik6(p, **ports)
+    c, n = (np.stack([found[f"out_{letter}{i}"] for i in range(1, 7)], axis=-1) for letter in "cn")
+    words = conversion.vector_to_angle(p, in_c=c.ravel(), in_n=n.ravel())["out_j"].reshape(-1, 6)
+    return {f"out_j{i}": words[:, i - 1] for i in range(1, 7)} | {"out_status": found["out_status"]}
