@@ -1,0 +1,54 @@
+"""Bounds of the streamed chains, whose positions add up link by link: vector_chain, table_chain."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quadrance import chain, codecs, table
+from quadrance.truth import Floats, floats
+
+Params = dict[str, int]
+
+SUM = 0.5 + 1 / 16
+"""Rounding, and the products of a sum: each of k <= N <= 2^D is truncated by less than 2^-G, G = D + 3, and the sum
+starts 2^(D - 1) of these high."""
+
+
+def table_sine(p: Params) -> float:
+    """Error of a sine or cosine of table_chain: that of `bounds.table_sine` for two joints, the same table."""
+    k, t = table.sizes(p, 2)
+    knots, place = codecs.sine_knots(k, t), np.linspace(0, 1, 33)[:, None]
+    error = knots[:-1] + np.diff(knots) * place - np.sin(2 * np.pi / 2**t * (np.arange(2**t) + place)) * 2**k
+    return float(max(error.max(), 1 - error.min())) / 2**k
+
+
+def table_chain(p: Params, lengths: ArrayLike) -> Floats:
+    """A coordinate after each link of a chain (n,), LSB: the directions are exact sums, each has its sine's error."""
+    return SUM + table_sine(p) * np.cumsum(floats(lengths))
+
+
+def vector_chain(p: Params, lengths: ArrayLike) -> Floats:
+    """A coordinate after each link of a chain (n,), LSB, against the product of the vectors as they are given.
+
+    Units of 2^-(U+G): a turn truncates two products of C and two of N, each sum starts a unit high, and C is low by N
+    for the one's complement of n. So C is off by up to 2, N by up to 1, together by sqrt(5); later turns carry that
+    along without enlarging it, but for the length of a rounded vector. The error of a direction grows with the links
+    before it, that of a position with their number times the length.
+    """
+    links = np.arange(1, np.size(lengths) + 1)
+    turned = math.sqrt(5) * 2.0 ** -(p["U"] + chain.sizes(p)[1]) * links * (1 + vector_word(p)) ** links
+    return SUM + np.cumsum(floats(lengths) * turned)
+
+
+def vector_word(p: Params) -> float:
+    """How far the length of a rounded unit vector is from 1, at most."""
+    return math.sqrt(0.5) * 2.0 ** -p["U"]
+
+
+def vector_chain_directions(p: Params, lengths: ArrayLike) -> Floats:
+    """A coordinate of vector_chain against the vectors' directions: their lengths multiply, link by link."""
+    links = np.arange(1, np.size(lengths) + 1)
+    return vector_chain(p, lengths) + np.cumsum(floats(lengths) * ((1 + vector_word(p)) ** links - 1))

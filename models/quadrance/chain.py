@@ -1,0 +1,94 @@
+"""Bit-true models of the streamed chains, rtl/vector/vector_chain.v and rtl/table/table_chain.v: a link a sample.
+
+The samples of one call are links in the order of the stream, from a reset on; `in_last` ends a chain, and the next
+sample is the first link of the next one.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quadrance import codecs, table
+from quadrance.fixed import Ints, ints, saturate, wrap
+from quadrance.truth import Floats, floats
+
+Params = dict[str, int]
+
+
+def positions(theta: ArrayLike, lengths: ArrayLike) -> tuple[Floats, Floats]:
+    """Float64 truth of one chain, (n,): where link k ends, ``sum over i <= k of L_i (cos, sin)(theta_1 + ... + i)``."""
+    direction, lengths = np.cumsum(floats(theta)), floats(lengths)
+    return np.cumsum(lengths * np.cos(direction)), np.cumsum(lengths * np.sin(direction))
+
+
+# The stream
+
+
+def first_links(last: Ints) -> Ints:
+    """(N,) index of the first link of every sample's chain."""
+    index = np.arange(last.size)
+    return np.maximum.accumulate(np.where(np.append(1, last[:-1]) > 0, index, 0))
+
+
+def sums(values: Ints, first: Ints) -> Ints:
+    """Sum of `values` over a sample's chain up to the sample, modulo 2^64."""
+    total = np.cumsum(values)
+    return total - (total - values)[first]
+
+
+def sizes(p: Params) -> tuple[int, int]:
+    """(D, G): bits of a count below N, guard bits of sums and directions."""
+    d = int(p["N"] - 1).bit_length()
+    return d, d + 3
+
+
+def _answer(p: Params, parts: tuple[Ints, Ints], first: Ints, last: Ints, beyond: Ints, whole: int) -> dict[str, Ints]:
+    """Positions from the links' parts, G fraction bits: HALF rounds, sums of `whole` bits before the point wrap."""
+    d, g = sizes(p)
+    pairs = [saturate(wrap(sums(part, first) + (1 << g - 1) + (1 << d - 1), whole + g) >> g, p["W"]) for part in parts]
+    overflow = pairs[0][1] | pairs[1][1] | beyond
+    return {"out_x": pairs[0][0], "out_y": pairs[1][0], "out_last": last, "out_status": 4 * ints(overflow)}
+
+
+def _stream(p: Params, *words: ArrayLike) -> tuple[Ints, ...]:
+    """The words as arrays, the length 0 beyond N links; then the first link of every sample, and what is beyond."""
+    *joints, length, last = (np.atleast_1d(word) for word in np.broadcast_arrays(*map(ints, words)))
+    first = first_links(last)
+    beyond = np.arange(last.size) - first >= p["N"]
+    return *joints, np.where(beyond, 0, length), last, first, beyond
+
+
+def table_chain(p: Params, *, in_j1: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:
+    """``(x, y) + L (cos, sin)`` of the sum of the joint words; a product is truncated to G bits."""
+    j, length, last, first, beyond = _stream(p, in_j1, in_l, in_last)
+    k, t = table.sizes(p, 2)
+    word, (d, g) = wrap(sums(j, first), p["A"], signed=False), sizes(p)
+    parts = tuple(codecs.angle_chord(k, t, p["A"], word, cosine) * length >> k - g for cosine in (True, False))
+    return _answer(p, parts, first, last, beyond, p["W"] + d + 1)
+
+
+def vector_directions(p: Params, c: Ints, n: Ints, last: Ints) -> tuple[Ints, Ints]:
+    """Direction of every link, U + G fraction bits: all products truncated, a constant 1 behind each sum.
+
+    -n is the one's complement with G ones behind it, so that C is low by N 2^-(U+G) more.
+    """
+    u, g = p["U"], sizes(p)[1]
+    high, mask = 1 << u + g + 1, (1 << u + g + 2) - 1
+    cosine, sine, found = 1 << u + g, 0, []
+    for along, across, end in zip(c.tolist(), n.tolist(), last.tolist()):
+        turned = (cosine * along >> u) + (sine * (-(across << g) - 1) >> u + g) + 1
+        sine = ((cosine * across >> u) + (sine * along >> u) + 1 + high & mask) - high
+        cosine = (turned + high & mask) - high
+        found.append((cosine, sine))
+        if end:
+            cosine, sine = 1 << u + g, 0
+    return tuple(ints(found).reshape(-1, 2).T)
+
+
+def vector_chain(p: Params, *, in_c1: Ints, in_n1: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:
+    """``(C, N) <- (C c - N n, C n + N c)``, then ``(x, y) + L (C, N)``; a product is truncated to G bits."""
+    c, n, length, last, first, beyond = _stream(p, in_c1, in_n1, in_l, in_last)
+    d, g = sizes(p)
+    parts = tuple(wrap(part * length >> p["U"], p["W"] + 2 + g) for part in vector_directions(p, c, n, last))
+    return _answer(p, parts, first, last, beyond, p["W"] + d + 2)

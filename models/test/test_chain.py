@@ -1,0 +1,148 @@
+"""The streamed chains against the truth: every position of chains of every number of links, at every parameter set."""
+
+import numpy as np
+import pytest
+from quadrance import chain, codecs
+from quadrance.bounds import chain as bounds
+from quadrance.cores import all_cores, joints
+
+CORES = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "chain"]
+VECTORS = [pytest.param(core, id=core.id) for core in all_cores() if core.name == "vector_chain"]
+OVERFLOW = 4
+
+
+def words(core, theta):
+    """Words of one chain and the angles that they stand for."""
+    joint, = joints(core.inputs)
+    found = codecs.encode(joint, theta)
+    return found, codecs.decode(joint, found)
+
+
+def run(core, chains):
+    """Answers to a stream of chains of (words, lengths), one dictionary a chain."""
+    sizes = np.cumsum([np.size(length) for _, length in chains])
+    last = np.zeros(sizes[-1], dtype=np.int64)
+    last[sizes - 1] = 1
+    inputs = {name: np.concatenate([word[name] for word, _ in chains]) for name in chains[0][0]}
+    answer = core.model(core.params, **inputs, in_l=np.concatenate([length for _, length in chains]), in_last=last)
+    assert np.array_equal(answer["out_last"], last)
+    return [{name: column[end - np.size(length):end] for name, column in answer.items()}
+            for end, (_, length) in zip(sizes, chains)]
+
+
+def random_chains(core, rng, reach, count=120):
+    """Chains of 1 to N links, together as long as `reach` LSB, joints anywhere, at quadrant borders or all alike."""
+    found = []
+    for i in range(count):
+        links = int(rng.integers(1, core.params["N"], endpoint=True)) if i % 3 else core.params["N"]
+        theta = rng.uniform(-np.pi, np.pi, links)
+        if i % 4 == 1:
+            theta = rng.integers(-2, 3, links) * np.pi / 2 + rng.normal(0, 1e-4, links)
+        if i % 4 == 2:
+            theta = np.full(links, rng.uniform(-0.3, 0.3))
+        share = rng.exponential(1, links)
+        found.append((theta, np.floor(reach * share / share.sum()).astype(np.int64)))
+    return found
+
+
+def bound(core, lengths):
+    return (bounds.table_chain if core.family == "table" else bounds.vector_chain_directions)(core.params, lengths)
+
+
+@pytest.mark.parametrize("core", CORES)
+def test_every_position_is_that_of_the_directions(core):
+    rng, half, worst = np.random.default_rng(1), 1 << core.params["W"] - 1, 0.0
+    for reach in (half - 2 - half // 500, half // 2, 100):
+        chains = [(*words(core, theta), lengths) for theta, lengths in random_chains(core, rng, reach)]
+        for (_, theta, lengths), answer in zip(chains, run(core, [(word, lengths) for word, _, lengths in chains])):
+            exact = np.stack(chain.positions(theta, lengths))
+            error = np.abs(np.stack([answer["out_x"], answer["out_y"]]) - exact)
+            assert np.all(error <= bound(core, lengths))
+            assert not answer["out_status"].any()
+            worst = max(worst, error.max())
+    assert worst > 0.5
+
+
+@pytest.mark.parametrize("core", VECTORS)
+def test_vectors_are_taken_as_they_are(core):
+    """Against the product of the vectors themselves, of length 1 and of less."""
+    rng, half = np.random.default_rng(2), 1 << core.params["W"] - 1
+    joint, one, worst = joints(core.inputs)[0], 2.0 ** core.params["U"], 0.0
+    for short in (1.0, 0.9):
+        stream, exact = [], []
+        for theta, lengths in random_chains(core, rng, half - 2 - half // 500):
+            word = codecs.encode(joint, theta)
+            word = {name: np.rint(values * short).astype(np.int64) for name, values in word.items()}
+            direction = np.cumprod((word[joint[0].name] + 1j * word[joint[1].name]) / one)
+            stream.append((word, lengths))
+            exact.append(np.cumsum(lengths * direction))
+        for (_, lengths), place, answer in zip(stream, exact, run(core, stream)):
+            error = np.maximum(np.abs(answer["out_x"] - place.real), np.abs(answer["out_y"] - place.imag))
+            assert np.all(error <= bounds.vector_chain(core.params, lengths))
+            worst = max(worst, error.max())
+    assert worst > 0.5
+
+
+@pytest.mark.parametrize("core", VECTORS)
+def test_the_direction_errs_as_its_law_says(core):
+    """Against exact products of the integers, by the unit of a guard bit: some turn comes within half of the law."""
+    p, rng = core.params, np.random.default_rng(3)
+    joint, one, g = joints(core.inputs)[0], 2.0 ** core.params["U"], chain.sizes(core.params)[1]
+    share = 0.0
+    for _ in range(300):
+        word = codecs.encode(joint, rng.uniform(-np.pi, np.pi, p["N"]))
+        c, n = word[joint[0].name], word[joint[1].name]
+        found = chain.vector_directions(p, c, n, np.zeros(p["N"], dtype=np.int64))
+        exact = np.cumprod((c + 1j * n) / one)
+        error = np.abs(found[0] + 1j * found[1] - exact * one * 2**g)
+        law = np.sqrt(5) * np.arange(1, p["N"] + 1) * (1 + bounds.vector_word(p)) ** p["N"] + 1e-3
+        assert np.all(error <= law)
+        share = max(share, (error / law).max())
+    assert share > 0.4
+
+
+@pytest.mark.parametrize("core", CORES)
+def test_overflow_is_exact_to_the_bound(core):
+    """Beyond a word: the nearest word and the flag; a chain that comes back is right again, for the sum is kept."""
+    half = 1 << core.params["W"] - 1
+    links = core.params["N"]
+    for turn in range(4):
+        theta = np.zeros(links)
+        theta[0], theta[links // 2] = turn * np.pi / 2, np.pi
+        word, exact_theta = words(core, theta)
+        lengths = np.full(links, 5 * half // 8)
+        answer, = run(core, [(word, lengths)])
+        exact = np.stack(chain.positions(exact_theta, lengths))
+        found, off = np.stack([answer["out_x"], answer["out_y"]]), bound(core, lengths)
+        assert np.all(np.abs(found - np.clip(exact, -half, half - 1)) <= off)
+        out = np.maximum(exact.max(axis=0) - (half - 0.5), -half - 0.5 - exact.min(axis=0))
+        flag = answer["out_status"] == OVERFLOW
+        assert np.all(flag[out > off - 0.5]) and not np.any(flag[out < 0.5 - off])
+        assert flag.any() and not flag.all()
+
+
+@pytest.mark.parametrize("core", CORES)
+def test_links_beyond_the_parameter_do_not_count(core):
+    """They are flagged and answered by the position of link N; the next chain is not harmed, nor is one of one link."""
+    rng, most = np.random.default_rng(4), core.params["N"]
+    word, _ = words(core, rng.uniform(-1, 1, most + 5))
+    short, _ = words(core, np.array([0.7]))
+    lengths = rng.integers(1, (1 << core.params["W"] - 1) // (most + 6), most + 5)
+    cut = {name: values[:most] for name, values in word.items()}
+    long, one, again, same = run(core, [(word, lengths), (short, lengths[:1]), (cut, lengths[:most]),
+                                        (short, lengths[:1])])
+    for axis in ("out_x", "out_y"):
+        assert np.array_equal(long[axis][:most], again[axis])
+        assert np.all(long[axis][most:] == again[axis][-1])
+        assert np.array_equal(one[axis], same[axis])
+    assert np.array_equal(long["out_status"], np.where(np.arange(most + 5) < most, 0, OVERFLOW))
+    assert not again["out_status"].any() and not one["out_status"].any()
+
+
+@pytest.mark.parametrize("core", CORES)
+def test_quarter_turns_are_exact(core):
+    """Around a rectangle and back: whole coordinates, whose sums are exact where every direction is an axis."""
+    word, _ = words(core, np.pi / 2 * np.array([0, 1, 1, 1, 1][:core.params["N"]]))
+    lengths = np.array([100, 50, 100, 50, 7])
+    answer, = run(core, [(word, lengths)])
+    assert answer["out_x"].tolist() == [100, 100, 0, 0, 7] and answer["out_y"].tolist() == [0, 50, 50, 0, 0]
