@@ -1,4 +1,4 @@
-"""Bit-true models of the streamed chains, rtl/vector/vector_chain.v and rtl/table/table_chain.v: a link a sample.
+"""Bit-true models of the streamed chains, vector_chain, table_chain and paper_mff: a link a sample.
 
 The samples of one call are links in the order of the stream, from a reset on; `in_last` ends a chain, and the next
 sample is the first link of the next one.
@@ -22,6 +22,13 @@ def positions(theta: ArrayLike, lengths: ArrayLike) -> tuple[Floats, Floats]:
     return np.cumsum(lengths * np.cos(direction)), np.cumsum(lengths * np.sin(direction))
 
 
+def fixed_positions(theta: ArrayLike, phi: ArrayLike, lengths: ArrayLike) -> tuple[Floats, Floats, Floats]:
+    """Float64 truth of one chain of links in the fixed frame, (n,): theta from the y axis to x, phi from the z axis."""
+    theta, phi, lengths = floats(theta), floats(phi), floats(lengths)
+    parts = np.sin(phi) * np.sin(theta), np.sin(phi) * np.cos(theta), np.cos(phi)
+    return tuple(np.cumsum(lengths * part) for part in parts)
+
+
 # The stream
 
 
@@ -43,12 +50,13 @@ def sizes(p: Params) -> tuple[int, int]:
     return d, d + 3
 
 
-def _answer(p: Params, parts: tuple[Ints, Ints], first: Ints, last: Ints, beyond: Ints, whole: int) -> dict[str, Ints]:
+def _answer(p: Params, parts: tuple[Ints, ...], first: Ints, last: Ints, beyond: Ints, whole: int) -> dict[str, Ints]:
     """Positions from the links' parts, G fraction bits: HALF rounds, sums of `whole` bits before the point wrap."""
     d, g = sizes(p)
     pairs = [saturate(wrap(sums(part, first) + (1 << g - 1) + (1 << d - 1), whole + g) >> g, p["W"]) for part in parts]
-    overflow = pairs[0][1] | pairs[1][1] | beyond
-    return {"out_x": pairs[0][0], "out_y": pairs[1][0], "out_last": last, "out_status": 4 * ints(overflow)}
+    overflow = np.any([over for _, over in pairs], axis=0) | beyond
+    return {f"out_{axis}": value for axis, (value, _) in zip("xyz", pairs)} | {
+        "out_last": last, "out_status": 4 * ints(overflow)}
 
 
 def _stream(p: Params, *words: ArrayLike) -> tuple[Ints, ...]:
@@ -92,3 +100,18 @@ def vector_chain(p: Params, *, in_c1: Ints, in_n1: Ints, in_l: Ints, in_last: In
     d, g = sizes(p)
     parts = tuple(wrap(part * length >> p["U"], p["W"] + 2 + g) for part in vector_directions(p, c, n, last))
     return _answer(p, parts, first, last, beyond, p["W"] + d + 2)
+
+
+def mff(p: Params, *, in_j1: Ints, in_j2: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:
+    """``(x, y, z) + L (sin phi sin theta, sin phi cos theta, cos phi)``; products truncated to G bits, then signed.
+
+    A sign is that of the one's complement.
+    """
+    theta, phi, length, last, first, beyond = _stream(p, in_j1, in_j2, in_l, in_last)
+    u, (d, g) = p["U"] + 1, sizes(p)
+    (cos_t, sin_t), (cos_p, sin_p) = codecs.spread_chords(p, theta), codecs.spread_chords(p, phi)
+    across = (length << g) * np.abs(sin_p) >> u
+    parts = (across * np.abs(sin_t) >> u, across * np.abs(cos_t) >> u, (length << g) * np.abs(cos_p) >> u)
+    signs = ((sin_p < 0) ^ (sin_t < 0), (sin_p < 0) ^ (cos_t < 0), cos_p < 0)
+    return _answer(p, tuple(part ^ -ints(sign) for part, sign in zip(parts, signs)), first, last, beyond,
+                   p["W"] + d + 1)

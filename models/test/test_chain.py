@@ -7,6 +7,7 @@ from quadrance.bounds import chain as bounds
 from quadrance.cores import all_cores, joints
 
 CORES = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "chain"]
+FIXED = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "mff"]
 VECTORS = [pytest.param(core, id=core.id) for core in all_cores() if core.name == "vector_chain"]
 OVERFLOW = 4
 
@@ -146,3 +147,79 @@ def test_quarter_turns_are_exact(core):
     lengths = np.array([100, 50, 100, 50, 7])
     answer, = run(core, [(word, lengths)])
     assert answer["out_x"].tolist() == [100, 100, 0, 0, 7] and answer["out_y"].tolist() == [0, 50, 50, 0, 0]
+
+
+# Fixed frames
+
+
+def directed(core, theta, phi):
+    """Words of one chain in the fixed frame and the angles that they stand for."""
+    pairs = [(codecs.encode(joint, angle), joint) for joint, angle in zip(joints(core.inputs), (theta, phi))]
+    return pairs[0][0] | pairs[1][0], *(codecs.decode(joint, word) for word, joint in pairs)
+
+
+@pytest.mark.parametrize("core", FIXED)
+def test_every_position_in_the_fixed_frame(core):
+    rng, half, worst = np.random.default_rng(1), 1 << core.params["W"] - 1, 0.0
+    for reach in (half - 2 - half // 500, half // 2, 100):
+        chains = []
+        for theta, lengths in random_chains(core, rng, reach, 40):
+            phi = rng.permutation(theta) if rng.random() < 0.5 else rng.uniform(0, np.pi, theta.size)
+            chains.append((*directed(core, theta, phi), lengths))
+        answers = run(core, [(word, lengths) for word, *_, lengths in chains])
+        for (_, theta, phi, lengths), answer in zip(chains, answers):
+            exact = chain.fixed_positions(theta, phi, lengths)
+            across, upright = bounds.mff(core.params, lengths)
+            for axis, place, law in zip("xyz", exact, (across, across, upright)):
+                error = np.abs(answer[f"out_{axis}"] - place)
+                assert np.all(error <= law)
+                worst = max(worst, error.max())
+            assert not answer["out_status"].any()
+    assert worst > 0.5
+
+
+ROWS = {"I": (1, 1, 1), "II": (-1, 1, 1), "III": (-1, -1, 1), "IV": (1, -1, 1),
+        "V": (1, 1, -1), "VI": (-1, 1, -1), "VII": (-1, -1, -1), "VIII": (1, -1, -1)}
+
+
+@pytest.mark.parametrize("core", FIXED)
+@pytest.mark.parametrize("row, signs", ROWS.items(), ids=ROWS)
+def test_quadrants_are_the_octant_rows(core, row, signs):
+    """The rows of the paper's matrix R, with the one it misses: signs from the quadrants, sizes from the spreads."""
+    s, length, rng = core.params["S"], 20000, np.random.default_rng(5)
+    theta, phi = {(1, 1): 0, (1, -1): 1, (-1, -1): 2, (-1, 1): 3}[signs[:2]], int(signs[2] < 0)
+    f = rng.integers(1 << s - 4, 15 << s - 4, (2, 200))
+    spread = [np.where(odd, (1 << s) - one, one) / 2.0**s for odd, one in ((theta % 2, f[0]), (phi % 2, f[1]))]
+    ones = np.ones(200, dtype=np.int64)
+    answer = core.model(core.params, in_j1=(theta << s) + f[0], in_j2=(phi << s) + f[1], in_l=length * ones,
+                        in_last=ones)
+    quadrance = float(length) ** 2
+    exact = (np.sqrt(spread[0] * spread[1] * quadrance), np.sqrt((1 - spread[0]) * spread[1] * quadrance),
+             np.sqrt((1 - spread[1]) * quadrance))
+    for axis, sign, place in zip("xyz", signs, exact):
+        assert np.abs(answer[f"out_{axis}"] - sign * place).max() <= bounds.mff(core.params, [length])[0]
+
+
+@pytest.mark.parametrize("core", FIXED)
+def test_fixed_frames_beyond_the_word_and_the_parameter(core):
+    """Saturated and flagged along each axis, right again on the way back; links behind the N-th do not count."""
+    half, most = 1 << core.params["W"] - 1, core.params["N"]
+    quarter = np.pi / 2
+    for angles, axis, sign in (((quarter, quarter), "x", 1), ((0, quarter), "y", 1), ((0, 0), "z", 1),
+                               ((-quarter, quarter), "x", -1), ((np.pi, quarter), "y", -1), ((0, np.pi), "z", -1)):
+        back = {"x": (-angles[0], angles[1]), "y": (np.pi - angles[0], angles[1]), "z": (0, np.pi - angles[1])}[axis]
+        word, theta, phi = directed(core, *np.array([angles, angles, back, back, back]).T)
+        lengths = np.full(5, 5 * half // 8)
+        answer, = run(core, [(word, lengths)])
+        exact = dict(zip("xyz", chain.fixed_positions(theta, phi, lengths)))[axis]
+        law = bounds.mff(core.params, lengths)[0]
+        assert np.all(np.abs(answer[f"out_{axis}"] - np.clip(exact, -half, half - 1)) <= law)
+        assert answer["out_status"].tolist() == [0, OVERFLOW, 0, 0, 0]
+        assert np.sign(answer[f"out_{axis}"][0]) == sign
+    rng = np.random.default_rng(6)
+    word, *_ = directed(core, rng.uniform(-1, 1, most + 3), rng.uniform(0, 3, most + 3))
+    lengths = np.full(most + 3, half // (most + 6))
+    long, again = run(core, [(word, lengths), ({name: one[:most] for name, one in word.items()}, lengths[:most])])
+    assert long["out_status"].tolist() == [0] * most + [OVERFLOW] * 3 and not again["out_status"].any()
+    for axis in ("out_x", "out_y", "out_z"):
+        assert np.array_equal(long[axis], np.append(again[axis], again[axis][-1:].repeat(3)))

@@ -6,7 +6,7 @@
 // vectors stays below 2; beyond it the chain wraps, the next one does not.
 // Error of a coordinate after k links: 1/2 + 1/16 + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB.
 // Latency 4, II 3 a link: the first clock of a link is the last of the one before it.
-// Status: overflow (a coordinate was saturated; or the chain has had N links before: this one does not count).
+// Status: overflow (a coordinate was saturated; or the chain has had N links before, and this one does not count).
 // Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions. Model: chain.vector_chain
 `default_nettype none
 module vector_chain #(
@@ -41,9 +41,9 @@ module vector_chain #(
         end
     endgenerate
 
-    // Schedule. start: r1 r2 <- in_c1 in_n1
+    // Schedule. start: r1 r2 next cosine sine <- in_c1 in_n1
     localparam [1:0]
-        TURN = 2'b01,  // r1 r2 sine cosine <- r1 r2 next cosine sine: the sine is turned; the cosine of the first clock is in
+        TURN = 2'b01,  // r1 r2 sine cosine <- r1 r2 next cosine sine: the sine; the cosine of the clock before goes on
         LAST = 2'b10;  // x y_part <- r1 r2 cosine sine: products with the length; the next link is taken in this clock
     //                 work
     localparam [2*2-1:0] LINK = {
@@ -60,7 +60,7 @@ module vector_chain #(
     // The joint's word passes by both multipliers: (c, n), then (n, c), then the length twice
     reg  signed [V-1:0] cosine, sine;  // of the link; in the first two clocks of the one before it
     reg         [B-1:0] r1, r2;
-    reg                 minus;  // r2 is the one's complement of the sine, 2^-(U+G) below -n for the bits behind are ones
+    reg                 minus;  // r2 is the one's complement of n, 2^-(U+G) below -n for the bits behind it are ones
     reg         [W-1:0] length;
     reg         [V-1:0] next;
     /* verilator lint_off UNUSEDSIGNAL */

@@ -8,6 +8,7 @@ from quadrance.cores import Core
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
+from tb.vector import chains
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -63,6 +64,8 @@ def targets(core: Core, cfg: dict[str, int]) -> Vectors:
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
+    if core.function == "mff":
+        return chains.corners(core)
     if core.function == "fk1":
         return stimulus.joined(codecs.border_words(core.inputs), stimulus.saturation(core, cfg))
     if core.function in ("fk2", "fk3"):

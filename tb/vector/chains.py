@@ -1,4 +1,4 @@
-"""Corners of the streamed chains of rtl/vector and rtl/table: chains of every number of links, at the borders of words.
+"""Corners of the streamed chains of vector, table and paper: of every number of links, at the borders of words.
 
 Samples are links in the order of the stream; the last link of every chain is marked.
 """
@@ -14,12 +14,13 @@ from tb.lib.stimulus import Vectors, extremes
 
 def _chain(rng: np.random.Generator, core: Core, count: int) -> Vectors:
     """One chain: its joints anywhere or at borders of a quadrant, its lengths together within, at or beyond a word."""
-    joint, = joints(core.inputs)
-    border = codecs.border_words(joint)
-    pick = rng.integers(0, border[joint[0].name].size, count)
-    anywhere = codecs.encode(joint, rng.uniform(0, 2 * np.pi, count))
-    mixed = rng.random(count) < rng.choice([0.0, 0.5, 1.0])
-    words = {name: np.where(mixed, border[name][pick], anywhere[name]) for name in border}
+    words = {}
+    for joint in joints(core.inputs):
+        border = codecs.border_words(joint)
+        pick = rng.integers(0, border[joint[0].name].size, count)
+        anywhere = codecs.encode(joint, rng.uniform(0, 2 * np.pi, count))
+        mixed = rng.random(count) < rng.choice([0.0, 0.5, 1.0])
+        words |= {name: np.where(mixed, border[name][pick], anywhere[name]) for name in border}
     full = 1 << core.params["W"]
     kind = rng.integers(0, 4)
     longest = full if kind == 0 else full // 2 // count + 1
@@ -27,14 +28,17 @@ def _chain(rng: np.random.Generator, core: Core, count: int) -> Vectors:
 
 
 def _straight(core: Core) -> list[Vectors]:
-    """Along each axis to the last coordinate inside, the first outside and on; the first joint alone is turned."""
-    joint, = joints(core.inputs)
-    half = 1 << core.params["W"] - 1
+    """Along each axis to the last coordinate inside, the first outside and on.
+
+    The first joint alone is turned, but in the fixed frame every link is: theta, then phi.
+    """
+    words, half = joints(core.inputs), 1 << core.params["W"] - 1
     found = []
-    for turn in range(4):
-        theta = np.zeros(6)
-        theta[0] = turn * np.pi / 2
-        found.append(codecs.encode(joint, theta) | {"in_l": np.array([half - 3, 1, 1, 1, 1, half])})
+    for turns in np.ndindex((4,) * len(words)):
+        chain = {"in_l": np.array([half - 3, 1, 1, 1, 1, half])}
+        for joint, turn in zip(words, turns):
+            chain |= codecs.encode(joint, np.pi / 2 * turn * (np.arange(6) < (1 if len(words) == 1 else 6)))
+        found.append(chain)
     return found
 
 

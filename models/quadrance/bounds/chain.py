@@ -1,4 +1,4 @@
-"""Bounds of the streamed chains, whose positions add up link by link: vector_chain, table_chain."""
+"""Bounds of the streamed chains, whose positions add up link by link: vector_chain, table_chain, paper_mff."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import chain, codecs, table
+from quadrance import bounds, chain, codecs, table
 from quadrance.truth import Floats, floats
 
 Params = dict[str, int]
@@ -52,3 +52,13 @@ def vector_chain_directions(p: Params, lengths: ArrayLike) -> Floats:
     """A coordinate of vector_chain against the vectors' directions: their lengths multiply, link by link."""
     links = np.arange(1, np.size(lengths) + 1)
     return vector_chain(p, lengths) + np.cumsum(floats(lengths) * ((1 + vector_word(p)) ** links - 1))
+
+
+def mff(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
+    """x or y, and z, of paper_mff after each link of a chain (n,), LSB.
+
+    `SUM`, and a root's error times the length; x and y have a second root. Their product has been truncated twice, so a
+    positive one loses up to two units of 2^-G, a negative one up to one and gains up to one: three times `SUM`'s part.
+    """
+    root = bounds.spread_chord(p["U"]) * 2.0 ** -p["U"] * np.cumsum(floats(lengths))
+    return 0.5 + 3 / 16 + 2 * root, SUM + root
