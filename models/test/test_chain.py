@@ -2,11 +2,14 @@
 
 import numpy as np
 import pytest
-from quadrance import chain, codecs
+from quadrance import chain, codecs, truth
 from quadrance.bounds import chain as bounds
+from quadrance.bounds import paper_forward
 from quadrance.cores import all_cores, joints
 
-CORES = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "chain"]
+SPACE = [pytest.param(core, id=core.id) for core in all_cores() if core.params.get("SPACE")]
+CORES = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "chain"
+         and not core.params.get("SPACE")]
 FIXED = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "mff"]
 VECTORS = [pytest.param(core, id=core.id) for core in all_cores() if core.name == "vector_chain"]
 OVERFLOW = 4
@@ -149,6 +152,76 @@ def test_quarter_turns_are_exact(core):
     assert answer["out_x"].tolist() == [100, 100, 0, 0, 7] and answer["out_y"].tolist() == [0, 50, 50, 0, 0]
 
 
+# In space
+
+
+def yawed(core, rng, reach, count=60):
+    """Chains whose first word is a yaw, in the form of `run`, and (yaw, angles, lengths of the links)."""
+    found, truths = [], []
+    for theta, lengths in random_chains(core, rng, reach, count):
+        yaw = rng.choice([rng.uniform(-np.pi, np.pi), np.pi / 2 * rng.integers(4)])
+        word, exact = words(core, np.append(yaw, theta))
+        found.append((word, np.append(rng.integers(1 << core.params["W"]), lengths)))
+        truths.append((exact[0], exact[1:], lengths))
+    return found, truths
+
+
+@pytest.mark.parametrize("core", SPACE)
+def test_every_position_in_space(core):
+    rng, half, worst = np.random.default_rng(1), 1 << core.params["W"] - 1, 0.0
+    for reach in (half - 2 - half // 500, half // 2, 100):
+        chains, truths = yawed(core, rng, reach)
+        for answer, (yaw, theta, lengths) in zip(run(core, chains), truths):
+            assert [answer[f"out_{axis}"][0] for axis in "xyz"] == [0, 0, 0]
+            across, upright = bounds.table_chain_space(core.params, lengths)
+            for axis, place, law in zip("xyz", chain.space_positions(yaw, theta, lengths), (across, across, upright)):
+                error = np.abs(answer[f"out_{axis}"][1:] - place)
+                assert np.all(error <= law)
+                worst = max(worst, error.max())
+            assert not answer["out_status"].any()
+    assert worst > 0.5
+
+
+@pytest.mark.parametrize("core", SPACE)
+def test_space_beyond_the_word_and_the_parameter(core):
+    """rho saturates at a word, whatever the yaw makes of it; links behind the N-th do not count, the yaw is none."""
+    half, most = 1 << core.params["W"] - 1, core.params["N"]
+    for yaw in (0.0, np.pi / 2, np.pi, 0.6):
+        for lean in (0.0, np.pi / 2, np.pi, -np.pi / 2):
+            word, exact = words(core, np.array([yaw, lean, 0, np.pi, 0, 0]))
+            lengths = np.full(6, 5 * half // 8)
+            answer, = run(core, [(word, lengths)])
+            rho, z = chain.positions(exact[1:], lengths[1:])
+            rho, z = np.clip(rho, -half, half - 1), np.clip(z, -half, half - 1)
+            place = np.stack([rho * np.cos(exact[0]), rho * np.sin(exact[0]), z])
+            found = np.stack([answer[f"out_{one}"][1:] for one in "xyz"])
+            assert np.all(np.abs(found - place) <= bounds.table_chain_space(core.params, lengths[1:])[0] + 1)
+            assert answer["out_status"].tolist() == [0, 0, OVERFLOW, 0, 0, 0]
+    rng = np.random.default_rng(7)
+    word, _ = words(core, rng.uniform(-1, 1, most + 4))
+    lengths = np.full(most + 4, half // (most + 6))
+    cut = {name: one[:most + 1] for name, one in word.items()}
+    long, again = run(core, [(word, lengths), (cut, lengths[:most + 1])])
+    assert long["out_status"].tolist() == [0] * (most + 1) + [OVERFLOW] * 3 and not again["out_status"].any()
+    for axis in ("out_x", "out_y", "out_z"):
+        assert np.array_equal(long[axis], np.append(again[axis], again[axis][-1:].repeat(3)))
+
+
+@pytest.mark.parametrize("core", SPACE)
+def test_joints_on_the_forearm(core):
+    """Joints four and five of Fig. 11: after the upper arm links in one line, as long as the joints are apart."""
+    rng = np.random.default_rng(8)
+    upper, pieces = 9000, np.array([4000, 2500, 1500])
+    for theta in rng.uniform(-np.pi, np.pi, (200, 3)):
+        word, exact = words(core, np.array([theta[2], theta[0], theta[1], 0, 0]))
+        answer, = run(core, [(word, np.array([0, upper, *pieces]))])
+        for k, away in enumerate(np.cumsum(pieces)):
+            tip = truth.fk3(exact[1], exact[2], exact[0], upper, away)
+            for axis, place in zip("xyz", tip):
+                law = bounds.table_chain_space(core.params, [upper, *pieces])[0][k + 1]
+                assert abs(answer[f"out_{axis}"][k + 2] - place) <= law
+
+
 # Fixed frames
 
 
@@ -223,3 +296,30 @@ def test_fixed_frames_beyond_the_word_and_the_parameter(core):
     assert long["out_status"].tolist() == [0] * most + [OVERFLOW] * 3 and not again["out_status"].any()
     for axis in ("out_x", "out_y", "out_z"):
         assert np.array_equal(long[axis], np.append(again[axis], again[axis][-1:].repeat(3)))
+
+
+# Joints on the forearm
+
+
+@pytest.mark.parametrize("core", [pytest.param(core, id=core.id) for core in all_cores() if core.function == "fk5"])
+def test_joints_four_and_five(core):
+    """Each within paper_fk3's bound with its distance for L2; a joint out of range is flagged, the other is right."""
+    p, rng = core.params, np.random.default_rng(9)
+    theta = rng.uniform(-np.pi, np.pi, (3, 4000))
+    inputs = {}
+    for joint, angle in zip(joints(core.inputs), theta):
+        inputs |= codecs.encode(joint, angle)
+    exact = [codecs.decode(joint, inputs) for joint in joints(core.inputs)]
+    full = 1 << p["W"] - 1
+    for upper, near, far in ((full // 3, full // 6, full // 4), (full // 4, full // 3, 0), (full // 8, 5, full // 2)):
+        answer = core.model(p, **inputs, cfg_l1=upper, cfg_d4=near, cfg_d5=far)
+        for name, away in (("4", near), ("5", far)):
+            error = np.stack([answer[f"out_{axis}{name}"] for axis in "xyz"]) - truth.fk3(*exact, upper, away)
+            assert np.linalg.norm(error, axis=0).max() <= paper_forward(p, 3, upper, away)
+        assert not answer["out_status"].any()
+    for near, far in ((full, 40), (40, full)):
+        answer = core.model(p, **inputs, cfg_l1=40, cfg_d4=near, cfg_d5=far)
+        right = "5" if near > far else "4"
+        error = np.stack([answer[f"out_{axis}{right}"] for axis in "xyz"]) - truth.fk3(*exact, 40, 40)
+        assert np.linalg.norm(error, axis=0).max() <= paper_forward(p, 3, 40, 40)
+        assert np.all(answer["out_status"] == OVERFLOW)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import bounds, chain, codecs, table
+from quadrance import bounds, chain
 from quadrance.truth import Floats, floats
 
 Params = dict[str, int]
@@ -18,16 +18,23 @@ starts 2^(D - 1) of these high."""
 
 
 def table_sine(p: Params) -> float:
-    """Error of a sine or cosine of table_chain: that of `bounds.table_sine` for two joints, the same table."""
-    k, t = table.sizes(p, 2)
-    knots, place = codecs.sine_knots(k, t), np.linspace(0, 1, 33)[:, None]
-    error = knots[:-1] + np.diff(knots) * place - np.sin(2 * np.pi / 2**t * (np.arange(2**t) + place)) * 2**k
-    return float(max(error.max(), 1 - error.min())) / 2**k
+    """Error of a sine or cosine of table_chain: it has the table of table_fk2, in space that of table_fk3."""
+    return bounds.table_sine(p, 2 + p["SPACE"])
 
 
 def table_chain(p: Params, lengths: ArrayLike) -> Floats:
     """A coordinate after each link of a chain (n,), LSB: the directions are exact sums, each has its sine's error."""
     return SUM + table_sine(p) * np.cumsum(floats(lengths))
+
+
+def table_chain_space(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
+    """x or y, and z, of table_chain in space after each link (n,), LSB.
+
+    rho has the sum's 1/16, half a unit of its own 1/16 and the sines' errors; the yaw's root errs once more by its own,
+    times rho. Rounding 1/2.
+    """
+    roots = table_sine(p) * np.cumsum(floats(lengths))
+    return SUM + 1 / 32 + 2 * roots, SUM + roots
 
 
 def vector_chain(p: Params, lengths: ArrayLike) -> Floats:
