@@ -20,7 +20,7 @@ export FARM
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report accuracy verdict report-check packages formal netlist coverage waves mutants exhaustive worker clean
+.PHONY: help setup lint test smoke report accuracy figures verdict report-check packages formal netlist coverage waves mutants exhaustive worker clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
@@ -48,6 +48,9 @@ report: setup ## latency, area, clock and accuracy of every core on ARM (another
 
 accuracy: setup ## errors of one CORE on ARM, by its bit-true model, in seconds
 	@$(PY) -m ci.accuracy "$(ARM)" $(CORE)
+
+figures: setup ## the pictures of the parallel robot's paper, and its claims beside ours
+	@$(PY) -m ci.figures
 
 verdict: setup ## the report, and who wins at equal accuracy: the shortest words of every core (half an hour)
 	@$(PY) -m ci.report --verdict $(if $(FRESH),--fresh)
