@@ -38,7 +38,7 @@ lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pa
 	@$(PY) -m ci.lint
 
 test: setup ## every bench in both simulators and every model test; CORE=name SIM=icarus|verilator: those of them
-	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN)
+	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(PATHS)
 
 smoke: setup ## the first parameter set of every core: cocotb bench under Icarus, bulk run
 	@$(TESTS) -m smoke $(CHOSEN)
