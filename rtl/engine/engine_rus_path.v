@@ -107,7 +107,7 @@ module engine_rus_path (
         dl <= next_d ? word : table_d ? {1'b0, w, 4'd8} : {{5{in_nb[17]}}, in_nb, 4'd0};
         if (link_d || table_d)
             dr <= divide ? pd[49:23] : table_d ? {1'b0, slope, 6'd0} : {{7{in_words[35]}}, in_words[35:18], 2'd0};
-        add <= with_k ? {{3{cfg_k[26]}}, cfg_k} : place ? {{5{away[18]}}, away, 6'd2} : 30'd2;
+        add <= with_k ? {{3{cfg_k[26]}}, cfg_k} : place ? {{5{away[18]}}, away, 6'd3} : 30'd3;  // half, and what two truncations lose
 
         if (to_x)
             x <= length;
