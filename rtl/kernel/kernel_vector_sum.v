@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every joint's position of a planar chain of any number of links, streamed from the base: a link in, a position out.
 //   (C, N) <- (C c - N n, C n + N c), from (1, 0) on; (x, y) <- (x, y) + L (C, N), from (0, 0) on; in_last ends a chain
-// Formats: in_c, in_n s2.U (1.0 is 2^U); in_l uQ(W-F).F; out_x, out_y sQ(W-F).F, nearest, saturated (the sum is not).
+// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uW; out_x, out_y sW, nearest, saturated (the sum is not).
 // Inside: C, N s2.(U+G), x, y s(W+D+2).G with D = log2 N, G = D + 3. Right while the product of the lengths of the
 // vectors stays below 2; beyond it the chain wraps, the next one does not.
 // Error of a coordinate after k links: 1/2 + 1/16 + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB.
 // Latency 4, II 3 a link: the first clock of a link is the last of the one before it.
-// Status: overflow (a coordinate was saturated; or the chain has had N links before, and this one does not count).
-// Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions. Model: chain.vector_chain
+// Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not count.
+// Model: chain.vector_chain
 `default_nettype none
-module vector_chain #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
+module kernel_vector_sum #(
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20; their fraction bits do not matter here
     parameter U = 16,  // fraction bits of cosine and sine, 4 to 20: 16 are what a coordinate of 16 bits needs
     parameter N = 32   // links that a chain may have, 2 to 64, U + log2 N at most 22: a snake has 32
 ) (
@@ -28,18 +27,13 @@ module vector_chain #(
     output reg  signed [W-1:0] out_x,
     output wire signed [W-1:0] out_y,
     output wire                out_last,
-    output wire [3:0]          out_status
+    output wire                out_overflow
 );
     localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
     localparam V = U + 2 + G, M = W + 2 + G, P = W + D + 2 + G;  // bits of C and N, of a product, of a sum
     localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with zeros behind
     localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
     localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half of what N products lose
-    generate
-        if (W < 4 || W > 20 || F < 0 || F >= W || U < 4 || U > 20 || N < 2 || N > 64 || U + D > 22) begin : g_illegal
-            vector_chain_needs_W_from_4_to_20_F_below_W_U_from_4_N_from_2_to_64_and_U_with_log2_N_up_to_22 rule ();
-        end
-    endgenerate
 
     // Schedule. start: r1 r2 next cosine sine <- in_c1 in_n1
     localparam [1:0]
@@ -84,7 +78,7 @@ module vector_chain #(
     wire         full = links == N;
     wire         taken = out_valid && out_ready;
     assign       out_last = shown[1];
-    assign       out_status = {1'b0, over || over_before || shown[0], 2'b00};
+    assign       out_overflow = over || over_before || shown[0];
 
     always @(posedge clk) begin
         if (accept) begin

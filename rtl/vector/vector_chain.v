@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every joint's position of a chain of any number of links, streamed from the base: a link in, a position out.
+//   (C, N) <- (C c - N n, C n + N c), from (1, 0) on; (x, y) <- (x, y) + L (C, N), from (0, 0) on; in_last ends a chain
+// SPACE = 1: (rho, z) for (x, y), x = rho c3, y = rho n3, where (c3, n3), the yaw, is the first word of the chain.
+// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, saturated (sums are not).
+// Right while the product of the lengths of the vectors stays below 2; beyond it the chain wraps, the next does not.
+// Error of a coordinate after k links: 0.57 (in space x, y 0.60) + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB with
+// G = log2 N + 3. Latency 4, in space 5; II 3 a link.
+// Status: overflow (a coordinate or rho was saturated; or the chain has had N links before, this one does not count).
+// Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions.
+// Model: chain.vector_chain
+`default_nettype none
+module vector_chain #(
+    parameter SPACE = 0,  // 1: the chain's first word is its yaw, 0: a planar chain, without out_z
+    parameter W = 16,     // bits of a coordinate and of a length, 4 to 20: 16 are common in servo control
+    parameter F = 8,      // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
+    parameter U = 16,     // fraction bits of cosine and sine, 4 to 20: 16 are what a coordinate of 16 bits needs
+    parameter N = 32      // links that a chain may have beside its yaw, 2 to 64, U + log2 N at most 22: a snake has 32
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [U+1:0] in_c1,
+    input  wire signed [U+1:0] in_n1,
+    input  wire [W-1:0]        in_l,
+    input  wire                in_last,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire signed [W-1:0] out_z,
+    output wire                out_last,
+    output wire [3:0]          out_status
+);
+    generate
+        if (SPACE < 0 || SPACE > 1 || W < 4 || W > 20 || F < 0 || F >= W || U < 4 || U > 20 || N < 2 || N > 64
+            || U + $clog2(N) > 22) begin : g_illegal
+            vector_chain_needs_SPACE_0_or_1_W_U_from_4_to_20_F_below_W_N_from_2_to_64_and_U_with_log2_N_to_22 rule ();
+        end
+    endgenerate
+
+    wire   overflow;
+    assign out_status = {1'b0, overflow, 2'b00};
+    generate
+        if (SPACE == 0) begin : g_plane
+            assign out_z = {W{1'b0}};
+            kernel_vector_sum #(.W(W), .U(U), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
+                .in_ready(in_ready), .in_c1(in_c1), .in_n1(in_n1), .in_l(in_l), .in_last(in_last),
+                .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_last(out_last),
+                .out_overflow(overflow));
+        end else begin : g_space
+            kernel_vector_space #(.W(W), .U(U), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
+                .in_ready(in_ready), .in_c1(in_c1), .in_n1(in_n1), .in_l(in_l), .in_last(in_last),
+                .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z),
+                .out_last(out_last), .out_overflow(overflow));
+        end
+    endgenerate
+endmodule
+`default_nettype wire
