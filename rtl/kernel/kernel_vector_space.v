@@ -34,7 +34,7 @@ module kernel_vector_space #(
     localparam V = U + 2 + G, M = W + 2 + G, P = W + D + 2 + G;  // bits of C and N, of a product, of a sum
     localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with zeros behind
     localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
-    localparam [D:0] MOST = N + 1;
+    localparam [31:0] MOST = N + 1;
     // Half of what N products lose, with half a unit of rho, or half an LSB of z
     localparam [P-1:0] FINE = (1 << G - 4 >> 1) + (1 << D - 1), HALF = (1 << G - 1) + (1 << D - 1);
     reg  waits, turn, last, third;  // clocks of a link: cosine; sine; rho; z, x. In that of out_valid: y
@@ -67,7 +67,8 @@ module kernel_vector_space #(
     wire                half3;
     wire [W+1:0]        floor3;
     wire [U+2:0]        rest3;
-    assign {floor3, half3, rest3} = rho * (out_valid ? n3 : c3);
+    wire signed [U+1:0] factor3 = out_valid ? n3 : c3;
+    assign {floor3, half3, rest3} = rho * factor3;
     wire [W+1:0]        near3 = floor3 + {{(W+1){1'b0}}, half3};
     wire                over3 = near3[W+1:W-1] != {3{near3[W+1]}};
     assign out_y = over3 ? {near3[W+1], {(W-1){!near3[W+1]}}} : near3[W-1:0];
@@ -77,7 +78,7 @@ module kernel_vector_space #(
     reg  [2:0]   flags;  // yaw, last of the chain, beyond N links
     reg  [1:0]   flags1;
     reg          over_rho, over_before;
-    wire         full = links == MOST, yaw = links == 0;
+    wire         full = links == MOST[D:0], yaw = links == 0;
     assign       out_overflow = over_before || over3;
     wire         unused = &{1'b0, rest3};
 

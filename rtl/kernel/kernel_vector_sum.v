@@ -29,6 +29,7 @@ module kernel_vector_sum #(
     output wire                out_last,
     output wire                out_overflow
 );
+    localparam [31:0] MOST = N;
     localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
     localparam V = U + 2 + G, M = W + 2 + G, P = W + D + 2 + G;  // bits of C and N, of a product, of a sum
     localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with zeros behind
@@ -75,7 +76,7 @@ module kernel_vector_sum #(
     reg  [D:0]   links;
     reg          ends, beyond, over_before;
     reg  [1:0]   shown;
-    wire         full = links == N;
+    wire         full = links == MOST[D:0];
     wire         taken = out_valid && out_ready;
     assign       out_last = shown[1];
     assign       out_overflow = over || over_before || shown[0];
