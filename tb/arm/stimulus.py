@@ -49,7 +49,7 @@ def _inverse(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
              (half // 4, half // 5), (half // 4, half // 4), *rng.integers(1, half // 2, (4, 2)).tolist()]
     ends = {"cfg_base": half, "cfg_shoulder": half // 4, "cfg_lateral": half}
     found = []
-    for i, (l1, l2) in enumerate(links):
+    for i, (l1, l2) in enumerate(np.minimum(links, high).tolist()):
         reach = 4 * half if i in (0, 2) else min(l1 + l2 + 4, half)
         more = {name: int(np.clip(rng.integers(-reach, reach) // 2, 1 - end, end - 1)) for name, end in ends.items()}
         if i in (1, 4):
