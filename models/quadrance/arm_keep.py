@@ -47,9 +47,10 @@ def _choose(p: Params, joints: int, branches: list[dict[str, Ints]], cfg: dict[s
     one, u, count = 1 << p["U"], p["U"], branches[0]["c1"].size
     numbers = range(1, joints + 1)
 
-    def allowed(pose: list[tuple[Ints, Ints]]) -> Ints:
-        return np.all([_dot(p, joint, (cfg[f"cfg_mc{i}"], cfg[f"cfg_mn{i}"])) > cfg[f"cfg_h{i}"]
-                       for i, joint in zip(numbers, pose)], axis=0)
+    room = [tuple(np.broadcast_to(ints(cfg[f"cfg_{name}{i}"]), count) for name in ("mc", "mn", "h")) for i in numbers]
+
+    def allowed(pose: list[tuple[Ints, Ints]], at: int | slice) -> Ints:
+        return np.all([_dot(p, joint, (mc[at], mn[at])) > h[at] for joint, (mc, mn, h) in zip(pose, room)], axis=0)
 
     def together(pose: list[tuple[Ints, Ints]]) -> list[tuple[Ints, Ints]]:
         """Joint 2 as the machine measures it."""
@@ -60,26 +61,27 @@ def _choose(p: Params, joints: int, branches: list[dict[str, Ints]], cfg: dict[s
         raw = [(np.broadcast_to(found[f"c{i}"], count), np.broadcast_to(found[f"n{i}"], count)) for i in numbers]
         pose = together(raw)
         none = [np.broadcast_to(found.get(f"none{i}", False), count).tolist() for i in numbers]
-        columns.append((np.stack([word for joint in pose for word in joint], axis=1).tolist(), allowed(pose).tolist(),
+        words = np.stack([word for joint in pose for word in joint], axis=1)
+        columns.append((words.tolist(), allowed(pose, slice(None)).tolist(),
                         np.broadcast_to(found["status"], count).tolist(), none, raw))
     last, answers = [one, 0] * joints, []
     for k in range(count):
         best = None
-        for number, (poses, rooms, states, none, raw) in enumerate(columns):
-            pose, room, status = poses[k], rooms[k], states[k]
+        for number, (poses, fits, states, none, raw) in enumerate(columns):
+            pose, fit, status = poses[k], fits[k], states[k]
             if status & 2:  # some joint has no direction
                 held = [tuple(last[2 * i:2 * i + 2]) if none[i][k] else (raw[i][0][k], raw[i][1][k])
                         for i in range(joints)]
                 held = together(held)
-                pose, room = [int(word) for joint in held for word in joint], bool(allowed(held))
+                pose, fit = [int(word) for joint in held for word in joint], bool(allowed(held, k))
             score = sum((pose[i] * last[i] >> u) for i in range(2 * joints))
-            key = room, not status & 1, score
+            key = fit, not status & 1, score
             if best is None or key > best[0]:
                 best = key, pose, status, number
-        (room, _, _), pose, status, number = best
-        if room:
+        (fit, _, _), pose, status, number = best
+        if fit:
             last = pose
-        answers.append([*pose, number & 1, number >> 1, not room, status])
+        answers.append([*pose, number & 1, number >> 1, not fit, status])
     names = [f"out_{letter}{i}" for i in numbers for letter in "cn"]
     names += ["out_elbow", "out_back", "out_beyond", "out_status"]
     return dict(zip(names, ints(answers).reshape(-1, len(names)).T))

@@ -39,14 +39,17 @@ def _forward(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     for scale in (1, 4, 4, 16):
         rows.append([int(rng.integers(port.low // scale, port.high // scale, endpoint=True)) for port in core.cfg])
     rows.append([{"cfg_sine": 0, "cfg_radius": 0}.get(port.name, port.high // 8) for port in core.cfg])  # no threshold
-    return [dict(zip((port.name for port in core.cfg), row)) for row in rows]
+    found = [dict(zip((port.name for port in core.cfg), row)) for row in rows]
+    long = found[2] | {"cfg_l1": core.cfg[0].high}, found[2] | {"cfg_l2": core.cfg[1].high, "cfg_l1": 7}
+    return [*found, *long]
 
 
 def _inverse(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     p, f = core.params, core.params["F"]
     high, half = (1 << p["W"]) - 1, 1 << p["W"] - 1
     links = [(high, high), (0, 0), (high, 1), (1, 1), (3 << f, 2 << f), (256 & high, 256 & high),
-             (half // 4, half // 5), (half // 4, half // 4), *rng.integers(1, half // 2, (4, 2)).tolist()]
+             (half // 4, half // 5), (half // 4, half // 4), *rng.integers(1, half // 2, (4, 2)).tolist(),
+             (high, half // 3), (half // 3, high)]
     ends = {"cfg_base": half, "cfg_shoulder": half // 4, "cfg_lateral": half}
     found = []
     for i, (l1, l2) in enumerate(np.minimum(links, high).tolist()):
