@@ -30,6 +30,7 @@ module kernel_fixed_frame #(
     output wire                out_last,
     output wire                out_overflow
 );
+    localparam [31:0] MOST = N;
     localparam D = $clog2(N), G = D + 3, C = 12;  // bits of a count below N; guard bits; bits of an offset
     localparam M = W + G, P = W + D + 1 + G;  // bits of a product without its sign, of a sum
     localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and what N products of each sign lose
@@ -90,7 +91,7 @@ module kernel_fixed_frame #(
     // Links of the chain so far, N at most
     reg  [D:0]   links;
     reg          ends, beyond;
-    wire         full = links == N;
+    wire         full = links == MOST[D:0];
     assign       out_last = ends;
     assign       out_overflow = over || over_before || beyond;
 
