@@ -7,18 +7,27 @@ N      ?= auto
 # the long run takes the date where no seed is given
 LONG_SEED := $(if $(filter file,$(origin SEED)),$(shell date -u +%Y%m%d),$(SEED))
 VENV := .venv
+ifneq ($(words $(CURDIR)),1)
+$(error the path "$(CURDIR)" has a space, with which make and Verilator cannot work: move the checkout)
+endif
 PY   := $(VENV)/bin/python
+# CORE, where it was given and is not the default above; names instead of dots on a long run
+CHOSEN := $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(SIM),--sim $(SIM))
+TESTS  := $(PY) -m pytest -q -n $(N) --dist worksteal --names
 export SEED
+export SIM
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report verdict report-check formal netlist coverage waves mutants exhaustive clean
+.PHONY: help setup lint test smoke report figures verdict report-check packages formal netlist coverage waves mutants exhaustive clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
-	@echo "options: ARM=name|file.toml  CORE=name  SEED=n  N=parallel jobs  FRESH=1"
+	@echo "options: ARM=name|file.toml  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FRESH=1"
 
 setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
+	@( mkdir -p build && : > build/.writable ) 2> /dev/null || { \
+		echo "$(CURDIR)/build cannot be written to: copy or clone the checkout to where you may write" >&2; exit 1; }
 
 $(VENV)/ready: requirements.lock pyproject.toml ci/setup.sh
 	@PYTHON=$(PYTHON) sh ci/setup.sh $(VENV)
@@ -27,20 +36,26 @@ $(VENV)/ready: requirements.lock pyproject.toml ci/setup.sh
 lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pages and reports complete
 	@$(PY) -m ci.lint
 
-test: setup ## every bench in both simulators and every model test
-	@$(PY) -m pytest -q -n $(N) --dist worksteal -m "not slow" --junitxml build/test.xml
+test: setup ## every bench in both simulators and every model test; CORE=name SIM=icarus|verilator: those of them
+	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN)
 
 smoke: setup ## the first parameter set of every core: cocotb bench under Icarus, bulk run
-	@$(PY) -m pytest -q -n $(N) --dist worksteal -m smoke
+	@$(TESTS) -m smoke $(CHOSEN)
 
 report: setup ## latency, area, clock and accuracy of every core on ARM; FRESH=1 measures all again
 	@$(PY) -m ci.report --arm $(ARM) $(if $(FRESH),--fresh)
+
+figures: setup ## the pictures of the parallel robot's paper, and its claims beside ours
+	@$(PY) -m ci.figures
 
 verdict: setup ## the report, and who wins at equal accuracy: the shortest words of every core (half an hour)
 	@$(PY) -m ci.report --verdict $(if $(FRESH),--fresh)
 
 report-check: setup ## fails when the committed report no longer follows from the sources
 	@$(PY) -m ci.report --check
+
+packages: setup ## manifests of FuseSoC and Bender, file lists: written from rtl/cores.toml and the Verilog
+	@$(PY) -m ci.packages
 
 formal: setup ## proofs of the arithmetic primitives and the handshakes that do not stand; FRESH=1 makes all again
 	@$(PY) -m ci.formal $(if $(FRESH),--fresh)
@@ -51,15 +66,15 @@ netlist: setup ## every core's bench on its iCE40 and Cyclone V netlist
 coverage: setup ## lines and bits of every core that its benches reach
 	@$(PY) -m ci.coverage
 
-waves: setup ## a waveform of CORE's bench and the command to open it
-	@$(PY) -m ci.waves $(CORE)
+waves: setup ## a waveform of CORE's bench, of its tests TEST, and the command to open it
+	@$(PY) -m ci.waves $(CORE) $(if $(TEST),--test $(TEST)) $(if $(SIM),--sim $(SIM))
 
 mutants: setup ## break every core in 100 ways; the benches must notice
 	@$(PY) -m ci.mutants $(if $(FRESH),--fresh)
 
 exhaustive: setup ## the long run, a new seed every day: 10^6 vectors a core, pairs of cores, random parameters
 	@echo "SEED=$(LONG_SEED) make exhaustive: repeats this run"
-	@SEED=$(LONG_SEED) $(PY) -m pytest -q -n $(N) --dist worksteal -m slow --durations 10
+	@SEED=$(LONG_SEED) $(TESTS) -m slow --durations 10 $(CHOSEN)
 
 clean: ## remove what the tools made; .venv stays
 	rm -rf build

@@ -19,7 +19,7 @@ from pyslang import TextDiagnosticClient
 from pyslang.driver import Driver
 from quadrance.cores import ROOT, RTL, Core, all_cores
 
-from ci import schedules
+from ci import packages, schedules
 from tb.lib import tools
 from tb.lib.simulate import available
 
@@ -157,7 +157,7 @@ def main() -> int:
     with ThreadPoolExecutor(2) as pool:
         wrong = [line for lines in pool.map(check_core, cores) for line in lines]
     wrong += [line for path in sorted(RTL.rglob("*.v")) for line in check_file(path)]
-    wrong += check_house(cores)
+    wrong += check_house(cores) + packages.stale()
     code, text = _call("ruff", "check", "--quiet", "models", "tb", "ci")
     wrong += [text] if code else []
     print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")

@@ -170,14 +170,14 @@ def elaborated_lines(core: Core) -> set[int]:
 
 
 def latency_problems(core: Core, lines: set[int]) -> list[str]:
-    """The latency of a core whose only schedule ends at its out_valid is that of the table.
+    """The latency of a core whose only schedule ends at its out_valid is that of the table, once or some times over.
 
     Clocks that it shares with the sample before it (II below latency) are none of the table's lines.
     """
     if core.latency is None:
         return []
     gives = min(lines, default=0) + 1 + core.latency - core.ii
-    if len(lines) == 1 and core.latency != gives:
+    if len(lines) == 1 and core.latency % gives:
         return [f"{core.id}: cores.toml says latency {core.latency}, its table of {min(lines)} lines gives {gives}"]
     return []
 

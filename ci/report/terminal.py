@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-
-from rich.console import Console
+from quadrance.cli.tables import Column, console, grid
 from rich.table import Table as Grid
 
 from ci.report import judgement
@@ -15,25 +13,23 @@ from ci.report.rows import KINEMATIC, pick, primitives
 from ci.report.tables import Table, accuracy_table, cost_table, headline_table, primitive_table
 
 
-def _grid(table: Table) -> Grid:
-    grid = Grid(title=table.title, title_justify="left")
-    for i, head in enumerate(table.head):
-        grid.add_column(head.replace("`", ""), justify="left" if i < table.text else "right", no_wrap=i == 0)
-    for line in table.rows:
-        grid.add_row(*(cell.replace("`", "") for cell in line))
-    return grid
+def _grid(table: Table, width: int) -> Grid:
+    """The table in that width: columns further to the right go first, but for the text at the left."""
+    columns = [Column(head.replace("`", ""), i < table.text, 0 if i == 0 else i) for i, head in enumerate(table.head)]
+    rows = [[cell.replace("`", "") for cell in line] for line in table.rows]
+    return grid(columns, rows, width, table.title)
 
 
 def show(report: dict) -> None:
     """The tables of the report and what follows from them."""
-    console = Console(width=None if sys.stdout.isatty() else 160)
+    out = console()
     kinematic, others = pick(report, KINEMATIC), primitives(report)
     tables = [cost_table("Kinematic cores", kinematic), accuracy_table("Accuracy at the tip", kinematic),
               cost_table("Primitives", others), primitive_table(others), *paper_tables(report), headline_table(report)]
-    console.print(trajectory_note(report), markup=False)
+    out.print(trajectory_note(report))
     for table in tables:
         if table.rows:
-            console.print(_grid(table))
+            out.print(_grid(table, out.width))
     for title, sentences in (("Rational against iterative CORDIC", [*pareto(report), *smaller(report)]),
                              ("Where CORDIC wins", cordic_wins(report)),
                              ("The verdict at equal accuracy", judgement.wins(report["verdict"])
@@ -41,6 +37,6 @@ def show(report: dict) -> None:
                              ("What rational trigonometry itself changes", judgement.itself(report)
                               if report.get("verdict") else [])):
         if sentences:
-            console.print(f"[bold]{title}[/bold]")
+            out.print(title, style="bold")
             for sentence in sentences:
-                console.print("  " + sentence.replace("`", ""), markup=False, highlight=False)
+                out.print("  " + sentence.replace("`", ""))

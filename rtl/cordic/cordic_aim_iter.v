@@ -101,8 +101,7 @@ module cordic_aim_iter #(
         else if (out_busy) y <= next_y;
         if (in_start) x <= {1'b0, in_x ^ {W{in_x[W-1]}}, {G{in_x[W-1]}}};
         else if (grow) x <= sum;
-        if (in_start) v <= {1'b0, in_x ^ {W{in_x[W-1]}}, {G{in_x[W-1]}}};
-        else if (out_busy && move) v <= sum;
+        if (out_busy && move) v <= sum;  // the first time in the clock after in_start
     end
     assign out_magnitude = v[D-1 -: W];
 endmodule

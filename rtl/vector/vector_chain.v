@@ -1,124 +1,134 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of two or three joints that are unit vectors, on two multipliers and no table.
-//   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: rho, z = x, y; x = rho c3, y = rho n3
-// Formats: c, n s2.U (1.0 is 2^U), of any length; A, B, rho s(W+2+G) with G bits below the LSB of a coordinate, to
-// which every product is truncated; outputs to nearest (ties upward), saturated.
-// Exact in its range: (L1 + L2 |v2|) |v1| (|v3| or 1) below 2^(W+1) LSB; beyond it a coordinate wraps.
-// Latency and II: lines of the table + 1. Overflow: a coordinate was saturated.
-// Models: vector.fk2, vector.fk3
+// Every joint's position of a planar chain of any number of links, streamed from the base: a link in, a position out.
+//   (C, N) <- (C c - N n, C n + N c), from (1, 0) on; (x, y) <- (x, y) + L (C, N), from (0, 0) on; in_last ends a chain
+// Formats: in_c, in_n s2.U (1.0 is 2^U); in_l uQ(W-F).F; out_x, out_y sQ(W-F).F, nearest, saturated (the sum is not).
+// Inside: C, N s2.(U+G), x, y s(W+D+2).G with D = log2 N, G = D + 3. Right while the product of the lengths of the
+// vectors stays below 2; beyond it the chain wraps, the next one does not.
+// Error of a coordinate after k links: 1/2 + 1/16 + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB.
+// Latency 4, II 3 a link: the first clock of a link is the last of the one before it.
+// Status: overflow (a coordinate was saturated; or the chain has had N links before, and this one does not count).
+// Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions. Model: chain.vector_chain
 `default_nettype none
 module vector_chain #(
-    parameter JOINTS = 2,  // 2 or 3: the third turns the plane of the first two about an upright axis
-    parameter W = 16,      // bits of a length and of a coordinate, 4 to 20; their fraction bits do not matter here
-    parameter U = 16       // fraction bits of cosine and sine, 4 to 24
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20: 16 are common in servo control
+    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
+    parameter U = 16,  // fraction bits of cosine and sine, 4 to 20: 16 are what a coordinate of 16 bits needs
+    parameter N = 32   // links that a chain may have, 2 to 64, U + log2 N at most 22: a snake has 32
 ) (
     input  wire                clk,
     input  wire                rst,
-    input  wire [W-1:0]        cfg_l1,
-    input  wire [W-1:0]        cfg_l2,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire signed [U+1:0] in_c1,
     input  wire signed [U+1:0] in_n1,
-    input  wire signed [U+1:0] in_c2,
-    input  wire signed [U+1:0] in_n2,
-    input  wire signed [U+1:0] in_c3,
-    input  wire signed [U+1:0] in_n3,
+    input  wire [W-1:0]        in_l,
+    input  wire                in_last,
     output reg                 out_valid,
     input  wire                out_ready,
     output reg  signed [W-1:0] out_x,
     output wire signed [W-1:0] out_y,
-    output reg  signed [W-1:0] out_z,
-    output wire                out_overflow
+    output wire                out_last,
+    output wire [3:0]          out_status
 );
-    localparam G = 5, N = W + 2 + G;  // guard bits; bits of A, B and rho
-
-    // Schedule. start: exact c1 n1 n2 c3 n3 base sine <- in_c1 in_n1 in_c2 in_n2 in_c3 in_n3
-    localparam [4:0]
-        PLACE = 5'b00001,  // a b <- exact n2 base: A is L1 behind L2 c2, B is L2 n2; later a is rho
-        TURN  = 5'b00010,  // turn exact <- c1 n1: the next clock turns (A, B) by joint 1
-        YAW   = 5'b00100,  // yaw exact z <- c3 n3: the next clock turns (rho, 0) by joint 3; z is rounded before y
-        SINE  = 5'b01000,  // sine <- -: the next clock does so with the sine at the first multiplier: y, not x
-        LAST  = 5'b10000;  // x <- exact: x is rounded; y is in the clock after
-    //                 work
-    localparam [5*3-1:0] PLANE = {
-        /* A, B   */ {PLACE | TURN},
-        /* x      */ {TURN | SINE},
-        /* y      */ {LAST}};
-    localparam [5*5-1:0] SPACE = {
-        /* A, B   */ {PLACE | TURN},
-        /* rho    */ {TURN | SINE},
-        /* z      */ {PLACE | YAW},
-        /* x      */ {YAW | SINE},
-        /* y      */ {LAST}};
-    wire idle, place, to_turn, to_yaw, to_sine, last;
-    reg  turn, yaw, sine;  // in registers, for each bit in front of a multiplier to fit one logic cell
-    wire accept = in_valid && in_ready;
+    localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
+    localparam V = U + 2 + G, M = W + 2 + G, P = W + D + 2 + G;  // bits of C and N, of a product, of a sum
+    localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with zeros behind
+    localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
+    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half of what N products lose
     generate
-        if (JOINTS == 2) begin : g_two
-            schedule #(.LINES(3), .BITS(5), .TABLE(PLANE)) control (.clk(clk), .rst(rst), .in_start(accept),
-                .out_idle(idle), .out_op({last, to_sine, to_yaw, to_turn, place}));
-        end else begin : g_three
-            schedule #(.LINES(5), .BITS(5), .TABLE(SPACE)) control (.clk(clk), .rst(rst), .in_start(accept),
-                .out_idle(idle), .out_op({last, to_sine, to_yaw, to_turn, place}));
+        if (W < 4 || W > 20 || F < 0 || F >= W || U < 4 || U > 20 || N < 2 || N > 64 || U + D > 22) begin : g_illegal
+            vector_chain_needs_W_from_4_to_20_F_below_W_U_from_4_N_from_2_to_64_and_U_with_log2_N_up_to_22 rule ();
         end
     endgenerate
-    assign in_ready = idle && (!out_valid || out_ready);
 
-    // First multiplier: A c1, A n1, rho c3, rho n3. Second: L2 c2 from the port, L2 n2, -B n1, B c1.
-    // Between samples A and B are 0, so that L2 needs no selector, nor the sum
-    reg  signed [U+1:0] c1, n1, n2, c3, n3;
-    reg  signed [N-1:0] a, b;
-    wire signed [U+1:0] left1 = yaw ? (sine ? n3 : c3) : (sine ? n1 : c1);
-    wire signed [U+1:0] left2 = turn ? (sine ? c1 : n1) : (sine ? n2 : in_c2);
-    wire [W-1:0]        reach = cfg_l2 & {W{!turn && !yaw}};
-    wire signed [N-1:0] right2 = (b ^ {N{turn && !sine}}) | {2'd0, reach, {G{1'b0}}};
+    // Schedule. start: r1 r2 next cosine sine <- in_c1 in_n1
+    localparam [1:0]
+        TURN = 2'b01,  // r1 r2 sine cosine <- r1 r2 next cosine sine: the sine; the cosine of the clock before goes on
+        LAST = 2'b10;  // x y_part <- r1 r2 cosine sine: products with the length; the next link is taken in this clock
+    //                 work
+    localparam [2*2-1:0] LINK = {
+        /* C n + N c */ {TURN},
+        /* L C, L N  */ {LAST}};
+    wire idle, turn, last;
+    reg  waits;  // the link is in its first clock, that of C c - N n
+    wire move = !out_valid || out_ready;
+    wire accept = in_valid && in_ready;
+    schedule #(.LINES(2), .BITS(2), .TABLE(LINK)) control (.clk(clk), .rst(rst), .in_start(waits && move),
+        .out_idle(idle), .out_op({last, turn}));
+    assign in_ready = !waits && (idle || last) && move;
+
+    // The joint's word passes by both multipliers: (c, n), then (n, c), then the length twice
+    reg  signed [V-1:0] cosine, sine;  // of the link; in the first two clocks of the one before it
+    reg         [B-1:0] r1, r2;
+    reg                 minus;  // r2 is the one's complement of n, 2^-(U+G) below -n for the bits behind it are ones
+    reg         [W-1:0] length;
+    reg         [V-1:0] next;
     /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [N+U+1:0] product1 = left1 * a, product2 = left2 * right2;
+    wire signed [V+R-1:0] product1 = cosine * $signed({r1, {G{1'b0}}}), product2 = sine * $signed({r2, {G{minus}}});
     /* verilator lint_on UNUSEDSIGNAL */
-    wire [N-1:0] cut1 = product1[N+U-1:U], cut2 = product2[N+U-1:U];
-    reg  [N-1:0] exact;
+    wire [V-1:0] cut1 = product1[U+G +: V], cut2 = product2[U+G +: V];
+    wire [V-1:0] turned = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both cuts
 
-    // One adder puts L1 to A and rounds: base is L1 in the first line and 0 in all others
-    reg  [W-1:0] base;
-    wire [W+2:0] near = exact[N-1:G-1] + {2'd0, base, !place};
-    wire [W+1:0] nearest = near[W+2:1];
-    wire         over = nearest[W+1:W-1] != {3{nearest[W+1]}};
-    reg          over_before;
-    assign       out_y = over ? {nearest[W+1], {(W-1){!nearest[W+1]}}} : nearest[W-1:0];
-    assign       out_overflow = over || over_before;
+    // x, then y through one adder; they change places. Its constant HALF rounds
+    reg  [P-1:0] front, back;
+    reg  [M-1:0] y_part;
+    wire [M-1:0] part = last ? product1[U+G +: M] : y_part;
+    wire [P-1:0] sum = front + {{(P-M){part[M-1]}}, part};
+    wire         over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};
+    assign       out_y = over ? {sum[P-1], {(W-1){!sum[P-1]}}} : sum[W+G-1:G];
+
+    // Links of the chain so far, N at most; ends and beyond are those of the link at work, then of the result
+    reg  [D:0]   links;
+    reg          ends, beyond, over_before;
+    reg  [1:0]   shown;
+    wire         full = links == N;
+    wire         taken = out_valid && out_ready;
+    assign       out_last = shown[1];
+    assign       out_status = {1'b0, over || over_before || shown[0], 2'b00};
 
     always @(posedge clk) begin
-        base <= accept ? cfg_l1 : {W{1'b0}};
         if (accept) begin
-            c1 <= in_c1;
-            n1 <= in_n1;
-            n2 <= in_n2;
-            c3 <= in_c3;
-            n3 <= in_n3;
+            length <= in_l;
+            ends   <= in_last;
+            beyond <= full;
+            links  <= links + {{D{1'b0}}, !full};
         end
-        if (accept || turn || yaw)
-            exact <= cut1 + cut2;
-        if (place) begin
-            a <= {near, exact[G-2:0]};
-            b <= cut2;
+        if (!waits || move) begin
+            r1    <= turn ? {{(B-W){1'b0}}, length} : waits ? ~r2 : {{(B-U-1){in_c1[U+1]}}, in_c1[U:0]};
+            r2    <= turn ? {{(B-W){1'b0}}, length} : waits ? r1 : ~{{(B-U-1){in_n1[U+1]}}, in_n1[U:0]};
+            minus <= !turn && !waits;
         end
-        if (yaw && !sine)
-            out_z <= out_y;
-        if (last)
-            out_x <= out_y;
-        if (place || yaw || last)
-            over_before <= !place && out_overflow;
+        next <= turned;
+        if (turn) begin
+            cosine <= next;
+            sine   <= turned;
+        end
+        if (last) begin
+            y_part      <= product2[U+G +: M];
+            shown       <= {ends, beyond};
+            out_x       <= out_y;
+            over_before <= over;
+        end
+        if (last || taken) begin
+            front <= back;
+            back  <= sum;
+        end
+        waits     <= accept || (waits && !move);
         out_valid <= last || (out_valid && !out_ready);
-        if (rst || last)
-            a <= {N{1'b0}};
-        if (rst || (turn && sine))
-            b <= {N{1'b0}};
-        turn <= !rst && to_turn;
-        yaw  <= !rst && to_yaw;
-        sine <= !rst && (accept || to_sine);
+        if (accept && full)
+            length <= {W{1'b0}};
+        if (rst || (accept && in_last))
+            links <= {(D+1){1'b0}};
+        if (rst || (last && ends)) begin
+            cosine <= ONE;
+            sine   <= {V{1'b0}};
+        end
+        if (rst || (taken && out_last)) begin
+            front <= HALF;
+            back  <= HALF;
+        end
         if (rst) begin
-            c1        <= {(U+2){1'b0}};  // 0 times an unknown c1 is unknown in a simulator
+            waits     <= 1'b0;
             out_valid <= 1'b0;
         end
     end

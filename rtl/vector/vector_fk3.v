@@ -3,7 +3,7 @@
 //   rho, z = x, y of vector_fk2; x = rho c3, y = rho n3; rho keeps its sign and its fraction
 // Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 uQ(W-F).F; out_x ... out_z sQ(W-F).F, nearest, saturated.
 // Error: each coordinate within 0.64 LSB of the vectors as they are given, if none is longer than 1.
-// Latency 6, II 6; the schedule is in vector_chain.v.
+// Latency 6, II 6; the schedule is in kernel_vector_chain.v.
 // Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 24-31 in vector form. Model: vector.fk3
 `default_nettype none
@@ -39,7 +39,7 @@ module vector_fk3 #(
 
     wire   overflow;
     assign out_status = {1'b0, overflow, 2'b00};
-    vector_chain #(.JOINTS(3), .W(W), .U(U)) chain (
+    kernel_vector_chain #(.JOINTS(3), .W(W), .U(U)) chain (
         .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),
         .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2), .in_c3(in_c3), .in_n3(in_n3),
         .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z),

@@ -1,4 +1,4 @@
-"""Benches of the engine family; stimulus.py beside this file has its corners."""
+"""Benches of the engines; stimulus.py beside this file has their corners."""
 
 from tb.lib import suite
 

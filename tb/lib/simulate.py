@@ -28,8 +28,20 @@ class Built(Verilator):
         return [[str(Path(self.sim_dir).parent / "core"), *self.plus_args]]
 
 
+class Traced(Verilator):
+    """Verilator with a waveform: a VCD, which needs no header or library of the system; cocotb-test's FST needs lz4."""
+
+    def build_command(self) -> list[list[str]]:
+        verilate, make, *run = super().build_command()
+        trace = ["--trace", "--trace-file", f"{self.toplevel_module}.vcd"]
+        return [["--trace-vcd" if word == "--trace-fst" else word for word in verilate],
+                [*make, "-j2", "OPT_GLOBAL=-O0", f"CXX={tools.require('g++')}"], *([*words, *trace] for words in run)]
+
+
 def available(simulator: str) -> bool:
-    """Icarus comes from the system and may be absent; Verilator is in the lock file."""
+    """Icarus comes from the system: it may be absent, and SIM=verilator leaves it out; Verilator is in the lock."""
+    if simulator == "icarus" and os.environ.get("SIM") == "verilator":
+        return False
     return simulator != "icarus" or shutil.which("iverilog", path=tools.environment()["PATH"]) is not None
 
 
@@ -60,7 +72,7 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
         runner = Built
         folder = _built(core if parameters else replace(core, params={}), label) / "bench"
     else:
-        runner = Icarus if simulator == "icarus" else Verilator
+        runner = Icarus if simulator == "icarus" else Traced
         folder = program.build_folder(core, simulator, label, waves, parameters)
     with program.locked(folder):
         extra = {"QUADRANCE_CORE": str(folder / "core.pickle"),

@@ -25,7 +25,13 @@ def environment() -> dict[str, str]:
         path.insert(0, str(root / "bin"))
     env["PATH"] = os.pathsep.join([*path, env.get("PATH", "")])
     env["YOSYS_MAX_THREADS"] = "1"
+    if "YOWASP_CACHE_DIR" not in env and not _writable(Path(os.path.expanduser("~"))):  # a user without a home
+        env["YOWASP_CACHE_DIR"] = str(BUILD / "yowasp")
     return env
+
+
+def _writable(folder: Path) -> bool:
+    return folder.is_dir() and os.access(folder, os.W_OK)
 
 
 class ToolError(RuntimeError):
@@ -37,10 +43,11 @@ class ToolError(RuntimeError):
         self.code = code
 
 
+SAME = {"g++": ("c++", "clang++")}  # what does as well, where the first is missing
 HINTS = {
     "iverilog": "install Icarus Verilog 11 or newer from the system's packages (Debian: apt-get install iverilog)",
     "vvp": "install Icarus Verilog 11 or newer from the system's packages (Debian: apt-get install iverilog)",
-    "g++": "install a C++ compiler (Debian: apt-get install g++)",
+    "g++": "install a C++ compiler, g++, c++ or clang++ (Debian: apt-get install g++)",
     "make": "install GNU make",
     "perl": "install perl",
 }
@@ -53,7 +60,8 @@ def local(path: Path) -> str:
 
 def require(tool: str) -> str:
     """Absolute path of `tool`, or a clear exit that says what to install."""
-    found = shutil.which(tool, path=environment()["PATH"])
+    path = environment()["PATH"]
+    found = next((at for name in (tool, *SAME.get(tool, ())) if (at := shutil.which(name, path=path))), None)
     if found is None:
         raise SystemExit(f"{tool} is missing: {HINTS.get(tool, 'run `make setup`')}")
     return found

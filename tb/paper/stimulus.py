@@ -8,6 +8,7 @@ from quadrance.cores import Core
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
+from tb.vector import chains
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -15,13 +16,14 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     if not core.cfg:
         return [{}]
     half = 1 << core.params["W"] - 1
-    if len(core.cfg) == 2:
+    if len(core.cfg) >= 2:
         near = int(rng.integers(half // 64, half // 32))  # the paper's range, (L1 + L2)^2 < 128; ours is half a word
         unit = 1 << core.params["F"]  # quadrances of a few units: their last bits decide quotients
         pairs = [(half // 2 - 1, half // 2), (3 * near, 2 * near), (near, near), (half - 1, half - 1),
                  (2 * half - 1, near), (near, 2 * half - 1), (half, near), (near, half), (half - 1, near),
                  (near, half - 1), (near, 0), (0, near), (2 * unit, 3 * unit // 2)]
-        return [{"cfg_l1": first, "cfg_l2": second} for first, second in pairs]
+        names = [port.name for port in core.cfg]  # of three the last one is another pair's second
+        return [dict(zip(names, (*pair, other))) for pair, (_, other) in zip(pairs, pairs[1:] + pairs[:1])]
     some, long = int(rng.integers(half // 16, half)), int(rng.integers(half, 2 * half))
     return [{"cfg_l1": length} for length in (2 * half - 1, 5 * half // 4, half, half - 1, some, long, 1, 0)]
 
@@ -63,9 +65,11 @@ def targets(core: Core, cfg: dict[str, int]) -> Vectors:
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; inverse cores see the origin between other targets, so that a hold shows."""
+    if core.function == "mff":
+        return chains.corners(core)
     if core.function == "fk1":
         return stimulus.joined(codecs.border_words(core.inputs), stimulus.saturation(core, cfg))
-    if core.function in ("fk2", "fk3"):
+    if core.function in ("fk2", "fk3", "fk5"):
         inside = dict(zip((port.name for port in core.inputs), cells(core)))
         return stimulus.joined(inside, stimulus.saturation(core, cfg))
     if core.function in ("ik2", "ik3"):

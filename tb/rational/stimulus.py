@@ -43,7 +43,7 @@ def targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vector
     """Both borders of reach and their neighbours all round, folded and stretched along every axis, the hole, the base
     axis and the origin, points far outside, and every extreme word; both elbows. 0 first: held words, 0 after reset.
     """
-    axes = [port.name for port in core.inputs if port.name != "in_elbow"]
+    axes = [port.name for port in core.inputs if port.name not in ("in_elbow", "in_back")]
     high = 1 << core.params["W"] - 1
     l1, l2 = cfg["cfg_l1"], cfg["cfg_l2"]
     radius = np.array([abs(l1 - l2), l1 + l2, max(l1, l2), (l1 * l1 + l2 * l2) ** 0.5, abs(l1 - l2) / 2, 3, high * 1.3])

@@ -9,7 +9,7 @@ from quadrance.fixed import wrap
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
-from tb.vector import targets
+from tb.vector import chains, targets
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -55,6 +55,8 @@ def _points(core: Core, rng: np.random.Generator) -> Vectors:
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
+    if core.function == "chain":
+        return chains.corners(core)
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
         return stimulus.joined(_words(core, rng), stimulus.saturation(core, cfg))

@@ -9,7 +9,7 @@ from quadrance.cores import Core, joints
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors, extremes
 from tb.rational.stimulus import points
-from tb.vector import targets
+from tb.vector import chains, targets
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -41,6 +41,8 @@ def directions(core: Core, rng: np.random.Generator) -> Vectors:
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
+    if core.function == "chain":
+        return chains.corners(core)
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
         return stimulus.joined(directions(core, rng), stimulus.saturation(core, cfg))

@@ -1,0 +1,183 @@
+"""Bit-true models of rtl/arm: what an arm as it is built adds to two links and a yaw. Joints are unit vectors.
+
+The five constants, all of them words of a coordinate: base height, shoulder offset a (radial), lateral offset b, elbow
+offset e (across the forearm), absolute elbow (joint 2 is measured from the base). A switch that is 0 (`BASE`,
+`SHOULDER`, `LATERAL`, `ELBOW`, `ABSOLUTE`) makes the core ignore its words.
+
+    rho = L1 c1 + forearm along link 2 + a, z likewise + base;  x + i y = (rho + i b) (c3 + i n3)
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from quadrance import vector_solve
+from quadrance.arms import Arm, ArmError
+from quadrance.fixed import Ints, ints, round_shift, saturate, to_fixed, wrap
+from quadrance.vector import GUARD
+from quadrance.vector_solve import SUM
+
+Params = dict[str, int]
+SWITCHES = ("BASE", "SHOULDER", "LATERAL", "ELBOW", "ABSOLUTE")
+
+
+# Configuration
+
+
+def config(p: Params, *, cfg_l1: int, cfg_l2: int, cfg_lateral: int = 0, **rest: int) -> dict[str, int]:
+    """Derived words of arm_ik3: `vector_solve.config`, and minus the square of the lateral offset, in 16-bit LSB."""
+    more = {"cfg_base": 0, "cfg_shoulder": 0, "cfg_lateral": cfg_lateral, "cfg_ce": 1 << p["U"], "cfg_ne": 0} | rest
+    lateral = cfg_lateral << 16 - p["W"]
+    return vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2) | {"cfg_bb": -lateral * lateral} | more
+
+
+def switches(arm: Arm) -> dict[str, int]:
+    """The parameters of arm_fk3 and arm_ik3 that leave of them what this arm needs."""
+    return {"BASE": int(arm.base != 0), "SHOULDER": int(arm.shoulder != 0), "LATERAL": int(arm.lateral != 0),
+            "ELBOW": int(arm.elbow != 0), "ABSOLUTE": int(arm.absolute_elbow)}
+
+
+def words(p: Params, arm: Arm, inverse: bool) -> dict[str, int]:
+    """Configuration words of arm_fk3, or of arm_ik3 if `inverse`, for an arm.
+
+    Raises
+    ------
+    ArmError
+        Naming the key whose word does not fit.
+    """
+    w, f = p["W"], p["F"]
+
+    def word(key: str, millimetres: float, low: int, high: int) -> int:
+        found = int(to_fixed(millimetres / arm.mm_per_unit, f))
+        if not low <= found <= high:
+            raise ArmError(f"{arm.id}: {key}: {millimetres:g} mm is {found} LSB and the word ends at "
+                           f"{high if found > high else low}; raise mm_per_unit")
+        return found
+
+    forearm = math.sqrt(arm.l2 * arm.l2 - arm.elbow * arm.elbow)
+    unsigned, half = (0, (1 << w) - 1), 1 << w - 1
+    found = {"cfg_l1": word("links.l1", arm.l1, *unsigned),
+             "cfg_l2": word("links.l2", arm.l2 if inverse else forearm, *unsigned),
+             "cfg_base": word("constants.base", arm.base, -half, half - 1),
+             "cfg_shoulder": word("constants.shoulder", arm.shoulder, -half // 4, half // 4 - 1),
+             "cfg_lateral": word("constants.lateral", arm.lateral, 1 - half, half - 1)}
+    if not inverse:
+        return found | {"cfg_elbow": word("constants.elbow", arm.elbow, -half, half - 1)}
+    turn = math.radians(arm.elbow_angle)
+    return found | config(p, **found, cfg_ce=int(to_fixed(math.cos(turn), p["U"])),
+                          cfg_ne=int(to_fixed(-math.sin(turn), p["U"])))
+
+
+# Forward
+
+
+def fk3(p: Params, *, in_c1: Ints, in_n1: Ints, in_c2: Ints, in_n2: Ints, in_c3: Ints, in_n3: Ints, cfg_l1: Ints,
+        cfg_l2: Ints, cfg_base: Ints, cfg_shoulder: Ints, cfg_lateral: Ints, cfg_elbow: Ints) -> dict[str, Ints]:
+    """Tip of the arm; products truncated to GUARD bits, a product of -e, -B or -b is that of the one's complement."""
+    bits = p["W"] + 3 + GUARD
+    l1, l2, base, shoulder, lateral, elbow = (
+        ints(word) * on << GUARD for word, on in
+        ((cfg_l1, 1), (cfg_l2, 1), (cfg_base, p["BASE"]), (cfg_shoulder, p["SHOULDER"]), (cfg_lateral, p["LATERAL"]),
+         (cfg_elbow, p["ELBOW"])))
+
+    def turned(a: Ints, b: Ints, c: Ints, n: Ints, a0: Ints, b0: Ints) -> tuple[Ints, Ints]:
+        """(a0, b0) and (a, b) turned by (c, n)."""
+        c, n = ints(c), ints(n)
+
+        def cut(word: Ints, factor: Ints) -> Ints:
+            return wrap(word * factor >> p["U"], bits)
+
+        return wrap(cut(a, c) + cut(~b, n) + a0, bits), wrap(cut(a, n) + cut(b, c) + b0, bits)
+
+    if p["ABSOLUTE"]:
+        a, b = turned(l2, elbow, in_c2, in_n2, shoulder, base)
+        rho, z = wrap((l1 * ints(in_c1) >> p["U"]) + a, bits), wrap((l1 * ints(in_n1) >> p["U"]) + b, bits)
+    else:
+        a, b = turned(l2, elbow, in_c2, in_n2, l1, ints(0))
+        rho, z = turned(a, b, in_c1, in_n1, shoulder, base)
+    x, y = turned(rho, lateral, in_c3, in_n3, ints(0), ints(0))
+    answer, overflow = {}, ints(0)
+    for axis, word in zip("xyz", (x, y, z)):
+        answer[f"out_{axis}"], over = saturate(round_shift(word, GUARD), p["W"])
+        overflow = overflow | over
+    return answer | {"out_status": 4 * overflow}
+
+
+# Inverse
+
+
+def _radius(q: Ints, back: Ints) -> Ints:
+    """The root of q with the sign of the shoulder's side, 4 fraction bits; 0 where q is negative."""
+    q = np.maximum(q, 0)
+    s = vector_solve._spare(q)
+    root = vector_solve.reciprocal(vector_solve._inverse(q << 2 * s >> 7, np.True_))
+    product = vector_solve._shift(q << SUM, s >> 1) * root
+    return wrap(product >> np.where(s & 1, 29, 30), 22) ^ -ints(back != 0)
+
+
+def _yaw(x: Ints, y: Ints, lateral: Ints, square: Ints, back: Ints) -> tuple[Ints, ...]:
+    """Joint 3 as products with 49 fraction bits, rho with 4, and whether the point is nearer than b.
+
+    Joint 3 is the point seen from (rho, b), whose length is the point's own. Nearer than b rho is 0, and a direction is
+    all that matters: a power of two stands for b, and the products are with 2 / sqrt(q') instead of 1/q'.
+    """
+    q = x * x + y * y
+    near, s = q < square, vector_solve._spare(q)
+    power = vector_solve._power(s) * np.where(lateral < 0, -1, 1)
+    k1 = np.where(near, 0, _radius(q - square, back))
+    k2 = np.where(near, power, lateral << vector_solve.GUARD)
+    r = vector_solve.reciprocal(vector_solve._inverse(q << 2 * s >> 7, near))
+    b, a = vector_solve.seen(2 * k1 + 1, 2 * k2 + 1, x, y, 0, np.where(near, s >> 1, s))
+    return b * r, a * r, k1, near
+
+
+def _plain_yaw(x: Ints, y: Ints, shoulder: Ints, switch: int, back: Ints) -> tuple[Ints, ...]:
+    """`vector_solve.yaw` of an arm without lateral offset; the shoulder offset takes the place of rho's rounding."""
+    q = x * x + y * y
+    s = vector_solve._spare(q)
+    power = vector_solve._power(s) * np.where(back != 0, -1, 1)
+    b, a = vector_solve.seen(2 * power + 1, ints(1), x, y, 0, s >> 1)
+    r = vector_solve.reciprocal(vector_solve._inverse(q << 2 * s >> 7, np.True_))
+    total = vector_solve._turn(2 * (b * r >> 31) + 1, 2 * (a * r >> 31) + 1, x, y)
+    place = 17
+    addend = (~shoulder << place) + (1 << place) - 8 if switch else 1 << place - 5
+    return b * r, a * r, wrap(total + addend >> place - 4, 21), np.zeros(np.shape(x), dtype=bool)
+
+
+def turn(p: Params, c: Ints, n: Ints, by_c: Ints, by_n: Ints) -> tuple[Ints, Ints]:
+    """(c, n) turned by (by_c, by_n), U fraction bits; the one's complement stands for -by_n."""
+    u = p["U"]
+
+    def rounded(first: Ints, second: Ints) -> Ints:
+        return wrap((first >> u - 1) + (second >> u - 1) + 1 >> 1, u + 2)
+
+    return rounded(c * by_c, n * ~by_n), rounded(c * by_n, n * by_c)
+
+
+def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, in_back: Ints, cfg_l1: Ints, cfg_l2: Ints,
+        cfg_q: Ints, cfg_r: Ints, cfg_e: Ints, cfg_base: Ints, cfg_shoulder: Ints, cfg_lateral: Ints, cfg_bb: Ints,
+        cfg_ce: Ints, cfg_ne: Ints) -> dict[str, Ints]:
+    """Joints of the tip (x, y, z) for the elbow and the shoulder asked for."""
+    x, y, z, elbow, back = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, in_back))
+    up = 16 - p["W"]
+    x, y, z, l1, l2, base, shoulder, lateral = (
+        ints(word) << up for word in (x, y, z, cfg_l1, cfg_l2, cfg_base, cfg_shoulder, cfg_lateral))
+    z, over = saturate(z - base * p["BASE"], 16)
+    if p["LATERAL"]:
+        c3, n3, rho, inside = _yaw(x, y, lateral, -ints(cfg_bb), back)
+        rho = wrap(rho - (shoulder * p["SHOULDER"] << 4), 21)
+    else:
+        c3, n3, rho, inside = _plain_yaw(x, y, shoulder, p["SHOULDER"], back)
+    c1, n1, c2, n2, clamped, zero = vector_solve._elbow(
+        rho, z, vector_solve.GUARD, elbow, l1, l2, ints(cfg_q), ints(cfg_r), ints(cfg_e))
+    on_axis = (x == 0) & (y == 0)
+    joints = vector_solve._held(p, 1, c1, n1, zero) | vector_solve._held(p, 3, c3, n3, on_axis)
+    c2, n2 = vector_solve._word(p, c2), vector_solve._word(p, n2)
+    if p["ELBOW"]:
+        c2, n2 = turn(p, c2, n2, ints(cfg_ce), ints(cfg_ne))
+    if p["ABSOLUTE"]:
+        c2, n2 = turn(p, c2, n2, joints["out_c1"], joints["out_n1"])
+    return {**joints, "out_c2": c2, "out_n2": n2,
+            "out_status": ints(clamped | inside) + 2 * ints(on_axis | zero) + 4 * ints(over)}

@@ -1,0 +1,304 @@
+"""The command `quadrance`: which cores there are, how to instantiate one, what a word means, is an arm file right.
+
+Every answer comes from a plain function of a module beside this one; here they are parsed for and printed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import json
+import os
+import shutil
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from quadrance import arms
+from quadrance.cli import catalogue, check, tables, verilog, words
+from quadrance.cli.catalogue import Refused
+from quadrance.cli.tables import Column
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser whose errors are one line and say what was meant."""
+
+    def error(self, message: str):
+        for action in self._actions:
+            if isinstance(action, argparse._SubParsersAction) and "invalid choice" in message:
+                given = message.split("'")[1]
+                near = difflib.get_close_matches(given, action.choices, 1, 0.5)
+                message = f"no command '{given}'; " + (f"did you mean {near[0]}?" if near else
+                                                       f"there are {', '.join(action.choices)}")
+        print(f"{self.prog}: {message}", file=sys.stderr)
+        raise SystemExit(2)
+
+
+def _params(pairs: Sequence[str] | None) -> dict[str, int]:
+    found = {}
+    for pair in pairs or ():
+        key, equals, value = pair.partition("=")
+        if not equals or not value.lstrip("-").isdecimal():
+            raise Refused(f"-p {pair}: a parameter is NAME=INTEGER, such as -p S=20")
+        found[key] = int(value)
+    return found
+
+
+def _json(value: object) -> None:
+    print(json.dumps(value, indent=1))
+
+
+# Commands
+
+
+def _figure(value: float | None, digits: int = 3) -> str:
+    return "–" if value is None else f"{value:.{digits}g}" if abs(value) < 1000 else f"{value:.0f}"
+
+
+def _cores(args: argparse.Namespace) -> None:
+    rows = catalogue.rows(args.family, args.function, args.word, args.all)
+    if args.json:
+        return _json(rows)
+    columns = [Column("core", True), Column("function", True), Column("joint word", True, 5), Column("ALUT"),
+               Column("DSP", rank=2), Column("mem", rank=2), Column("cycles"), Column("II", rank=4),
+               Column("ns", rank=1), Column("MHz", rank=6), Column("error mm", rank=1), Column("error LSB", rank=7)]
+    lines = []
+    for row in rows:
+        f = row["figures"] or {}
+        lines.append((row["id"] if args.all else row["core"], row["function"],
+                      ", ".join(catalogue.WORDS[kind] for kind in row["word"]), f.get("alut", "–"), f.get("dsp", "–"),
+                      f.get("mem", "–"), row["latency"], row["ii"], *(_figure(f.get(key)) for key in
+                                                                     ("ns", "mhz", "error_mm", "error_lsb"))))
+    out = tables.console()
+    out.print(tables.grid(columns, lines, out.width))
+    if catalogue.report():
+        out.print(f"Area: Cyclone V by Yosys; clock: ECP5; error: worst at the tip on {catalogue.report()['arm']}, "
+                  "rounding of the words included, for other functions in LSB.")
+    else:
+        out.print("There is no report at hand: no measured figures.")
+
+
+def _show(args: argparse.Namespace) -> None:
+    core = catalogue.find(args.core, _params(args.param))
+    about = catalogue.describe(core)
+    if args.json:
+        return _json(about)
+    out = tables.console()
+    out.print(f"{core.id}: {core.family}, {core.function}, {core.architecture}")
+    for line in about["header"]:
+        out.print(f"  {line}")
+    out.print(f"parameters  {', '.join(f'{key}={value}' for key, value in core.params.items()) or 'none'}"
+              f"  (sets: {', '.join(about['sets'])})")
+    out.print(f"timing      latency {core.latency}, a sample every {core.ii} clocks" if core.clocked else
+              "timing      combinational")
+    if f := about["figures"]:
+        out.print(f"cost        {f['alut']} ALUT, {f['dsp']} DSP, {f['mem']} memory blocks (Cyclone V); "
+                  f"{f['mhz']:.4g} MHz, {f['ns']:.4g} ns (ECP5)")
+        error = [f"{f['error_lsb']:.3g} LSB"] * (f["error_lsb"] is not None)
+        error += [f"{f['error_mm']:.3g} mm on {f['arm']}"] * (f["error_mm"] is not None)
+        out.print(f"worst error {', '.join(error) or 'not measured'}")
+    out.print()
+    control = [("clk", "input", 1, ""), ("rst", "input", 1, "synchronous, active high; one clock is enough")]
+    rows = control if core.clocked else []
+    before = {"in": ("in_valid", "in_ready"), "out": ("out_valid", "out_ready")}
+    for port in about["ports"]:
+        side = port["name"].partition("_")[0]
+        for name in before.pop(side, ()) if core.clocked else ():
+            rows.append((name, "input" if name in ("in_valid", "out_ready") else "output", 1, "handshake"))
+        rows.append((port["name"], port["direction"], port["width"], port["format"]))
+    out.print(tables.grid([Column("port", True), Column("direction", True, 1), Column("bits"),
+                           Column("format", True)], rows, out.width))
+    out.print(f"\nfiles ({len(about['files'])}): quadrance files {core.id}")
+
+
+def _instance(args: argparse.Namespace) -> None:
+    core = catalogue.find(args.core, _params(args.param))
+    arm = check.load(args.arm) if args.arm else None
+    text = verilog.instance(core, arm, args.name, args.declare)
+    if args.json:
+        return _json({"core": core.id, "params": core.params, "arm": arm and arm.id,
+                      "cfg": verilog.config(core, arm) if arm else {}, "verilog": text})
+    print(text)
+
+
+def _files(args: argparse.Namespace) -> None:
+    core = catalogue.find(args.core)
+    if args.copy:
+        return _copy(args.copy, catalogue.compile_order(core))
+    paths = verilog.file_list(core, Path(args.relative) if args.relative else None)
+    if args.json:
+        return _json({"core": core.id, "top": core.name, "files": paths})
+    print(verilog.dot_f(core, paths) if args.f else "\n".join(paths))
+
+
+def _copy(folder: str, paths: list[Path]) -> None:
+    target = Path(folder)
+    if target.exists() and not target.is_dir():
+        raise Refused(f"{target} is a file, not a folder")
+    for path in paths:
+        there = target / path.name
+        if there.exists() and there.read_bytes() != path.read_bytes():
+            raise Refused(f"{there} exists and is another file; nothing was copied")
+    try:
+        target.mkdir(parents=True, exist_ok=True)
+        for path in paths:
+            shutil.copyfile(path, target / path.name)
+    except OSError as error:
+        raise Refused(f"{target} cannot be written: {error.strerror}") from None
+    print(f"{len(paths)} files copied to {target}")
+
+
+def _counts(text: str | None) -> int | None:
+    if text is None:
+        return None
+    if (value := words.number(text)) < 1:
+        raise Refused(f"--counts {text}: a turn has at least one count")
+    return value
+
+
+def _scale(args: argparse.Namespace) -> float | None:
+    if args.arm and args.mm_per_unit is not None:
+        raise Refused("--arm and --mm-per-unit say the same thing: give one of them")
+    if args.mm_per_unit is not None and not args.mm_per_unit > 0:
+        raise Refused(f"--mm-per-unit {args.mm_per_unit:g}: it must be positive")
+    return check.load(args.arm).mm_per_unit if args.arm else args.mm_per_unit
+
+
+def _say(found: dict, means: dict[str, float]) -> str:
+    unit = {"degrees": "{:.6f} degrees", "count": "count {:d}", "units": "{:.6f} units", "mm": "{:.4f} mm"}
+    named = len(found["words"]) > 1
+    return "  ".join([*(f"{one['port']} = " * named + f"{one['value']} ({one['hex']})" for one in found["words"]), "=",
+                      ", ".join(unit[key].format(value) for key, value in means.items())])
+
+
+def _encode(args: argparse.Namespace) -> None:
+    one, counts, scale = words.word(args.word, _params(args.param)), _counts(args.counts), _scale(args)
+    found = [words.encode(one, _float(value), counts, scale) for value in args.value]
+    if args.json:
+        return _json(found)
+    for entry in found:
+        print(f"{entry['given']:g} -> " + _say(entry, {key: value for key, value in entry.items()
+                                                      if key not in ("given", "words")}))
+
+
+def _decode(args: argparse.Namespace) -> None:
+    one, counts, scale = words.word(args.word, _params(args.param)), _counts(args.counts), _scale(args)
+    found = [words.decode(one, tuple(words.number(part) for part in value.split(",")), counts, scale)
+             for value in args.value]
+    if args.json:
+        return _json([{"words": entry["words"], **entry["means"]} for entry in found])
+    for entry in found:
+        print(_say(entry, entry["means"]))
+
+
+def _float(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise Refused(f"'{text}' is no number") from None
+
+
+def _check(args: argparse.Namespace) -> None:
+    about = check.check(check.load(args.arm))
+    if args.json:
+        return _json(about)
+    low, high = about["reach_mm"]
+    joints = ", ".join(f"{a:g} to {b:g}" for a, b in about["limits_degrees"])
+    print(f"{about['name']}: right\n"
+          f"  links    {about['l1_mm']:g} and {about['l2_mm']:g} mm, reach {low:g} to {high:g} mm\n"
+          f"  joints   {about['joints']}: {joints} degrees\n"
+          f"  scale    {about['mm_per_unit']:g} mm a unit: reach {about['units']['reach']:g} of "
+          f"{about['units']['largest']:g} units, one LSB of Q7.8 is {about['lsb_mm'] * 1000:.4g} um\n"
+          f"  cores    {' and '.join(about['functions'])}: quadrance cores --function {about['functions'][0]}")
+    for line in about["advice"]:
+        print(f"  advice   {line}")
+
+
+def _arms(args: argparse.Namespace) -> None:
+    found = [check.check(arms.load(name)) for name in arms.known()]
+    if args.json:
+        return _json(found)
+    out = tables.console()
+    out.print(tables.grid([Column("arm", True), Column("name", True, 3), Column("joints"), Column("l1 mm"),
+                           Column("l2 mm"), Column("mm a unit", rank=1), Column("LSB um", rank=2)],
+                          [(one["arm"], one["name"], one["joints"], f"{one['l1_mm']:g}", f"{one['l2_mm']:.5g}",
+                            f"{one['mm_per_unit']:g}", f"{one['lsb_mm'] * 1000:.4g}") for one in found], out.width))
+
+
+def parser() -> Parser:
+    """The command line."""
+    top = Parser(prog="quadrance", description="Cores for the kinematics of robot arms, in Verilog.")
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
+
+    def command(name: str, does, text: str) -> argparse.ArgumentParser:
+        sub = commands.add_parser(name, help=text, description=text)
+        sub.add_argument("--json", action="store_true", help="print JSON")
+        sub.set_defaults(does=does)
+        return sub
+
+    sub = command("cores", _cores, "the cores there are, with area, latency and error")
+    sub.add_argument("--family", help="vector, table, rational, classic ...")
+    sub.add_argument("--function", help="fk1 to ik3, isqrt ...")
+    sub.add_argument("--word", help="angle, spread, vector, half_tangent")
+    sub.add_argument("--all", action="store_true", help="every parameter set, not the first of each core alone")
+
+    def core(sub: argparse.ArgumentParser, param: bool = True) -> argparse.ArgumentParser:
+        sub.add_argument("core", metavar="CORE", help="name, or name-set")
+        return _param(sub) if param else sub
+
+    def _param(sub: argparse.ArgumentParser) -> argparse.ArgumentParser:
+        sub.add_argument("-p", "--param", action="append", metavar="NAME=VALUE", help="another value of a parameter")
+        return sub
+
+    core(command("show", _show, "ports, formats, latency, status and files of a core"))
+    sub = core(command("instance", _instance, "a Verilog instance with every parameter and configuration word"))
+    sub.add_argument("--arm", help="name of an arm, or its TOML file: computes cfg_*")
+    sub.add_argument("--name", help="of the instance")
+    sub.add_argument("--declare", action="store_true", help="declare the wires too")
+    sub = core(command("files", _files, "the Verilog files of a core in compile order"), param=False)
+    sub.add_argument("-f", action="store_true", help="as a command file (-f) of a simulator")
+    sub.add_argument("--relative", metavar="DIR", help="paths seen from a folder")
+    sub.add_argument("--copy", metavar="DIR", help="copy the files there")
+    for name, does, text, value in (
+            ("encode", _encode, "degrees, encoder counts or millimetres into words", "degrees, counts, mm or units"),
+            ("decode", _decode, "words into degrees, encoder counts or millimetres", "a word; of a vector C,N")):
+        sub = _param(command(name, does, text))
+        sub.add_argument("word", metavar="WORD", help=words.HELP)
+        sub.add_argument("value", metavar="VALUE", nargs="+", help=value)
+        sub.add_argument("--counts", help="counts of an encoder in a full turn of the joint")
+        sub.add_argument("--arm", help="whose mm_per_unit scales coordinates")
+        sub.add_argument("--mm-per-unit", type=float, help="millimetres in a coordinate unit")
+    command("check", _check, "is this arm file right, and which scale").add_argument("arm", metavar="ARM")
+    command("arms", _arms, "the arms that come with the library")
+    return top
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Do what the command line says; 2 with one line on stderr where that cannot be done."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    if given[:1] in (["encode"], ["decode"]) and "--" not in given:  # a negative value is no option
+        given = [given[0], *_negatives_last(given[1:])]
+    args = parser().parse_args(given)
+    try:
+        args.does(args)
+    except Refused as error:
+        print(f"quadrance: {error}", file=sys.stderr)
+        return 2
+    except BrokenPipeError:  # `quadrance cores | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0
+
+
+def _negatives_last(given: list[str]) -> list[str]:
+    """Values that begin with a minus sign and a digit behind ``--``, the options before it."""
+    takes = ("-p", "--param", "--counts", "--arm", "--mm-per-unit")
+    options, values = [], []
+    rest = iter(given)
+    for one in rest:
+        if one in takes:
+            options += [one, *[next(rest, None)]]
+        elif one.startswith("-") and not one[1:2].isdigit() and not one.startswith("-."):
+            options.append(one)
+        else:
+            values.append(one)
+    return [*(one for one in options if one is not None), "--", *values]

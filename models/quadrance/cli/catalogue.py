@@ -1,0 +1,204 @@
+"""What there is: cores at listed or other parameters, their formats, files and measured figures."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import re
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+from quadrance import cores
+from quadrance.cores import STATUS_BITS, Core, Port
+
+WORDS = {"spread": "turn-spread", "angle": "binary angle", "vector": "unit vector", "half_tangent": "half-tangent"}
+FRACTION = {"spread": 2, "vector": 2, "half_tangent": 2}  # bits before the point of a joint word
+KINEMATIC = ("fk", "ik")
+
+
+class Refused(ValueError):
+    """What was asked for cannot be answered: one line that names the thing, the reason and what exists instead."""
+
+
+def choose(what: str, name: str, known: Iterable[str]) -> str:
+    """`name`, where it is one of `known`; else Refused, with the nearest names or all of them."""
+    known = list(dict.fromkeys(known))
+    if name in known:
+        return name
+    near = difflib.get_close_matches(name, known, 4, 0.55)
+    near = near or [one for one in known if len(name) > 2 and name in one][:4]
+    raise Refused(f"no {what} '{name}'; " + (f"did you mean {', '.join(near)}?" if near else
+                                             f"there are {', '.join(known)}" if known else "there is none"))
+
+
+def find(name: str, params: dict[str, int] | None = None) -> Core:
+    """The core of that name or ``name-set`` id, at other parameters where `params` names some.
+
+    Raises
+    ------
+    Refused
+        For a name that is not listed, a parameter that the core has not, values that its Verilog refuses.
+    """
+    listed = cores.all_cores()
+    ids = {core.id: core for core in reversed(listed)} | {core.name: core for core in reversed(listed)}
+    if name not in ids and name.partition("-")[0] in ids:  # the core is known, the set is not
+        name = choose(f"parameter set of {name.partition('-')[0]}", name,
+                      (core.id for core in listed if core.name == name.partition("-")[0]))
+    core = ids[choose("core", name, (core.name for core in listed) if "-" not in name else ids)]
+    return at(core, params) if params else core
+
+
+def at(core: Core, params: dict[str, int]) -> Core:
+    """`core` with some parameters changed; a listed set where they are one's."""
+    for key in params:
+        choose(f"parameter of {core.name}", key, core.params)
+    values = core.params | params
+    for one in cores.all_cores():
+        if one.name == core.name and one.params == values:
+            return one
+    if rule := _broken_rule(core, values):
+        raise Refused(f"{core.name}: {', '.join(f'{k}={v}' for k, v in values.items())} is not supported: {rule}")
+    family, function, shared, name, own = next(
+        entry for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == core.name)
+    label = "".join(f"{key}{value}" for key, value in values.items())
+    return cores.expand(family, function, shared, name, own | {"sets": {label: values}}, core.sources)[0]
+
+
+def _broken_rule(core: Core, values: dict[str, int]) -> str:
+    """The sentence of the core's own rule (its `g_illegal`) where the values break it; clauses of plain numbers."""
+    text = core.sources[0].read_text()
+    rule = re.search(r"if \((.*?)\) begin : g_illegal\s+(\w+) rule", text, re.S)
+    for clause in rule[1].split("||") if rule else ():
+        try:
+            broken = cores.formula(clause.strip(), values, core.name)
+        except ValueError:
+            continue  # it says more than a comparison of parameters: elaboration will tell
+        if broken:
+            return rule[2].partition("_needs_")[2].replace("_", " ").join(["it needs ", ""])
+    return ""
+
+
+# Figures
+
+
+@cache
+def report() -> dict:
+    """The committed report, empty where it is not at hand."""
+    for folder in (cores.ROOT / "reports", cores.PACKAGE / "reports"):
+        if cores.RTL.parent in (folder.parent, cores.ROOT) and (path := folder / "report.json").is_file():
+            try:
+                return json.loads(path.read_text())
+            except json.JSONDecodeError:
+                return {}
+    return {}
+
+
+def figures(core: Core) -> dict | None:
+    """Measured figures of a core: area, clock, latency and errors; None where the report has no such row."""
+    for row in report().get("cores", ()):
+        if (row["core"], row["params"]) == (core.name, core.params):
+            area = row["area"]["cyclonev"]
+            return {"alut": area["lut"], "dsp": area["dsp"], "mem": area["mem"],
+                    "alut_no_dsp": row["area"]["cyclonev_nodsp"]["lut"], "mhz": row["fmax_mhz"]["ecp5"],
+                    "ns": row["latency_ns"], "error_mm": row["total_mm"],
+                    "error_lsb": (row["total_lsb"] if row["total_lsb"] is not None else
+                                  (row["error_lsb"] or {}).get("max")), "arm": report()["arm"]}
+    return None
+
+
+def kinds(ports: Iterable[Port]) -> list[str]:
+    """Types of joint word among `ports`."""
+    return list(dict.fromkeys(port.type for port in ports if port.type))
+
+
+def row(core: Core) -> dict:
+    """A line of the table of cores, as `quadrance cores --json` prints it."""
+    return {"core": core.name, "set": core.set_id, "id": core.id, "family": core.family, "function": core.function,
+            "architecture": core.architecture, "word": kinds([*core.inputs, *core.outputs]), "params": core.params,
+            "latency": core.latency, "ii": core.ii, "figures": figures(core)}
+
+
+def rows(family: str | None = None, function: str | None = None, word: str | None = None,
+         every: bool = False) -> list[dict]:
+    """Lines of the table of cores: those of a family, function and joint word; first sets, or every set."""
+    listed = cores.all_cores()
+    if family is not None:
+        choose("family", family, (core.family for core in listed))
+    if function is not None:
+        choose("function", function, (core.function for core in listed))
+    if word is not None:
+        choose("joint word", word, cores.TYPES)
+    found = [row(core) for core in listed
+             if (every or core.first_set) and family in (None, core.family) and function in (None, core.function)
+             and (word is None or word in kinds([*core.inputs, *core.outputs]))]
+    if not found:
+        raise Refused("no core has this family, function and joint word together; leave one of them out")
+    return found
+
+
+# Formats
+
+
+def format_of(core: Core, port: Port) -> str:
+    """What a port's word means, in the words of the pages."""
+    if port.name == "out_status":
+        return "bits: " + ", ".join(f"{STATUS_BITS[name]} {name.replace('_', ' ')}" for name in core.status or ())
+    sign = "signed" if port.signed else "unsigned"
+    if port.type == "angle":
+        return f"binary angle: a full turn is 2^{port.width}"
+    if port.type == "vector":
+        what = "cosine" if "_c" in port.name else "sine"
+        return f"{what}, signed, {port.width - 2} fraction bits"
+    if port.type:
+        return f"{WORDS[port.type]}, 2 + {port.width - 2} bits"
+    if port.name == "in_elbow":
+        return "0: theta2 >= 0, 1: theta2 <= 0"
+    if fraction_of(core, port) is not None:
+        return f"{sign} Q{port.width - core.params['F'] - port.signed}.{core.params['F']}, coordinate units"
+    return f"{sign} integer" if not port.name.startswith("cfg_") else f"{sign}, from `quadrance instance`"
+
+
+def fraction_of(core: Core, port: Port) -> int | None:
+    """Fraction bits of a coordinate or length, None for any other word."""
+    plain = port.name.partition("_")[2]
+    if "F" in core.params and core.function[:2] in KINEMATIC and plain in ("x", "y", "z", "l1", "l2"):
+        return core.params["F"]
+    return None
+
+
+def header(core: Core) -> list[str]:
+    """The comment at the head of the core's own file, without the licence line."""
+    lines = []
+    for line in core.sources[0].read_text().splitlines()[1:]:
+        if not line.startswith("//"):
+            break
+        lines.append(line[2:].strip())
+    return lines
+
+
+def compile_order(core: Core) -> list[Path]:
+    """The files of a core, each after those of the modules that it instantiates; the top is the last."""
+    found: list[Path] = []
+
+    def add(path: Path) -> None:
+        if path in found:
+            return
+        for below in cores.sources_of(path.stem)[1:]:
+            if path not in cores.sources_of(below.stem):
+                add(below)
+        found.append(path)
+
+    add(core.sources[0])
+    return found
+
+
+def describe(core: Core) -> dict:
+    """All of one core, as `quadrance show --json` prints it."""
+    ports = [{"name": port.name, "direction": "output" if port.name.startswith("out_") else "input",
+              "width": port.width, "signed": port.signed, "type": port.type, "format": format_of(core, port)}
+             for port in (*core.cfg, *core.inputs, *core.outputs)]
+    return row(core) | {"header": header(core), "ports": ports, "clocked": core.clocked,
+                        "status": {name: STATUS_BITS[name] for name in core.status or ()},
+                        "sets": {one.set_id: one.params for one in cores.all_cores() if one.name == core.name},
+                        "files": [str(path) for path in compile_order(core)]}

@@ -1,0 +1,246 @@
+"""Bit-true models of rtl/six: six axes in unit vectors, every step a sum of products of 27-bit words.
+
+A word carries 1.0 as 2^25; 1.0 of a length is 2^W LSB of a coordinate.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from quadrance import conversion, vector
+from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
+
+Params = dict[str, int]
+N, H, G = 27, 25, 3  # bits of a word, its fraction bits, fraction bits of a sum below them
+ONE = 1 << H
+MORE = 4  # fraction bits of a configured length below the LSB of a coordinate
+AXES = [f"{row}{column}" for row in "123" for column in "123"]
+
+
+# The engine (rtl/engine/product_engine.v)
+
+
+def _term(a: Ints, b: Ints) -> Ints:
+    return ints(a) * ints(b) >> H - G
+
+
+def _sum(*terms: Ints) -> Ints:
+    """The adder: 32 bits, from half a unit on."""
+    total = ints(1 << G - 1)
+    for term in terms:
+        total = total + term
+    return wrap(total, 2 * N - H + G)
+
+
+def _word(total: Ints) -> Ints:
+    return wrap(total >> G, N)
+
+
+def _dot(*pairs: tuple[Ints, Ints]) -> Ints:
+    """A word: the sum of products; of a negative one, (a, b, -1), the one's complement is added."""
+    return _word(_sum(*(~_term(*pair[:2]) if len(pair) == 3 else _term(*pair) for pair in pairs)))
+
+
+def _fold(word: Ints) -> Ints:
+    return word ^ word >> 63
+
+
+def _power(seen: Ints) -> Ints:
+    """2^s that brings the leading one of the OR of magnitudes to bit 25, 0 for nothing."""
+    bits = np.ceil(np.log2(np.maximum(seen, 1) + 0.5)).astype(np.int64)
+    return np.where(seen > 0, np.int64(1) << 26 - np.minimum(bits, 26), 0)
+
+
+def _low(a: Ints, b: Ints) -> Ints:
+    return wrap(ints(a) * ints(b), N)
+
+
+def _reciprocal(q: Ints) -> Ints:
+    """The word 1 / (2 sqrt(q)) of a table argument u2.18."""
+    q = ints(q) & 0xFFFFF
+    w = (q >> 9 << 10) + 767 - (q & 0x1FF)
+    return wrap(w * vector._root_slopes()[q >> 9 & 0x3FF] >> 12, N)
+
+
+def _root(y: Ints) -> Ints:
+    """sqrt(y) of a word y >= 0: y 4^j in [1/4, 1), its reciprocal root, times y 2^(j + 1)."""
+    power = _power(_fold(y))
+    s = np.ceil(np.log2(np.maximum(power, 1) + 0.5)).astype(np.int64) - 1
+    shift = np.maximum(s - 1, 0) // 2
+    four, two = np.where(power > 0, np.int64(1) << 2 * shift, 0), np.where(power > 0, np.int64(2) << shift, 0)
+    return _dot((_low(y, two), _reciprocal(_low(y, four) >> 7)))
+
+
+def _unit(a: Ints, b: Ints, floor: int = 0) -> tuple[Ints, Ints, Ints, Ints]:
+    """(a, b, g, none): the vector scaled up, the reciprocal of its length, and where nothing of it lies above bit
+    `floor`: there it has no direction."""
+    seen = (_fold(a) | _fold(b)) >> floor << floor & ONE * 2 - 1
+    power = _power(seen)
+    a, b = _low(a, power), _low(b, power)
+    q = _sum(_term(a, a), _term(b, b))
+    return a, b, _reciprocal(q >> 12), seen == 0
+
+
+# Forward
+
+
+def _length(p: Params, word: Ints) -> Ints:
+    return ints(word) << H - p["W"] - MORE
+
+
+def fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """R = R03 R36, tip = wrist centre + c4 R z; column 2 is the cross product of columns 3 and 1."""
+    c, n = ([None] + [ints(ports[f"in_{letter}{i}"]) << H - p["U"] for i in range(1, 7)] for letter in "cn")
+    a1, a2, b, c1, c2, c3, c4 = (_length(p, ports[f"cfg_{name}"]) for name in ("a1", "a2", "b", "c1", "c2", "c3", "c4"))
+    down = wrap(-n[5], N)
+    c23, n23 = _dot((c[3], c[2]), (n[2], n[3], -1)), _dot((c[3], n[2]), (c[2], n[3]))
+    t, s = _dot((c[5], c[4])), _dot((c[5], n[4]))
+    e1, e2, e3 = _dot((c[6], t), (n[4], n[6], -1)), _dot((c[6], s), (c[4], n[6])), _dot((c[6], down))
+    u1, r31 = _dot((c23, e1), (n23, e3)), _dot((c23, e3), (n23, e1, -1))
+    r11, r21 = _dot((c[1], u1), (n[1], e2, -1)), _dot((n[1], u1), (c[1], e2))
+    f1, f2 = _dot((n[5], c[4])), _dot((n[5], n[4]))
+    u3, r33 = _dot((c[5], n23), (c23, f1)), _dot((c[5], c23), (n23, f1, -1))
+    r13, r23 = _dot((c[1], u3), (n[1], f2, -1)), _dot((n[1], u3), (c[1], f2))
+    r12, r22 = _dot((r23, r31), (r33, r21, -1)), _dot((r33, r11), (r13, r31, -1))
+    r32 = _dot((r13, r21), (r23, r11, -1))
+    x1 = _dot((a1, ONE), (c2, n[2]), (c3, n23), (a2, c23))
+    x = _dot((x1, c[1]), (b, n[1], -1), (c4, r13))
+    y = _dot((x1, n[1]), (b, c[1]), (c4, r23))
+    z = _dot((c1, ONE), (c2, c[2]), (c3, c23), (a2, n23, -1), (c4, r33))
+    answer, overflow = {}, ints(0)
+    for axis, word in zip("xyz", (x, y, z)):
+        answer[f"out_{axis}"], over = saturate(round_shift(word, H - p["W"]), p["W"])
+        overflow = overflow | over
+    matrix = zip(AXES, (r11, r12, r13, r21, r22, r23, r31, r32, r33))
+    return answer | {f"out_r{name}": _rounded(p, word) for name, word in matrix} | {"out_status": 4 * overflow}
+
+
+def _rounded(p: Params, word: Ints) -> Ints:
+    return wrap(round_shift(word, H - p["U"]), p["U"] + 2)
+
+
+# Inverse
+
+
+def config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: float, c3: float, c4: float) -> dict[str, int]:
+    """Configuration words of vector_ik6 from the seven parameters, in coordinate units.
+
+    Lengths in 2^-4 LSB; `cfg_k` is the length of (a2, c3) and (`cfg_cp`, `cfg_np`) its direction; `cfg_r` and `cfg_e`,
+    a power of two, multiply to 1 / 2 c2 k, with c2 and k as rounded.
+    """
+    words = {f"cfg_{name}": round(value * 2.0 ** (p["F"] + MORE)) for name, value in
+             (("a1", a1), ("b", b), ("c1", c1), ("c2", c2), ("c4", c4), ("k", math.hypot(a2, c3)))}
+    double = max(2 * words["cfg_c2"] * words["cfg_k"] * 2.0 ** (-2 * p["W"] - 2 * MORE), 2.0**-20)
+    e = max(math.floor(-math.log2(double)) + 1, 1)
+    psi = math.atan2(a2, c3)
+    return words | {"cfg_cp": round(ONE * math.cos(psi)), "cfg_np": round(ONE * math.sin(psi)),
+                    "cfg_r": min(math.floor(ONE / double / 2**e), ONE - 1), "cfg_e": 1 << e}
+
+
+def forward_config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: float, c3: float,
+                   c4: float) -> dict[str, int]:
+    """Configuration words of vector_fk6 from the seven parameters, in coordinate units."""
+    return {f"cfg_{name}": round(value * 2.0 ** (p["F"] + MORE)) for name, value in
+            (("a1", a1), ("a2", a2), ("b", b), ("c1", c1), ("c2", c2), ("c3", c3), ("c4", c4))}
+
+
+def floor(p: Params) -> int:
+    """The bit below which (M13, M23) is taken for nothing: eight units of the matrix words."""
+    return H - p["U"] + 3
+
+
+def slack(p: Params) -> int:
+    """The bit from which an error of orthonormality counts: 16 units of the matrix words."""
+    return H - p["U"] + 4
+
+
+def _off(p: Params, *pairs: tuple) -> Ints:
+    return _fold(_dot(*pairs)) >> slack(p) != 0
+
+
+def no_rotation(p: Params, r: dict[str, Ints]) -> Ints:
+    """Columns 1 and 2 of length 1 and at right angles, column 3 their cross product, each to `slack`."""
+    wrong = ints(0) != 0
+    for column in "12":
+        c1, c2, c3 = (r[row + column] for row in "123")
+        wrong = wrong | _off(p, (c1, c1), (c2, c2), (c3, c3), (-ONE, ONE))
+    wrong = wrong | _off(p, (r["11"], r["12"]), (r["21"], r["22"]), (r["31"], r["32"]))
+    for one, two, three in ("123", "231", "312"):
+        cross = (r[two + "1"], r[three + "2"]), (r[three + "1"], r[two + "2"], -1)
+        wrong = wrong | _off(p, (-ONE, r[one + "3"]), *cross)
+    return wrong
+
+
+def _held(c: Ints, n: Ints, none: Ints) -> tuple[Ints, Ints]:
+    return hold_last(c, ~none, ONE), hold_last(n, ~none)
+
+
+def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """One branch of a pose."""
+    names = list(ports)
+    ports = dict(zip(names, (ints(word) for word in np.broadcast_arrays(*ports.values()))))
+    branch = ports["in_branch"]
+    back, down, flip = (np.where(branch >> i & 1, -ONE, ONE) for i in range(3))
+    r = {axis: ports[f"in_r{axis}"] << H - p["U"] for axis in AXES}
+    x, y, z = (ports[f"in_{axis}"] << H - p["W"] for axis in "xyz")
+    a1, b, c1, c2, c4, k = (_length(p, ports[f"cfg_{name}"]) for name in ("a1", "b", "c1", "c2", "c4", "k"))
+    wrong = no_rotation(p, r)
+    px, py = _dot((x, ONE), (c4, r["13"], -1)), _dot((y, ONE), (c4, r["23"], -1))
+    pz = _dot((z, ONE), (c4, r["33"], -1), (c1, -ONE))
+    total = _sum(_term(px, px), ~_term(b, b), _term(py, py))
+    inside = total < 0
+    x0 = _root(np.where(inside, 0, _word(total)))
+    x1 = _dot((x0, back))
+    cosine, sine, g, no1 = _unit(_dot((x1, px), (b, py)), _dot((x1, py), (b, px, -1)))
+    c_1, n_1 = _held(_dot((cosine, g)), _dot((sine, g)), no1)
+    x = _dot((a1, -ONE), (x0, back))
+    total = _sum(_term(x, x), ~_term(c2, c2), _term(pz, pz), ~_term(k, k))
+    far = total >> G >= 1 << N - 1
+    t = _dot((_word(total), ports["cfg_r"]))
+    product = t * ports["cfg_e"]
+    outside = far | (product < -ONE) | (product >= ONE)
+    c_e = np.where(outside, np.where((product < 0) & ~far, -ONE, ONE), wrap(product, N))
+    n_e = _dot((_root(_dot((ints(ONE), ONE), (c_e, c_e, -1))), down))
+    k1, k2 = _dot((c2, ONE), (k, c_e)), _dot((k, n_e))
+    cosine, sine, g, no2 = _unit(_dot((k1, pz), (k2, x)), _dot((k1, x), (k2, pz, -1)))
+    c_2, n_2 = _held(_dot((cosine, g)), _dot((sine, g)), no2)
+    cp, np_ = ports["cfg_cp"], ports["cfg_np"]
+    c_3, n_3 = _dot((cp, c_e), (n_e, np_)), _dot((cp, n_e), (c_e, np_, -1))
+    c23, n23 = _dot((c_2, c_3), (n_2, n_3, -1)), _dot((n_2, c_3), (c_2, n_3))
+    u3, m23 = _dot((c_1, r["13"]), (n_1, r["23"])), _dot((c_1, r["23"]), (n_1, r["13"], -1))
+    m13, c_5 = _dot((c23, u3), (n23, r["33"], -1)), _dot((n23, u3), (c23, r["33"]))
+    cosine, sine, g, no4 = _unit(m13, m23, floor(p))
+    g = _dot((g, flip))
+    c_4, n_4 = _held(_dot((cosine, g)), _dot((sine, g)), no4)
+    n_5 = _dot((c_4, m13), (n_4, m23))
+    minus = _dot((n_4, -ONE))
+    t = _dot((minus, c23))
+    w1, w2, w3 = _dot((t, c_1), (c_4, n_1, -1)), _dot((t, n_1), (c_4, c_1)), _dot((n_4, n23))
+    n_6 = _dot((w1, r["11"]), (w2, r["21"]), (w3, r["31"]))
+    c_6 = _dot((w1, r["12"]), (w2, r["22"]), (w3, r["32"]))
+    answer = {}
+    for i, (c, n) in enumerate(((c_1, n_1), (c_2, n_2), (c_3, n_3), (c_4, n_4), (c_5, n_5), (c_6, n_6)), 1):
+        answer |= {f"out_c{i}": _rounded(p, c), f"out_n{i}": _rounded(p, n)}
+    return answer | {"out_status": ints(inside | outside) + 2 * ints(no1 | no2 | no4) + 8 * ints(wrong)}
+
+
+# Behind the angle codec
+
+
+def table_fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """`fk6` of binary angles, each by angle_to_vector."""
+    words = {name: word for name, word in ports.items() if name.startswith("cfg_")}
+    for i in range(1, 7):
+        vectors = conversion.angle_to_vector(p, in_j=ports[f"in_j{i}"])
+        words |= {f"in_{letter}{i}": vectors[f"out_{letter}"] for letter in "cn"}
+    return fk6(p, **words)
+
+
+def table_ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """`ik6` to binary angles: one vector_to_angle takes the six vectors of a sample in turn."""
+    found = ik6(p, **ports)
+    c, n = (np.stack([found[f"out_{letter}{i}"] for i in range(1, 7)], axis=-1) for letter in "cn")
+    words = conversion.vector_to_angle(p, in_c=c.ravel(), in_n=n.ravel())["out_j"].reshape(-1, 6)
+    return {f"out_j{i}": words[:, i - 1] for i in range(1, 7)} | {"out_status": found["out_status"]}

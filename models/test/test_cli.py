@@ -1,0 +1,218 @@
+"""The command `quadrance`: what it prints, what it computes, and how it refuses."""
+
+import json
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from quadrance import accuracy, arms, codecs, cores
+from quadrance.cli import catalogue, check, main, tables, verilog
+from quadrance.cli.catalogue import Refused
+
+KINEMATIC = [core for core in cores.all_cores() if core.first_set and core.function in accuracy.JOINTS]
+
+
+@pytest.fixture
+def quadrance(capsys):
+    """Run the command; its output, or its one line of refusal where `code` is 2."""
+    def run(*arguments, code=0):
+        try:
+            ended = main(arguments)
+        except SystemExit as end:
+            ended = end.code
+        out, err = capsys.readouterr()
+        assert ended == code, err
+        if code:
+            assert out == "" and err.count("\n") == 1 and err.startswith("quadrance")
+        return err if code else out
+    return run
+
+
+def test_the_table_of_cores(quadrance):
+    rows = json.loads(quadrance("cores", "--json"))
+    assert [row["id"] for row in rows] == [core.id for core in cores.all_cores() if core.first_set]
+    assert len(json.loads(quadrance("cores", "--all", "--json"))) == len(cores.all_cores())
+    text = quadrance("cores", "--function", "ik2", "--word", "angle")
+    assert "table_ik2" in text and "vector_ik2" not in text and "rational_ik2" not in text
+    row = next(row for row in catalogue.rows() if row["core"] == "table_ik2")
+    assert str(row["figures"]["alut"]) in next(line for line in text.splitlines() if "table_ik2" in line)
+
+
+def test_a_narrow_table_leaves_columns_out_and_cuts_no_figure():
+    columns = [tables.Column("core", True), tables.Column("ALUT"), tables.Column("MHz", rank=2),
+               tables.Column("II", rank=1)]
+    rows = [["a_core", "123456", "98.7", "5"]]
+    for width, heads in ((80, ["core", "ALUT", "MHz", "II"]), (28, ["core", "ALUT", "II"]), (20, ["core", "ALUT"])):
+        grid = tables.grid(columns, rows, width)
+        assert [column.header for column in grid.columns] == heads
+        assert (grid.caption is None) == (width == 80)
+        out = tables.Console(width=200)
+        with out.capture() as text:
+            out.print(grid)
+        assert max(map(len, text.get().splitlines()[:3])) <= width and "123456" in text.get()
+
+
+def test_show_names_every_port(quadrance):
+    core = cores.find("vector_ik3")
+    text = quadrance("show", "vector_ik3")
+    for port in (*core.cfg, *core.inputs, *core.outputs):
+        assert re.search(rf"^{port.name} .*\b{port.width}\b", text, re.M)
+    about = json.loads(quadrance("show", "vector_ik3", "--json"))
+    assert about["latency"] == core.latency and about["status"] == {"unreachable": 0, "singular": 1}
+    assert about["header"][0].startswith("Inverse kinematics of three joints")
+    other = json.loads(quadrance("show", "vector_ik3", "-p", "U=14", "--json"))
+    assert [port["width"] for port in other["ports"] if port["name"] == "out_c1"] == [16]
+
+
+@pytest.mark.parametrize("name", sorted({core.name for core in cores.all_cores()}))
+def test_files_come_after_what_they_instantiate(name):
+    core = cores.find(name)
+    order = catalogue.compile_order(core)
+    assert order[-1] == core.sources[0] and sorted(order) == sorted(core.sources)
+    for i, path in enumerate(order):
+        assert set(cores.sources_of(path.stem)[1:]) <= set(order[:i])
+
+
+def test_files_in_every_form(quadrance, tmp_path):
+    listed = quadrance("files", "rational_fk1").split()
+    dotted = quadrance("files", "rational_fk1", "-f").splitlines()
+    assert dotted[0].startswith("// top module rational_fk1") and dotted[1:] == listed
+    assert quadrance("files", "rational_fk1", "--relative", str(cores.RTL)).split()[-1] == "rational/rational_fk1.v"
+    quadrance("files", "rational_fk1", "--copy", str(tmp_path / "new"))
+    assert len(list((tmp_path / "new").iterdir())) == len(listed)
+    (tmp_path / "new" / "rational_fk1.v").write_text("mine")
+    assert "is another file" in quadrance("files", "rational_fk1", "--copy", str(tmp_path / "new"), code=2)
+    assert (tmp_path / "new" / "rational_fk1.v").read_text() == "mine"
+
+
+def test_instances_elaborate_with_the_computed_words(tmp_path):
+    """Every kinematic core as printed; two of them, declared, in one top without a warning of a width."""
+    from tb.lib import tools
+
+    arm = arms.load("ur5")
+    for core in KINEMATIC:
+        text = verilog.instance(core, arm)
+        for port, value in accuracy.config(core, arm).items():
+            width = next(one.width for one in core.cfg if one.name == port)
+            assert re.search(rf"\.{port}\({'-' * (value < 0)}{width}'s?d{abs(value)}\)", text), (core.id, port)
+    some = [core for core in KINEMATIC if core.name in ("rational_ik2", "vector_fk2")]
+    text = "\n".join(verilog.instance(core, arm, declare=True) for core in some)
+    top = tmp_path / "top.v"
+    top.write_text(f"module top (input wire clk, input wire rst);\n{text}\nendmodule\n")
+    files = dict.fromkeys(path for core in some for path in core.sources)
+    tools.run("verilator", "--lint-only", "-Wall", "-Wno-UNUSEDSIGNAL", "-Wno-UNDRIVEN", "-Wno-DECLFILENAME",
+              "--top-module", "top", *files, top)
+    top.write_text(top.read_text().replace(".cfg_l1(16'd", ".cfg_l1(15'd"))
+    with pytest.raises(tools.ToolError, match="WIDTH"):
+        tools.run("verilator", "--lint-only", "-Wall", "-Wno-UNUSEDSIGNAL", "-Wno-UNDRIVEN", "--top-module", "top",
+                  *files, top)
+
+
+def test_an_instance_without_an_arm_leaves_its_words_to_signals(quadrance):
+    text = quadrance("instance", "vector_fk1", "--name", "u_a", "-p", "W=12", "-p", "F=4", "--declare")
+    assert "wire [11:0] a_cfg_l1;" in text and ".cfg_l1(a_cfg_l1)" in text
+    assert "vector_fk1 #(.W(12), .F(4), .U(16)) u_a (" in text
+    assert "no name of a Verilog instance" in quadrance("instance", "vector_fk1", "--name", "1a", code=2)
+    assert "12 bits end at 4095" in quadrance("instance", "vector_fk1", "-p", "W=12", "--arm", "cobra600", code=2)
+
+
+def test_literals_have_the_size_and_the_sign_of_their_port():
+    port = cores.Port("cfg_q", 4, True)
+    assert [verilog.literal(port, value) for value in (-8, -7, 7)] == ["4'sh8", "-4'sd7", "4'sd7"]
+    assert verilog.literal(cores.Port("cfg_l1", 4, False), 15) == "4'd15"
+    with pytest.raises(Refused, match="8 does not fit its 4 bits"):
+        verilog.literal(port, 8)
+
+
+@pytest.mark.parametrize("kind, bits", [("angle", 18), ("angle", 9), ("spread", 24), ("vector", 16),
+                                        ("half_tangent", 16)])
+def test_degrees_there_and_back(quadrance, kind, bits):
+    angles = [0, 33.3, -10, 90, 180.004, 359.99, 725]
+    out = json.loads(quadrance("encode", f"{kind}:{bits}", *map(str, angles), "--json"))
+    step = np.degrees(codecs.half_step(codecs.joint_of(kind, bits)))
+    for angle, entry in zip(angles, out):
+        words_ = ",".join(str(one["value"]) for one in entry["words"])
+        back = json.loads(quadrance("decode", f"{kind}:{bits}", words_, "--json"))[0]
+        assert abs((back["degrees"] - angle + 180) % 360 - 180) <= step * (1 + 1e-9)
+        assert [one["value"] for one in back["words"]] == [one["value"] for one in entry["words"]]
+        hexed = ",".join(one["hex"] for one in entry["words"])
+        assert json.loads(quadrance("decode", f"{kind}:{bits}", hexed, "--json"))[0]["degrees"] == back["degrees"]
+
+
+def test_the_words_of_the_pages(quadrance):
+    assert "5057090 (26'h04d2a42)" in quadrance("encode", "rational_fk1.j1", "33.3")
+    assert "6062 " in quadrance("encode", "angle:16", "33.3")
+    assert "c = 54775" in quadrance("encode", "vector:16", "33.3")
+    assert "8320 (16'h2080)" in quadrance("encode", "table_ik2.x", "325", "--arm", "cobra600")
+    assert "-32.500000 units, -325.0000 mm" in quadrance("decode", "coordinate", "-8320", "--mm-per-unit", "10")
+    assert "16 fraction bits" in quadrance("show", "vector_fk1")
+    assert json.loads(quadrance("encode", "vector_fk2.j2", "90", "--json"))[0]["words"][1]["port"] == "in_n2"
+
+
+def test_encoder_counts_are_exact(quadrance):
+    counts = 1 << 20
+    for count in (0, 1, counts - 1, -1, 5 * counts + 7):
+        out = json.loads(quadrance("encode", "angle:20", str(count), "--counts", str(counts), "--json"))[0]
+        assert out["words"][0]["value"] == count % counts == out["count"]
+    assert json.loads(quadrance("decode", "angle:18", "65536", "--counts", "4000", "--json"))[0]["count"] == 1000
+
+
+@pytest.mark.parametrize("arguments, reason", [
+    (("sho",), "no command 'sho'; did you mean show?"),
+    (("show", "rational_ik22"), "no core 'rational_ik22'; did you mean rational_ik2"),
+    (("show", "qqq"), "no core 'qqq'; there are isqrt_comb"),
+    (("show", "rational_ik2-S3"), "did you mean rational_ik2-S24"),
+    (("show", "rational_ik2", "-p", "Z=1"), "no parameter of rational_ik2 'Z'; there are W, F, S"),
+    (("show", "rational_ik2", "-p", "W=x"), "a parameter is NAME=INTEGER"),
+    (("show", "rational_ik2", "-p", "W=40"), "is not supported: it needs W from 4 to 16"),
+    (("cores", "--family", "rationale"), "no family 'rationale'; did you mean rational"),
+    (("cores", "--family", "arith", "--function", "fk1"), "leave one of them out"),
+    (("instance", "table_ik2", "--arm", "cobra60"), "no arm 'cobra60'; did you mean cobra600?"),
+    (("instance", "table_ik2", "--arm", "none.toml"), "none.toml: cannot be read"),
+    (("encode", "angel", "3"), "no word 'angel'; did you mean angle?"),
+    (("encode", "angle:x", "3"), "the bits of angle are a number from 2 to 40"),
+    (("encode", "angle", "x"), "'x' is no number"),
+    (("encode", "angle", "nan"), "nan is no finite number"),
+    (("encode", "angle", "1.5", "--counts", "100"), "a whole number"),
+    (("encode", "angle", "1", "--counts", "0"), "at least one count"),
+    (("encode", "coordinate", "128"), "holds -128 to 127.996 units"),
+    (("encode", "coordinate", "1", "--mm-per-unit", "-1"), "must be positive"),
+    (("encode", "table_ik2.w", "1"), "no port of table_ik2 'w'; there are l1"),
+    (("encode", "table_ik2.elbow", "1"), "neither a joint word nor a coordinate"),
+    (("decode", "vector", "1"), "a vector is 2 words (c, n), not 1"),
+    (("decode", "vector", "0,0"), "is no direction"),
+    (("decode", "angle:8", "256"), "256 does not fit the 8 bits"),
+    (("decode", "angle", "12z"), "is no integer"),
+    (("check", "none.toml"), "cannot be read")])
+def test_what_cannot_be_answered_is_refused_in_one_line(quadrance, arguments, reason):
+    assert reason in quadrance(*arguments, code=2)
+
+
+def test_an_arm_is_checked_and_its_scale_judged(quadrance, tmp_path):
+    assert "mm_per_unit = 5 would do" in quadrance("check", "cobra600")
+    file = tmp_path / "mine.toml"
+    file.write_text(arms.path_of("cobra600").read_text().replace("mm_per_unit = 10.0", "mm_per_unit = 5.0"))
+    assert "advice" not in quadrance("check", str(file))
+    file.write_text(file.read_text().replace("5.0", "4.0"))
+    assert "raise mm_per_unit above 4.6" in quadrance("check", str(file), code=2)
+    for name in arms.known():
+        arm = arms.load(name)
+        best = check.scale(arm)
+        assert (arm.l1 + arm.l2) / best <= arms.REACH < 2 * (arm.l1 + arm.l2) / best
+    assert [one["arm"] for one in json.loads(quadrance("arms", "--json"))] == arms.known()
+
+
+def test_figures_are_those_of_the_report():
+    report = json.loads((cores.ROOT / "reports" / "report.json").read_text())
+    row = next(row for row in report["cores"] if (row["core"], row["set"]) == ("classic_ik2_iter", "A16"))
+    found = catalogue.figures(cores.find("classic_ik2_iter"))
+    assert found["alut"] == row["area"]["cyclonev"]["lut"] and found["error_mm"] == row["total_mm"]
+    assert catalogue.figures(catalogue.find("classic_ik2_iter", {"A": 15})) is None
+
+
+def test_a_closed_pipe_is_no_error():
+    done = subprocess.run(f"{sys.executable} -m quadrance cores --all | head -1", shell=True, capture_output=True,
+                          text=True)
+    assert done.stderr == "" and done.stdout.startswith("core")

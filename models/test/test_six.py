@@ -1,0 +1,254 @@
+"""Six axes: the truth against products of rotation matrices and itself, the bit-true models against their bounds."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+from quadrance import six, truth_six
+from quadrance.bounds import six as bounds
+from quadrance.cores import RTL, all_cores
+from quadrance.truth_six import Six
+
+CORES = [core for core in all_cores() if core.family == "six" and core.name.startswith("vector")]
+FORWARD = [core for core in CORES if core.function == "fk6"]
+INVERSE = [core for core in CORES if core.function == "ik6"]
+ROBOTS = pytest.mark.parametrize("robot", truth_six.known())
+
+
+def cores(choice):
+    return pytest.mark.parametrize("core", choice, ids=lambda core: core.id)
+
+
+def _about(axis: str, angle: np.ndarray) -> np.ndarray:
+    c, s, zero = np.cos(angle), np.sin(angle), 0 * angle
+    rows = {"z": [[c, -s, zero], [s, c, zero], [zero, zero, zero + 1]],
+            "y": [[c, zero, s], [zero, zero + 1, zero], [-s, zero, c]]}[axis]
+    return np.moveaxis(np.array(rows), -1, 0)
+
+
+def _arm(robot: str, core) -> tuple[Six, Six]:
+    """The robot as large as the core's word: in units, in LSB."""
+    arm, mm = truth_six.load(robot)
+    units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
+    unit = Six(*(length / mm * units / 128 for length in arm))
+    return unit, Six(*(length * 2.0 ** core.params["F"] for length in unit))
+
+
+def _joints(count: int, arm: Six, seed: int) -> np.ndarray:
+    """Joints anywhere; of every third the elbow near its ends, of every seventh the wrist nearly straight."""
+    rng = np.random.default_rng(seed)
+    q = rng.uniform(-np.pi, np.pi, (count, 6))
+    near = rng.choice([-1, 1], (2, count)) * 2.0 ** -rng.uniform(0, 18, (2, count))
+    q[::3, 2] = (np.pi * rng.integers(0, 2, count) + near[0] - arm.psi)[::3]
+    q[::7, 4] = (np.pi * rng.integers(0, 2, count) + near[1])[::7]
+    return q
+
+
+def _words(core, rotation: np.ndarray, tip: np.ndarray) -> tuple[dict, np.ndarray, np.ndarray]:
+    """Pose words of tips within the word, and what they stand for: matrix, tip in LSB."""
+    p = core.params
+    matrix, place = np.rint(rotation * 2.0 ** p["U"]), np.rint(tip)
+    fits = np.all(np.abs(place) < 1 << p["W"] - 1, axis=-1)
+    matrix, place = matrix[fits], place[fits]
+    words = dict(zip((f"in_r{axis}" for axis in six.AXES), matrix.reshape(-1, 9).T.astype(np.int64)))
+    words |= dict(zip(("in_x", "in_y", "in_z"), place.T.astype(np.int64)))
+    return words, matrix / 2.0 ** p["U"], place
+
+
+def _angles(answer: dict, count: int = 6) -> np.ndarray:
+    return np.stack([np.arctan2(answer[f"out_n{i}"], answer[f"out_c{i}"]) for i in range(1, count + 1)], axis=-1)
+
+
+# Truth
+
+
+@ROBOTS
+def test_forward_truth_is_a_product_of_rotations(robot):
+    """Rotations and translations one after the other: Rz q1, Ry q2, Ry q3, Rz q4, Ry q5, Rz q6."""
+    arm, _ = truth_six.load(robot)
+    q = _joints(2000, arm, 1)
+    rotation, tip = truth_six.fk6(q, arm)
+    frame, place = np.eye(3)[None], np.zeros((len(q), 3))
+    steps = [("z", (0, 0, arm.c1)), ("y", (0, 0, arm.c2)), ("y", (arm.a2, 0, arm.c3)), ("z", (0, 0, 0)),
+             ("y", (0, 0, 0)), ("z", (0, 0, arm.c4))]
+    for i, (axis, link) in enumerate(steps):
+        frame = frame @ _about(axis, q[:, i])
+        place = place + frame @ np.array(link)
+        if i == 0:
+            place = place + frame @ np.array((arm.a1, arm.b, 0))
+    assert np.abs(rotation - frame).max() < 1e-13 and np.abs(tip - place).max() < 1e-9
+
+
+@ROBOTS
+def test_inverse_truth_gives_eight_branches(robot):
+    """Every branch gives the pose; one of the eight is where it came from; no two are the same."""
+    arm, _ = truth_six.load(robot)
+    q = np.random.default_rng(2).uniform(-np.pi, np.pi, (2000, 6))
+    rotation, tip = truth_six.fk6(q, arm)
+    found = []
+    for branch in range(8):
+        angles, out = truth_six.ik6(rotation, tip, arm, branch)
+        again = truth_six.fk6(angles, arm)
+        assert np.abs(again[0] - rotation)[~out].max() < 1e-10 and np.abs(again[1] - tip)[~out].max() < 1e-8
+        assert out.mean() < 0.2
+        found.append(np.where(out[:, None], np.nan, angles))
+    off = np.abs(np.angle(np.exp(1j * (np.array(found) - q)))).max(axis=-1)
+    assert np.all(np.nanmin(off, axis=0) < 1e-5)
+    apart = np.nanmin([np.abs(np.exp(1j * a) - np.exp(1j * b)).max(axis=-1)
+                       for i, a in enumerate(found) for b in found[:i]], axis=0)
+    assert np.median(apart) > 0.1
+
+
+# Bit-true models
+
+
+def test_reciprocal_root_of_every_argument():
+    q = np.arange(1 << 16, 1 << 19, dtype=np.int64)
+    word = six._reciprocal(q) / 2.0 ** (six.H - 1)
+    low, high = word * np.sqrt(q / 2.0**18) - 1, word * np.sqrt((q + 1) / 2.0**18) - 1
+    assert 0.6 * 2.0**-16 < max(np.abs(low).max(), np.abs(high).max()) <= bounds.ROOT
+
+
+@ROBOTS
+@cores(FORWARD)
+def test_forward(core, robot):
+    unit, arm = _arm(robot, core)
+    q, p, words = _joints(20_000, arm, 3), core.params, {}
+    for i in range(6):
+        words |= {f"in_{letter}{i + 1}": np.rint(part(q[:, i]) * 2.0 ** p["U"]).astype(np.int64)
+                  for letter, part in (("c", np.cos), ("n", np.sin))}
+    answer = core.model(p, **words, **six.forward_config(p, **unit._asdict()))
+    angles = np.stack([np.arctan2(words[f"in_n{i}"], words[f"in_c{i}"]) for i in range(1, 7)], axis=-1)
+    rotation, tip = truth_six.fk6(angles, arm)
+    end, limit = 1 << p["W"] - 1, bounds.forward_coordinate(p, arm)
+    held = np.clip(tip, -end, end - 1)
+    error = np.abs(np.stack([answer[f"out_{axis}"] for axis in "xyz"], axis=-1) - held).max()
+    assert 0.4 < error <= limit < 1.4
+    matrix = np.stack([answer[f"out_r{axis}"] for axis in six.AXES], axis=-1).reshape(-1, 3, 3)
+    error = np.abs(matrix - rotation * 2.0 ** p["U"]).max()
+    assert 1 < error <= bounds.forward_matrix(p)
+    over, flag = np.abs(tip - (-0.5)).max(axis=-1) - end, answer["out_status"] == 4
+    assert np.all(flag[over > limit]) and not np.any(flag[over < -limit])
+
+
+@ROBOTS
+@cores(INVERSE)
+@pytest.mark.parametrize("branch", range(8))
+def test_inverse(core, robot, branch):
+    """Tip and orientation within their laws, everywhere in reach; 2 LSB and 0.02 degrees where the law says so."""
+    unit, arm = _arm(robot, core)
+    p = core.params
+    words, rotation, tip = _words(core, *truth_six.fk6(_joints(12_000, arm, 4), arm))
+    answer = core.model(p, **words, in_branch=np.int64(branch), **six.config(p, **unit._asdict()))
+    status = answer["out_status"]
+    _, out = truth_six.ik6(rotation, tip, arm, branch)
+    ok = (status & 1 == 0) & ~out
+    again = truth_six.fk6(_angles(answer), arm)
+    off = np.linalg.norm(again[1] - tip, axis=-1)
+    law = bounds.position(p, arm, rotation, tip, branch & 1)
+    assert np.all(off[ok] <= law[ok]) and np.any(off[ok] > 0.08 * law[ok])
+    near = ok & (law <= 2)
+    assert near.mean() > 0.5 and off[near].max() <= 2
+    turned, limit = truth_six.turned(again[0], rotation), bounds.orientation(p, status & 2 > 0)
+    assert np.all(turned[ok] <= limit[ok]) and turned[ok].max() > 0.25 * limit.min()
+    if p["U"] >= 16:
+        assert np.degrees(limit.max()) <= 0.02
+    assert not np.any(status & 8)
+    assert (out != (status & 1 > 0)).mean() < 0.01
+
+
+@ROBOTS
+@cores(INVERSE)
+def test_unreachable_answers_the_nearest_point(core, robot):
+    """Beyond the arm the wrist is on the line from axis 2 to its target, the arm stretched; the matrix is kept."""
+    unit, arm = _arm(robot, core)
+    p, rng = core.params, np.random.default_rng(5)
+    q = rng.uniform(-np.pi, np.pi, (6000, 6))
+    rotation, _ = truth_six.fk6(q, arm)
+    tip = rng.uniform(-1, 1, (6000, 3)) * (1 << p["W"] - 1)
+    words, rotation, tip = _words(core, rotation, tip)
+    answer = core.model(p, **words, in_branch=np.int64(0), **six.config(p, **unit._asdict()))
+    centre = tip - arm.c4 * rotation[..., 2]
+    x = np.sqrt(np.maximum(centre[:, 0] ** 2 + centre[:, 1] ** 2 - arm.b**2, 0)) - arm.a1
+    z = centre[:, 2] - arm.c1
+    r, reach = np.hypot(x, z), arm.c2 + arm.k
+    out = (r > reach + 2) & (np.hypot(*centre[:, :2].T) > abs(arm.b) + 40)
+    assert out.sum() > 1000 and np.all(answer["out_status"][out] == 1)
+    again = truth_six.fk6(_angles(answer), arm)
+    wrist = again[1] - arm.c4 * again[0][..., 2]
+    held = np.hypot(wrist[:, 0], wrist[:, 1])
+    there = np.stack([np.sqrt(np.maximum(held**2 - arm.b**2, 0)) - arm.a1, wrist[:, 2] - arm.c1], axis=-1)
+    nearest = np.stack([x, z], axis=-1) * (reach / r)[:, None]
+    assert np.abs(there - nearest)[out & (nearest[:, 0] + arm.a1 > 40)].max() <= 2
+    assert truth_six.turned(again[0], rotation)[out].max() <= bounds.orientation(p, True)
+
+
+@cores(INVERSE)
+def test_straight_wrist_keeps_joint_4(core):
+    """A regular pose, then straight ones: joint 4 holds its word, joint 6 takes the rest, the orientation is right."""
+    unit, arm = _arm("kr6_r700", core)
+    p = core.params
+    q = np.random.default_rng(6).uniform(-1, 1, (400, 6))
+    q[:, 2] += 1.5
+    q[:, 4] = 0
+    q[::20, 4] = 1
+    words, rotation, tip = _words(core, *truth_six.fk6(q, arm))
+    answer = core.model(p, **words, in_branch=np.int64(0), **six.config(p, **unit._asdict()))
+    straight = answer["out_status"] & 2 > 0
+    bent = np.arange(400) % 20 == 0  # others are as straight as the rounding of the tip lets them be
+    assert len(straight) == 400 and not straight[bent].any() and straight[~bent].mean() > 0.25
+    for letter in "cn":
+        word = answer[f"out_{letter}4"]
+        assert np.array_equal(word[1:][straight[1:]], word[:-1][straight[1:]])
+    again = truth_six.fk6(_angles(answer), arm)
+    assert truth_six.turned(again[0], rotation).max() <= bounds.orientation(p, True)
+    at = np.flatnonzero(straight)[0]
+    after_reset = core.model(p, **{name: word[at:at + 1] for name, word in words.items()}, in_branch=np.int64(0),
+                             **six.config(p, **unit._asdict()))
+    assert (after_reset["out_c4"][0], after_reset["out_n4"][0]) == (1 << p["U"], 0)
+
+
+@cores(INVERSE)
+def test_no_rotation_is_told(core):
+    """A word 48 units off, a mirror image, a stretched matrix, a shear, none; rounded rotations are not told."""
+    unit, arm = _arm("kr6_r700", core)
+    p, cfg = core.params, six.config(core.params, **unit._asdict())
+    words, *_ = _words(core, *truth_six.fk6(np.random.default_rng(7).uniform(-np.pi, np.pi, (500, 6)), arm))
+
+    def told(change: dict) -> np.ndarray:
+        return core.model(p, **(words | change), in_branch=np.int64(0), **cfg)["out_status"] & 8 > 0
+
+    assert not told({}).any()
+    for axis in six.AXES:
+        assert told({f"in_r{axis}": words[f"in_r{axis}"] + 48}).all()
+    assert told({f"in_r{axis}": -words[f"in_r{axis}"] for axis in six.AXES}).all()
+    assert told({f"in_r{axis}": 0 * words[f"in_r{axis}"] for axis in six.AXES}).all()
+    assert told({f"in_r{axis}": words[f"in_r{axis}"] * 1001 // 1000 for axis in six.AXES}).all() or p["U"] < 16
+
+
+# Programs
+
+
+@pytest.mark.parametrize("name", ["six_forward_program", "six_inverse_program"])
+def test_program_reads_what_is_written(name):
+    """No register is read before the second line behind its writer, LAST only behind a written word, NIL by none."""
+    text = (RTL / "six" / f"{name}.v").read_text()
+    lines = [[cell.strip() for cell in cells.split(",")] for cells in re.findall(r"/\* .*? \*/ \{(.*?)\}", text)]
+    address = {key: int(value) for key, value in re.findall(r"(\w+) = 6'd(\d+)", text)}
+    written: dict[str, tuple[int, int]] = {}
+    owner: dict[int, str] = {}
+    act = {"HOLD"}
+    for i, (a_from, a, b_from, b, c, d, total, _keep, *rest) in enumerate(lines):
+        dest, held = (rest[1], rest[2]) if len(rest) == 3 else (rest[0], "")
+        reads = [a] * (a_from == "REG") + [b] * (b_from == "OF") + [c, d] * (total != "LONE")
+        for register in reads:
+            assert register in written, f"line {i}: {register} is not written"
+            assert written[register][0] <= i - 2, f"line {i}: {register} is read too early"
+            assert owner[address[register]] == register, f"line {i}: {register} has been overwritten"
+        if a_from == "LAST":
+            assert lines[i - 1][-1 if len(rest) == 1 else -2] != "NIL" and not act & set(lines[i - 1][-1].split(" | "))
+        if dest != "NIL":
+            written[dest], owner[address[dest]] = (i, address[dest]), dest
+    assert len(lines) > 30

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forward kinematics of an arm as it is built, on unit vectors: vector_fk3 with base height, shoulder offset a, lateral
+// offset b, elbow offset e and an elbow measured from the base. A switch at 0 leaves its part out.
+//   rho, z = x, y of vector_fk2 with L2 + i e for L2, plus a and the base height; x + i y = (rho + i b)(c3 + i n3)
+// Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 u(W-F).F; other cfg_*, out_* s(W-F).F, nearest, saturated.
+// Error: each coordinate within 0.72 LSB of the vectors as they are given, if none is longer than 1.
+// Latency 8, II 8; the schedule is in arm_chain.v. Status: overflow (a coordinate was saturated).
+// Source: rational trigonometry paper, eqs. 24-31 in vector form, with the offsets of real arms. Model: arm.fk3
+`default_nettype none
+module arm_fk3 #(
+    parameter W = 16,        // bits of a coordinate and of a length, 8 to 20: 16 are common in servo control
+    parameter F = 8,         // fraction bits of both, 0 to W - 1; changes no logic: 8 resolve 1/256 unit
+    parameter U = 16,        // fraction bits of cosine and sine, 8 to 18: 16 are what a coordinate of 16 bits needs
+    parameter BASE = 1,      // 0 or 1: base height. 1, as all below: the general arm
+    parameter SHOULDER = 1,  // 0 or 1: shoulder offset, radial
+    parameter LATERAL = 1,   // 0 or 1: the arm's plane passes beside the yaw axis
+    parameter ELBOW = 1,     // 0 or 1: elbow offset, across the forearm
+    parameter ABSOLUTE = 1   // 0 or 1: joint 2 is measured from the base (parallelogram)
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire signed [W-1:0] cfg_base,
+    input  wire signed [W-1:0] cfg_shoulder,
+    input  wire signed [W-1:0] cfg_lateral,
+    input  wire signed [W-1:0] cfg_elbow,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [U+1:0] in_c1,
+    input  wire signed [U+1:0] in_n1,
+    input  wire signed [U+1:0] in_c2,
+    input  wire signed [U+1:0] in_n2,
+    input  wire signed [U+1:0] in_c3,
+    input  wire signed [U+1:0] in_n3,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire signed [W-1:0] out_z,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 8 || W > 20 || F < 0 || F >= W || U < 8 || U > 18 || BASE < 0 || BASE > 1 || SHOULDER < 0
+            || SHOULDER > 1 || LATERAL < 0 || LATERAL > 1 || ELBOW < 0 || ELBOW > 1 || ABSOLUTE < 0
+            || ABSOLUTE > 1) begin : g_illegal
+            arm_fk3_needs_W_from_8_to_20_and_F_below_W_and_U_from_8_to_18_and_switches_of_0_or_1 rule ();
+        end
+    endgenerate
+
+    wire   overflow;
+    assign out_status = {1'b0, overflow, 2'b00};
+    arm_chain #(.W(W), .U(U), .ABSOLUTE(ABSOLUTE)) chain (
+        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_base(cfg_base & {W{BASE != 0}}),
+        .cfg_shoulder(cfg_shoulder & {W{SHOULDER != 0}}), .cfg_lateral(cfg_lateral & {W{LATERAL != 0}}),
+        .cfg_elbow(cfg_elbow & {W{ELBOW != 0}}), .in_valid(in_valid), .in_ready(in_ready), .in_c1(in_c1),
+        .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2), .in_c3(in_c3), .in_n3(in_n3), .out_valid(out_valid),
+        .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_overflow(overflow));
+endmodule
+`default_nettype wire

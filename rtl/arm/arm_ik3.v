@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of an arm as it is built, on unit vectors: base height, shoulder offset a, lateral offset b, elbow
+// offset, elbow measured from the base; both elbows and both sides of the shoulder. A switch at 0 leaves its part out.
+//   rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2), vector_ik2 on (rho - a, z - base)
+// Formats: in_*, cfg_base, cfg_lateral s(W-F).F; cfg_shoulder s(W-F-2).F; out_c*, out_n* s2.U, nearest; other cfg_*:
+// arm.config. Error of the tip: page. Latency, II: 19, 5 more with LATERAL, 2 more with ABSOLUTE.
+// Status: unreachable (nearest point in the plane of the arm is answered), singular (a joint has no direction: joints 1
+// and 3 hold theirs), overflow (z - base saturated).
+// Source: rational trigonometry paper, eqs. 32-40, in vector form, with the offsets of real arms. Model: arm.ik3
+`default_nettype none
+module arm_ik3 #(
+    parameter W = 16,        // bits of a coordinate, 8 to 16: 16, what the kernel's multipliers take
+    parameter F = 8,         // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16,        // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
+    parameter BASE = 1,      // 0 or 1: base height. 1, as all below: the general arm
+    parameter SHOULDER = 1,  // 0 or 1: shoulder offset, radial
+    parameter LATERAL = 1,   // 0 or 1: the arm's plane passes beside the yaw axis
+    parameter ELBOW = 1,     // 0 or 1: elbow offset, joint 2 turned by a constant
+    parameter ABSOLUTE = 1   // 0 or 1: joint 2 is measured from the base (parallelogram)
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire signed [33:0]  cfg_q,
+    input  wire [25:0]         cfg_r,
+    input  wire [3:0]          cfg_e,
+    input  wire signed [W-1:0] cfg_base,
+    input  wire signed [W-3:0] cfg_shoulder,
+    input  wire signed [W-1:0] cfg_lateral,
+    input  wire signed [31:0]  cfg_bb,
+    input  wire signed [U+1:0] cfg_ce,
+    input  wire signed [U+1:0] cfg_ne,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,
+    input  wire                in_elbow,
+    input  wire                in_back,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [U+1:0] out_c1,
+    output wire signed [U+1:0] out_n1,
+    output wire signed [U+1:0] out_c2,
+    output wire signed [U+1:0] out_n2,
+    output wire signed [U+1:0] out_c3,
+    output wire signed [U+1:0] out_n3,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 8 || W > 16 || F < 0 || F >= W || U < 8 || U > 16 || BASE < 0 || BASE > 1 || SHOULDER < 0
+            || SHOULDER > 1 || LATERAL < 0 || LATERAL > 1 || ELBOW < 0 || ELBOW > 1 || ABSOLUTE < 0
+            || ABSOLUTE > 1) begin : g_illegal
+            arm_ik3_needs_W_and_U_from_8_to_16_and_F_below_W_and_switches_of_0_or_1 rule ();
+        end
+    endgenerate
+    wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}}, z = {in_z, {(16-W){1'b0}}};
+    wire signed [15:0] base = {cfg_base, {(16-W){1'b0}}}, lateral = {cfg_lateral, {(16-W){1'b0}}};
+    wire signed [13:0] shoulder = {cfg_shoulder, {(16-W){1'b0}}};
+    wire [2:0]         cosine, sine;
+    wire [23:0]        word;
+    wire               flat, negative, none, to_c, to_n, by1;
+    arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE)) kernel (
+        .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_base(base), .cfg_shoulder(shoulder), .cfg_lateral(lateral),
+        .cfg_bb(cfg_bb), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(in_elbow),
+        .in_back(in_back), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
+        .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none), .out_to_c(to_c), .out_to_n(to_n),
+        .out_by1(by1), .out_status(out_status));
+    arm_vectors #(.U(U), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE)) codec (
+        .clk(clk), .rst(rst), .cfg_ce(cfg_ce), .cfg_ne(cfg_ne), .in_cos(cosine), .in_sin(sine), .in_word(word),
+        .in_flat(flat), .in_negative(negative), .in_none(none), .in_to_c(to_c), .in_to_n(to_n), .in_by1(by1),
+        .out_c({out_c3, out_c2, out_c1}), .out_n({out_n3, out_n2, out_n1}));
+endmodule
+`default_nettype wire

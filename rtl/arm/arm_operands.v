@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operands of the two multipliers of arm_solve and the sum of both products, as kernel_vector_turn for an arm as it is
+// built. out_sum = k1 x + k2 y + in_addend, each product truncated to 2^-3
+//   in_start: k1, k2 and x, y are in_x, in_y; in_rho: k1, x are rho less the shoulder offset, k2, y are z
+//   LATERAL = 0: rho is in_total, in_power: k1, k2 are +-2^15 (2^16 where in_odd), - where in_back, and 0
+//   LATERAL = 1: rho is k2, in_take: k1, k2 are in_length and in_lateral, or where in_near 0 and a power with its sign
+//   in_k1: k1 is in_sum, or if in_clamp that power with its sign; in_k2: k2 is in_product; in_move: k1 is k2;
+//   in_turn: (k1, k2) is (-k2, k1)
+// Formats: in_x, in_y, in_z, in_lateral s16.0; in_shoulder s14.0; in_total s17.4; in_sum, in_product, in_length s18.4;
+// in_addend s34.0; out_sum s34.3. A constant 1 stands behind k1 and k2 as in kernel_vector_turn. Combinational in the
+// registers. Models: vector_solve._turn, arm._radius
+`default_nettype none
+module arm_operands #(
+    parameter LATERAL = 1,  // 0 or 1: the plane of the arm passes beside the yaw axis. 1, the general arm
+    parameter SHOULDER = 1  // 0 or 1, where LATERAL is 1: in_shoulder is subtracted from rho. 1, the general arm
+) (
+    input  wire               clk,
+    input  wire               in_start,
+    input  wire signed [15:0] in_x,
+    input  wire signed [15:0] in_y,
+    input  wire signed [15:0] in_z,
+    input  wire signed [15:0] in_lateral,
+    input  wire signed [13:0] in_shoulder,
+    input  wire               in_rho,
+    input  wire [20:0]        in_total,
+    input  wire               in_take,
+    input  wire               in_near,
+    input  wire [21:0]        in_length,
+    input  wire               in_k1,
+    input  wire               in_k2,
+    input  wire               in_turn,
+    input  wire               in_move,
+    input  wire               in_power,
+    input  wire               in_back,
+    input  wire               in_clamp,
+    input  wire               in_odd,
+    input  wire [21:0]        in_sum,
+    input  wire [21:0]        in_product,
+    input  wire [33:0]        in_addend,
+    output wire [36:0]        out_sum
+);
+    reg         [21:0]    k1, k2;
+    reg                   odd;
+    reg  signed [20:0]    x;
+    reg  signed [15:0]    y, z;
+    wire                  load = in_start || in_rho, power = LATERAL == 0 && in_power, take = LATERAL && in_take;
+    wire                  move = LATERAL == 0 && in_move;
+    wire signed [16:0]    offset = SHOULDER ? {{3{in_shoulder[13]}}, in_shoulder} : 17'd0;
+    wire        [16:0]    radius = k2[20:4] - offset;
+    wire signed [20:0]    rho = LATERAL ? {radius, k2[3:0]} : in_total;
+    wire signed [20:0]    first = in_start ? {in_x[15], in_x, 4'd0} : rho;
+    wire signed [15:0]    second = in_start ? in_y : z;
+    wire                  minus = power ? in_back : in_sum[21];
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire signed [43:0]    product1 = $signed({k1, odd}) * x;
+    wire signed [38:0]    product2 = $signed({k2, odd}) * y;
+    /* verilator lint_on UNUSEDSIGNAL */
+    // The wider product is the later one, so it is added last. Upper bits alone, or Yosys merges both adders at a cost
+    wire        [33:0]    upper = product2[38:5] + in_addend;
+    assign                out_sum = product1[42:6] + {upper, product2[4:2]};
+    wire                  unused = &{1'b0, in_total, in_take, in_near, in_length, in_lateral, in_shoulder, in_move,
+                                     in_power, in_back, k2[21]};
+
+    always @(posedge clk) begin
+        if (in_start)
+            z <= in_z;
+        if (load) begin
+            x <= first;
+            y <= second;
+        end
+        if (load || in_k1 || power || take)
+            odd <= !load;
+        if (load || in_k1 || in_turn || move)
+            k1 <= load ? {first[20], first} : in_k1 ? in_sum : k2 ^ {22{in_turn}};
+        if (take)
+            k1 <= in_length;
+        if (take && in_near)
+            k1 <= 22'd0;
+        if (in_k1 && in_clamp || power)
+            k1 <= {minus, minus || in_odd, !in_odd, 19'd0};
+        if (load || in_k2 || in_turn)
+            k2 <= load ? {{2{second[15]}}, second, 4'd0} : in_k2 ? in_product : k1;
+        if (take)
+            k2 <= in_near ? {in_lateral[15], in_lateral[15] || in_odd, !in_odd, 19'd0}
+                          : {{2{in_lateral[15]}}, in_lateral, 4'd0};
+        if (power)
+            k2 <= 22'd0;
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Signed quotient of a velocity and a length: a rate of V fraction bits, nearest, saturated to W + 2 bits.
+//   out_q = +-(2 |n| 2^V / d + 1) / 2, |n| the one's complement where n < 0; minus where n < 0 is not in_negative
+// Formats: in_n s(N), in_d u(D) of the same LSB; out_q s(W-V+2).V. out_zero: in_d = 0, and out_q is 0.
+// in_start in one clock, out_q ceil((N + V) / R) clocks later. Error: 1/2 LSB, and 1 of in_n where it is negative.
+// Model: arm_velocity._quotient
+`default_nettype none
+module arm_quotient #(
+    parameter W = 16,  // bits of a rate: 16
+    parameter V = 12,  // fraction bits of a rate: 12
+    parameter N = 27,  // bits of the numerator: 27, a velocity inside arm_inverse
+    parameter D = 24,  // bits of the divisor: 24, a length there
+    parameter R = 4    // digits a clock: 4
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_start,
+    input  wire signed [N-1:0] in_n,
+    input  wire                in_negative,
+    input  wire [D-1:0]        in_d,
+    output wire signed [W+1:0] out_q,
+    output wire                out_zero
+);
+    reg          minus;
+    wire         ready, valid;
+    wire [N+V-1:0] digits;
+    wire [D-1:0] rest;
+    divide_iter #(.WN(N-1), .WD(D), .F(V+1), .R(R)) divider (
+        .clk(clk), .rst(rst), .in_valid(in_start), .in_ready(ready), .in_n(in_n[N-2:0] ^ {(N-1){in_n[N-1]}}),
+        .in_d(in_d), .out_valid(valid), .out_ready(1'b1), .out_q(digits), .out_r(rest), .out_div_by_zero(out_zero));
+    wire         unused = &{1'b0, ready, valid, rest};
+    wire [N+V-1:0] near = {1'b0, digits[N+V-1:1]} + {{(N+V-1){1'b0}}, digits[0]};
+    wire [W+1:0] size = out_zero ? {(W+2){1'b0}} : near[N+V-1:W+1] != 0 ? {1'b0, {(W+1){1'b1}}} : near[W+1:0];
+    assign       out_q = minus ? -size : size;
+    always @(posedge clk)
+        if (in_start)
+            minus <= in_n[N-1] ^ in_negative;
+endmodule
+`default_nettype wire

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rates of two joints in the plane from the velocity of the tip: the inverse of the Jacobian.
+//   v' = v (c1 - i n1), e + i f = L2 (c2 + i n2): s = -v'x / f, w1 = (v'y - e s) / L1, w2 = s - w1
+// Formats: in_c*, in_n* s2.U (1.0 is 2^U); in_x ... s(W-F).F in a unit of time, cfg_l1, cfg_l2 u(W-F).F; cfg_sine
+// u1.U; out_w* s(W-V).V, radians in that unit of time, nearest, saturated. Error: law on the page.
+// Latency, II: 7 + 2 D, D = ceil((2 W + 7) / R); the schedule is in arm_inverse.v.
+// Status: singular (|n2| below cfg_sine: that is divided by instead; or a divisor of 0: rate 0), overflow
+// (a rate was saturated). Model: arm_velocity.rates2
+`default_nettype none
+module arm_rates2 #(
+    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18: 16 are common in servo control
+    parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 are what a coordinate of 16 bits needs
+    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and U at most: 12, 8 rad in a unit of time
+    parameter R = 4    // digits of a quotient in a clock, 1 to 5: 4, what 50 MHz leave room for
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire [U:0]          cfg_sine,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [U+1:0] in_c1,
+    input  wire signed [U+1:0] in_n1,
+    input  wire signed [U+1:0] in_c2,
+    input  wire signed [U+1:0] in_n2,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_w1,
+    output wire signed [W-1:0] out_w2,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 8 || W > 18 || F < 0 || F >= W || U < 8 || U > 18 || V < W - 8 || V >= W || V > U || R < 1
+            || R > 5) begin : g_illegal
+            arm_rates2_needs_W_U_from_8_to_18_F_V_below_W_V_from_W_less_8_to_U_R_from_1_to_5 rule ();
+        end
+    endgenerate
+
+    wire [W-1:0] none;
+    wire         unused = &{1'b0, none};
+    arm_inverse #(.JOINTS(2), .W(W), .U(U), .V(V), .R(R)) kernel (
+        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_sine(cfg_sine), .cfg_radius({W{1'b0}}),
+        .in_valid(in_valid), .in_ready(in_ready), .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2),
+        .in_c3({(U+2){1'b0}}), .in_n3({(U+2){1'b0}}), .in_x(in_x), .in_y(in_y), .in_z({W{1'b0}}),
+        .out_valid(out_valid), .out_ready(out_ready), .out_w1(out_w1), .out_w2(out_w2), .out_w3(none),
+        .out_status(out_status));
+endmodule
+`default_nettype wire

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of the unit vectors that arm_solve gives coordinate by coordinate, as unit_vectors; and joint 2 turned by a
+// constant (elbow offset) and by joint 1 (elbow measured from the base):
+//   in_to_c then in_to_n: (c2, n2) turned by (cfg_ce, cfg_ne), or by (c1, n1) with in_by1
+// Formats: in_word s4.20, rounded to U fraction bits; cfg_ce, cfg_ne, out_c, out_n s2.U, joint 1 in the lowest bits.
+// Error of a turn: less than 1 LSB of U by truncation, and 1 LSB times the sine, for ~n stands for -n. After reset
+// (1, 0), but of joint 2, whose words are never held. Latency 1, and 2 for a turn. Models: vector_solve._word, arm.turn
+`default_nettype none
+module arm_vectors #(
+    parameter U = 16,       // fraction bits of cosine and sine, 8 to 16: 16, 0.0009 degrees
+    parameter ELBOW = 1,    // 0 or 1: joint 2 is turned by the constant. 1, the general arm
+    parameter ABSOLUTE = 1  // 0 or 1: joint 2 is turned by joint 1. 1, the general arm
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire signed [U+1:0] cfg_ce,
+    input  wire signed [U+1:0] cfg_ne,
+    input  wire [2:0]          in_cos,
+    input  wire [2:0]          in_sin,
+    input  wire [23:0]         in_word,
+    input  wire                in_flat,
+    input  wire                in_negative,
+    input  wire                in_none,
+    input  wire                in_to_c,
+    input  wire                in_to_n,
+    input  wire                in_by1,
+    output wire [3*(U+2)-1:0]  out_c,
+    output wire [3*(U+2)-1:0]  out_n
+);
+    reg  signed [U+1:0] c1, n1, c2, n2, c3, n3;
+    wire        [U+1:0] word = in_word[21:20-U];
+    assign              out_c = {c3, c2, c1};
+    assign              out_n = {n3, n2, n1};
+
+    // c2 by - n2 by' in the first clock, whose result waits in kept, c2 by' + n2 by in the second
+    localparam         BOTH = ELBOW && ABSOLUTE;
+    wire               turn = ELBOW && !in_by1 || ABSOLUTE && in_by1;
+    wire               by1 = BOTH ? in_by1 : ABSOLUTE != 0;
+    wire signed [U+1:0] c = by1 ? c1 : cfg_ce, n = by1 ? n1 : cfg_ne;
+    wire signed [U+1:0] right1 = in_to_n ? n : c, right2 = in_to_n ? c : ~n;
+    wire signed [2*U+3:0] product1 = c2 * right1, product2 = n2 * right2;
+    wire        [U+2:0] sum = product1[2*U+1:U-1] + product2[2*U+1:U-1] + {{(U+2){1'b0}}, 1'b1};
+    reg         [U+1:0] kept;
+    wire               unused = &{1'b0, in_word, product1, product2, sum[0], in_by1, in_to_c, in_to_n, cfg_ce, cfg_ne};
+    always @(posedge clk) begin
+        if (in_cos[0] && !in_none)
+            c1 <= word;
+        if (in_sin[0] && !in_none)
+            n1 <= word;
+        if (in_cos[2] && !in_none)
+            c3 <= word;
+        if (in_sin[2] && !in_none)
+            n3 <= word;
+        if (in_cos[1])
+            c2 <= in_flat ? {in_negative, 1'b1, {U{1'b0}}} : word;
+        if (in_sin[1])
+            n2 <= word;
+        if (turn && in_to_c)
+            kept <= sum[U+2:1];
+        if (turn && in_to_n) begin
+            c2 <= kept;
+            n2 <= sum[U+2:1];
+        end
+        if (rst) begin
+            c1 <= {2'b01, {U{1'b0}}};
+            n1 <= {(U+2){1'b0}};
+            c3 <= {2'b01, {U{1'b0}}};
+            n3 <= {(U+2){1'b0}};
+        end
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Velocity of the tip of two joints in the plane: the Jacobian times the joints' rates.
+//   v = (-f s + i ((L1 + e) s - L1 w2)) (c1 + i n1), e + i f = L2 (c2 + i n2), s = w1 + w2
+// Formats: in_c*, in_n* s2.U (1.0 is 2^U); in_w* s(W-V).V, radians in a unit of time; cfg_l1, cfg_l2 u(W-F).F; out_*
+// s(W-F).F in that unit of time, nearest, saturated.
+// Error: 0.85 LSB and the rates' own product cut, law on the page. Latency, II: 6; the schedule is in
+// arm_jacobian.v. Status: overflow (a coordinate was saturated). Model: arm_velocity.velocity2
+`default_nettype none
+module arm_velocity2 #(
+    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18: 16 are common in servo control
+    parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 are what a coordinate of 16 bits needs
+    parameter V = 12   // fraction bits of a rate, W - 8 to W - 1 and U at most: 12, 8 rad in a unit of time
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [U+1:0] in_c1,
+    input  wire signed [U+1:0] in_n1,
+    input  wire signed [U+1:0] in_c2,
+    input  wire signed [U+1:0] in_n2,
+    input  wire signed [W-1:0] in_w1,
+    input  wire signed [W-1:0] in_w2,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 8 || W > 18 || F < 0 || F >= W || U < 8 || U > 18 || V < W - 8 || V >= W || V > U) begin : g_illegal
+            arm_velocity2_needs_W_and_U_from_8_to_18_and_F_and_V_below_W_and_V_from_W_less_8_to_U rule ();
+        end
+    endgenerate
+
+    wire   overflow;
+    wire [W-1:0] none;
+    wire   unused = &{1'b0, none};
+    assign out_status = {1'b0, overflow, 2'b00};
+    arm_jacobian #(.JOINTS(2), .W(W), .U(U), .V(V)) kernel (
+        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),
+        .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2), .in_c3({(U+2){1'b0}}), .in_n3({(U+2){1'b0}}),
+        .in_w1(in_w1), .in_w2(in_w2), .in_w3({W{1'b0}}), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x),
+        .out_y(out_y), .out_z(none), .out_overflow(overflow));
+endmodule
+`default_nettype wire

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Velocity of the tip of three joints, the third yawing the plane of the first two: Jacobian times the joints' rates.
+//   x + i y = (v_rho + i rho w3)(c3 + i n3), (v_rho, z) as x, y of arm_velocity2
+// Formats: in_c*, in_n* s2.U (1.0 is 2^U); in_w* s(W-V).V, radians in a unit of time; cfg_l1, cfg_l2 u(W-F).F; out_*
+// s(W-F).F in that unit of time, nearest, saturated.
+// Error: 1.01 LSB and the rates' own product cut, law on the page. Latency, II: 10; the schedule is in
+// arm_jacobian.v. Status: overflow (a coordinate was saturated). Model: arm_velocity.velocity3
+`default_nettype none
+module arm_velocity3 #(
+    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18: 16 are common in servo control
+    parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 are what a coordinate of 16 bits needs
+    parameter V = 12   // fraction bits of a rate, W - 8 to W - 1 and U at most: 12, 8 rad in a unit of time
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [U+1:0] in_c1,
+    input  wire signed [U+1:0] in_n1,
+    input  wire signed [U+1:0] in_c2,
+    input  wire signed [U+1:0] in_n2,
+    input  wire signed [U+1:0] in_c3,
+    input  wire signed [U+1:0] in_n3,
+    input  wire signed [W-1:0] in_w1,
+    input  wire signed [W-1:0] in_w2,
+    input  wire signed [W-1:0] in_w3,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire signed [W-1:0] out_z,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 8 || W > 18 || F < 0 || F >= W || U < 8 || U > 18 || V < W - 8 || V >= W || V > U) begin : g_illegal
+            arm_velocity3_needs_W_and_U_from_8_to_18_and_F_and_V_below_W_and_V_from_W_less_8_to_U rule ();
+        end
+    endgenerate
+
+    wire   overflow;
+    assign out_status = {1'b0, overflow, 2'b00};
+    arm_jacobian #(.JOINTS(3), .W(W), .U(U), .V(V)) kernel (
+        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),
+        .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2), .in_c3(in_c3), .in_n3(in_n3),
+        .in_w1(in_w1), .in_w2(in_w2), .in_w3(in_w3), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x),
+        .out_y(out_y), .out_z(out_z), .out_overflow(overflow));
+endmodule
+`default_nettype wire

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every joint's position of a chain in space of any number of links, each given by its direction in the fixed frame:
+//   (x, y, z) <- (x, y, z) + L (sin p sin t, sin p cos t, cos p), from (0, 0, 0) on; in_last ends a chain
+// It knows no joint word: with out_want the codec reads p, else t; one clock later in_chords holds the two roots as
+// chords (the port of all table codecs, rtl/codec/README.md).
+// Formats: roots odd integers of 2^-(U+1); sums s(W+D+1).G with D = log2 N, G = D + 3, to which products are truncated;
+// outputs to nearest, saturated, while the sums are not. Error beyond that of the roots: 1/2 + 3/16 LSB. Latency and II
+// lines of the table + 1.
+// Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not count.
+// Model: chain.mff
+`default_nettype none
+module kernel_fixed_frame #(
+    parameter W = 16,  // bits of a length and of a coordinate, 15 to 20, W + log2 N at most 23
+    parameter U = 16,  // fraction bits of a root, 13 to 18: 16 keep 64 units of Q7.8 within an LSB
+    parameter N = 32   // links that a chain may have, 2 to 64
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    output wire                out_want,  // the codec reads the word of p at the input; else the one of t, kept
+    input  wire [4*U+22:0]     in_chords,
+    input  wire [W-1:0]        in_l,
+    input  wire                in_last,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output reg  signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output reg  signed [W-1:0] out_z,
+    output wire                out_last,
+    output wire                out_overflow
+);
+    localparam D = $clog2(N), G = D + 3, C = 12;  // bits of a count below N; guard bits; bits of an offset
+    localparam M = W + G, P = W + D + 1 + G;  // bits of a product without its sign, of a sum
+    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and what N products of each sign lose
+
+    // Schedule. start: chords length <- in_j2 in_l
+    localparam [3:0]
+        CHORD = 4'b0001,  // major minor swap <- chords: complete both roots with the two multipliers
+        LEAN  = 4'b0010,  // chords <-: with CHORD: these are the roots of p; the codec has read t
+        RISE  = 4'b0100,  // a z <- major minor length swap: L cos p ends z; a is L sin p
+        LAST  = 4'b1000;  // x y_part <- a major minor swap: a sin t ends x; the product of y waits for the clock after
+    //                 work
+    localparam [4*4-1:0] LINK = {
+        /* roots of p */ {CHORD | LEAN},
+        /* z          */ {RISE},
+        /* roots of t */ {CHORD},
+        /* x, y       */ {LAST}};
+    wire idle, decode, lean, rise, last;
+    wire accept = in_valid && in_ready, taken = out_valid && out_ready;
+    schedule #(.LINES(4), .BITS(4), .TABLE(LINK)) control (.clk(clk), .rst(rst), .in_start(accept),
+        .out_idle(idle), .out_op({last, rise, lean, decode}));
+    assign in_ready = idle && (!out_valid || out_ready);
+    assign out_want = idle;
+
+    wire         minor_n, neg_c, neg_n;
+    wire [U+2:0] major_knot, minor_knot;
+    wire [U-6:0] major_step, minor_step;
+    wire [C-1:0] major_offset, minor_offset;
+    assign {minor_n, neg_c, neg_n, major_step, major_knot, major_offset, minor_step, minor_knot, minor_offset}
+        = in_chords;
+
+    // First multiplier: major root, L cos p, a sin t. Second: minor root, L sin p, a cos t
+    reg  [U-1:0] major, minor;  // without their last bit, which is always 1
+    reg          swap;          // the first multiplier takes the minor root
+    reg  [W-1:0] length;
+    reg  [M-1:0] a;
+    wire [M-1:0] long = {length, {G{1'b0}}} & {M{rise}} | a & {M{!rise && !decode}};
+    wire [M:0]   right1 = {1'b0, long | {{(M-U-1){1'b0}}, major_offset, {(U+1-C){1'b0}}} & {M{decode}}};
+    wire [M:0]   right2 = {1'b0, long | {{(M-U-1){1'b0}}, minor_offset, {(U+1-C){1'b0}}} & {M{decode}}};
+    wire [U+1:0] left1 = decode ? {7'h7f, major_step} : {1'b0, swap ? minor : major, 1'b1};
+    wire [U+1:0] left2 = decode ? {7'd0, minor_step} : {1'b0, swap ? major : minor, 1'b1};
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire signed [M+U+2:0] product1 = $signed(left1) * $signed(right1);
+    wire signed [M+U+2:0] product2 = $signed(left2) * $signed(right2);
+    wire [U+2:0] first = product1[U+1 +: U+3] + major_knot, second = product2[U+1 +: U+3] + minor_knot;
+    /* verilator lint_on UNUSEDSIGNAL */
+
+    // z, then x, then y through one adder; they change places. A sign is that of a one's complement
+    reg  [P-1:0] sum0, sum1, sum2;
+    reg  [M-1:0] y_part;
+    reg          down, back, left;  // signs of cos p, of sin p sin t and sin p cos t; down also of sin p, before
+    wire         negative = out_valid ? back : last ? left : down;
+    wire [M-1:0] part = (out_valid ? y_part : product1[U+1 +: M]) ^ {M{negative}};
+    wire [P-1:0] sum = sum0 + {{(P-M){negative}}, part};
+    wire         over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};
+    reg          over_before;
+    assign       out_y = over ? {sum[P-1], {(W-1){!sum[P-1]}}} : sum[W+G-1:G];
+
+    // Links of the chain so far, N at most
+    reg  [D:0]   links;
+    reg          ends, beyond;
+    wire         full = links == N;
+    assign       out_last = ends;
+    assign       out_overflow = over || over_before || beyond;
+
+    always @(posedge clk) begin
+        if (accept) begin
+            length <= in_l;
+            ends   <= in_last;
+            beyond <= full;
+            links  <= links + {{D{1'b0}}, !full};
+        end
+        if (accept && full)
+            length <= {W{1'b0}};
+        if (decode) begin
+            major <= first[U+2:3];
+            minor <= second[U+2:3];
+            swap  <= minor_n ^ lean;
+            down  <= neg_c;
+            back  <= lean ? neg_n : neg_c ^ back;
+            left  <= lean ? neg_n : neg_n ^ left;
+        end
+        if (rise) begin
+            a     <= product2[U+1 +: M];
+            out_z <= out_y;
+        end
+        if (last) begin
+            y_part <= product2[U+1 +: M];
+            out_x  <= out_y;
+        end
+        if (rise || last)
+            over_before <= over || (last && over_before);
+        if (rise || last || taken) begin
+            sum0 <= sum1;
+            sum1 <= sum2;
+            sum2 <= sum;
+        end
+        out_valid <= last || (out_valid && !out_ready);
+        if (rst || (accept && in_last))
+            links <= {(D+1){1'b0}};
+        if (rst || (taken && ends)) begin
+            sum0 <= HALF;
+            sum1 <= HALF;
+            sum2 <= HALF;
+        end
+        if (rst)
+            out_valid <= 1'b0;
+    end
+endmodule
+`default_nettype wire

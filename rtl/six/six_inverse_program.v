@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Program of vector_ik6: a pose to the six unit vectors of one branch, in sums of two products and five roots.
+//   p = tip - l4 z; rho; joint 1 = direction of (+-rho, b) to p; gap = |p'|^2 - l2^2 - k^2; cosine and sine
+//   of the elbow (ce, ne) with its angle psi; joint 2; M = R03' R; joint 4 = direction of (m13, m23); joint 6
+// Registers have the names of their words, ports I_; lN are the lengths c1 to c4. Line: word = A * B [+- C * D], DEST,
+// and what else is done with it. One line a clock; a register is read from the second line behind its writer on.
+// Model: six.ik6
+`default_nettype none
+module six_inverse_program (
+    input  wire        clk,
+    input  wire        rst,
+    input  wire        in_start,
+    output wire        out_idle,
+    output wire        out_done,
+    output wire [46:0] out_op
+);
+    localparam [1:0] REG = 2'd0, PORT = 2'd1, LAST = 2'd2, TABLE = 2'd3;
+    localparam       OF = 1'b0, BY = 1'b1;
+    localparam [5:0] NIL = 6'd0, PLUS = 6'b100000, MINUS = 6'b100100, BACK = 6'b100001, DOWN = 6'b100010,
+        FLIP = 6'b100011, SLOPE = 6'd0, POWER = 6'd1, FOUR = 6'd2, TWICE = 6'd3;
+    localparam [1:0] LONE = 2'b00, ADD = 2'b10, SUB = 2'b11;
+    localparam       DONE = 1'b0, KEEP = 1'b1;
+    localparam [1:0] HIGH = 2'd0, LOW = 2'd1, MID = 2'd2;
+    localparam [8:0] OTHER = 9'h000, FOLD = 9'h001, MORE = 9'h002, WRIST = 9'h004, ABOVE = 9'h008, ROOT = 9'h010,
+        HOLD = 9'h020, FAR = 9'h040, CLAMP = 9'h080, CHECK = 9'h100;
+    localparam [5:0]
+        C1 = 6'd2, N1 = 6'd3, C2 = 6'd4, N2 = 6'd5, C3 = 6'd6, N3 = 6'd7, C4 = 6'd8, N4 = 6'd9, C5 = 6'd10,
+        N5 = 6'd11, C6 = 6'd12, N6 = 6'd13, R13 = 6'd14, He = 6'd14, R32 = 6'd14, R23 = 6'd15, M4 = 6'd15,
+        W1 = 6'd15, L4 = 6'd16, XX = 6'd16, Gd = 6'd16, Ge = 6'd16, T4 = 6'd16, W2 = 6'd16, B = 6'd17, NB = 6'd17,
+        Tc = 6'd17, MA = 6'd17, R21 = 6'd17, PX = 6'd18, K1 = 6'd18, M23 = 6'd18, PY = 6'd19, NAU = 6'd19,
+        Gc = 6'd19, MB = 6'd19, M13U = 6'd19, R22 = 6'd19, Q = 6'd20, Ta = 6'd20, X0 = 6'd20, X1 = 6'd20,
+        NBU = 6'd20, S0 = 6'd20, MAU = 6'd20, M23U = 6'd20, R12 = 6'd20, R33 = 6'd21, Ga = 6'd22, PZ = 6'd22,
+        U3 = 6'd22, L2 = 6'd23, NN = 6'd23, TT = 6'd23, CE = 6'd23, N23 = 6'd23, K = 6'd24, MBU = 6'd24, R31 = 6'd24,
+        NA = 6'd25, YY = 6'd25, K2 = 6'd25, C23 = 6'd25, PSI = 6'd26, R11 = 6'd26, Gb = 6'd27, NE = 6'd27,
+        M13 = 6'd27, W3 = 6'd28;
+    localparam [5:0]
+        I_R11 = 6'd0, I_R12 = 6'd1, I_R13 = 6'd2, I_R21 = 6'd3, I_R22 = 6'd4, I_R23 = 6'd5, I_R31 = 6'd6,
+        I_R32 = 6'd7, I_R33 = 6'd8, I_X = 6'd9, I_Y = 6'd10, I_Z = 6'd11, I_A1 = 6'd12, I_B = 6'd13, I_L1 = 6'd14,
+        I_L2 = 6'd15, I_L4 = 6'd16, I_K = 6'd17, I_PC = 6'd18, I_PSI = 6'd19, I_RR = 6'd20, I_E = 6'd21,
+        I_UNIT = 6'd22;
+    //                        A             B          C     D     sum   keep  align dest  act
+    localparam [92*47-1:0] LINES = {
+        /* r13               */ {PORT, I_R13,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, R13,  OTHER},
+        /* r23               */ {PORT, I_R23,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, R23,  OTHER},
+        /* l4                */ {PORT, I_L4,   BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, L4,   OTHER},
+        /* b                 */ {PORT, I_B,    BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, B,    OTHER},
+        /* px                */ {PORT, I_X,    BY, PLUS,  L4,   R13,  SUB,  DONE, HIGH, PX,   OTHER},
+        /* py                */ {PORT, I_Y,    BY, PLUS,  L4,   R23,  SUB,  DONE, HIGH, PY,   OTHER},
+        /* px^2 - b^2        */ {REG, PX,      OF, PX,    B,    B,    SUB,  KEEP, HIGH, NIL,  OTHER},
+        /* rho^2             */ {REG, PY,      OF, PY,    NIL,  NIL,  LONE, DONE, HIGH, Q,    FOLD | ABOVE},
+        /* r33               */ {PORT, I_R33,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, R33,  OTHER},
+        /* rho^2 4^j         */ {REG, Q,       BY, FOUR,  NIL,  NIL,  LONE, DONE, LOW,  NIL,  ROOT},
+        /* rho^2 2^j         */ {REG, Q,       BY, TWICE, NIL,  NIL,  LONE, DONE, LOW,  Ta,   OTHER},
+        /* 1 / root          */ {TABLE, NIL,   BY, SLOPE, NIL,  NIL,  LONE, DONE, MID,  Ga,   OTHER},
+        /* x0                */ {LAST, NIL,    OF, Ta,    NIL,  NIL,  LONE, DONE, HIGH, X0,   OTHER},
+        /* z - l4 r33        */ {PORT, I_Z,    BY, PLUS,  L4,   R33,  SUB,  KEEP, HIGH, NIL,  OTHER},
+        /* pz                */ {PORT, I_L1,   BY, MINUS, NIL,  NIL,  LONE, DONE, HIGH, PZ,   OTHER},
+        /* -a1               */ {PORT, I_A1,   BY, MINUS, NIL,  NIL,  LONE, KEEP, HIGH, NIL,  OTHER},
+        /* x                 */ {REG, X0,      BY, BACK,  NIL,  NIL,  LONE, DONE, HIGH, XX,   OTHER},
+        /* l2                */ {PORT, I_L2,   BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, L2,   OTHER},
+        /* k                 */ {PORT, I_K,    BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, K,    OTHER},
+        /* x^2 - l2^2        */ {REG, XX,      OF, XX,    L2,   L2,   SUB,  KEEP, HIGH, NIL,  OTHER},
+        /* gap               */ {REG, PZ,      OF, PZ,    K,    K,    SUB,  DONE, HIGH, NN,   FAR},
+        /* x1                */ {REG, X0,      BY, BACK,  NIL,  NIL,  LONE, DONE, HIGH, X1,   OTHER},
+        /* gap r             */ {PORT, I_RR,   OF, NN,    NIL,  NIL,  LONE, DONE, HIGH, TT,   OTHER},
+        /* x1 px + b py      */ {REG, X1,      OF, PX,    B,    PY,   ADD,  DONE, HIGH, NA,   FOLD},
+        /* ce                */ {PORT, I_E,    OF, TT,    NIL,  NIL,  LONE, DONE, LOW,  CE,   CLAMP},
+        /* x1 py - b px      */ {REG, X1,      OF, PY,    B,    PX,   SUB,  DONE, HIGH, NB,   MORE},
+        /* k1                */ {PORT, I_L2,   BY, PLUS,  K,    CE,   ADD,  DONE, HIGH, K1,   OTHER},
+        /* NA up             */ {REG, NA,      BY, POWER, NIL,  NIL,  LONE, DONE, LOW,  NAU,  OTHER},
+        /* NB up             */ {REG, NB,      BY, POWER, NIL,  NIL,  LONE, DONE, LOW,  NBU,  OTHER},
+        /* 1 - ce^2          */ {PORT, I_UNIT, BY, PLUS,  CE,   CE,   SUB,  DONE, HIGH, YY,   FOLD},
+        /* qb                */ {REG, NAU,     OF, NAU,   NBU,  NBU,  ADD,  DONE, HIGH, NIL,  ROOT},
+        /* 1 - ce^2 2^j      */ {REG, YY,      BY, TWICE, NIL,  NIL,  LONE, DONE, LOW,  Tc,   OTHER},
+        /* psi               */ {PORT, I_PSI,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, PSI,  OTHER},
+        /* 1 / root          */ {TABLE, NIL,   BY, SLOPE, NIL,  NIL,  LONE, DONE, MID,  Gb,   OTHER},
+        /* c1                */ {LAST, NIL,    OF, NAU,   NIL,  NIL,  LONE, DONE, HIGH, C1,   HOLD},
+        /* n1                */ {REG, Gb,      OF, NBU,   NIL,  NIL,  LONE, DONE, HIGH, N1,   HOLD},
+        /* 1 - ce^2 4^j      */ {REG, YY,      BY, FOUR,  NIL,  NIL,  LONE, DONE, LOW,  NIL,  ROOT},
+        /* 1 / root          */ {TABLE, NIL,   BY, SLOPE, NIL,  NIL,  LONE, DONE, MID,  Gc,   OTHER},
+        /* s0                */ {LAST, NIL,    OF, Tc,    NIL,  NIL,  LONE, DONE, HIGH, S0,   OTHER},
+        /* ne                */ {LAST, NIL,    BY, DOWN,  NIL,  NIL,  LONE, DONE, HIGH, NE,   OTHER},
+        /* k2                */ {LAST, NIL,    OF, K,     NIL,  NIL,  LONE, DONE, HIGH, K2,   OTHER},
+        /* c3                */ {PORT, I_PC,   OF, CE,    NE,   PSI,  ADD,  DONE, HIGH, C3,   OTHER},
+        /* k1 z + k2 x       */ {REG, K1,      OF, PZ,    K2,   XX,   ADD,  DONE, HIGH, MA,   FOLD},
+        /* k1 x - k2 z       */ {REG, K1,      OF, XX,    K2,   PZ,   SUB,  DONE, HIGH, MB,   MORE},
+        /* n3                */ {PORT, I_PC,   OF, NE,    CE,   PSI,  SUB,  DONE, HIGH, N3,   OTHER},
+        /* MA up             */ {REG, MA,      BY, POWER, NIL,  NIL,  LONE, DONE, LOW,  MAU,  OTHER},
+        /* MB up             */ {REG, MB,      BY, POWER, NIL,  NIL,  LONE, DONE, LOW,  MBU,  OTHER},
+        /* u3                */ {REG, C1,      OF, R13,   N1,   R23,  ADD,  DONE, HIGH, U3,   OTHER},
+        /* qd                */ {REG, MAU,     OF, MAU,   MBU,  MBU,  ADD,  DONE, HIGH, NIL,  ROOT},
+        /* 1 / root          */ {TABLE, NIL,   BY, SLOPE, NIL,  NIL,  LONE, DONE, MID,  Gd,   OTHER},
+        /* c2                */ {LAST, NIL,    OF, MAU,   NIL,  NIL,  LONE, DONE, HIGH, C2,   HOLD},
+        /* n2                */ {REG, Gd,      OF, MBU,   NIL,  NIL,  LONE, DONE, HIGH, N2,   HOLD},
+        /* m23               */ {REG, C1,      OF, R23,   N1,   R13,  SUB,  DONE, HIGH, M23,  FOLD | WRIST},
+        /* c23               */ {REG, C2,      OF, C3,    N2,   N3,   SUB,  DONE, HIGH, C23,  OTHER},
+        /* n23               */ {REG, N2,      OF, C3,    C2,   N3,   ADD,  DONE, HIGH, N23,  OTHER},
+        /* r11               */ {PORT, I_R11,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, R11,  OTHER},
+        /* m13               */ {REG, C23,     OF, U3,    N23,  R33,  SUB,  DONE, HIGH, M13,  MORE | WRIST},
+        /* r21               */ {PORT, I_R21,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, R21,  OTHER},
+        /* M13 up            */ {REG, M13,     BY, POWER, NIL,  NIL,  LONE, DONE, LOW,  M13U, OTHER},
+        /* M23 up            */ {REG, M23,     BY, POWER, NIL,  NIL,  LONE, DONE, LOW,  M23U, OTHER},
+        /* r31               */ {PORT, I_R31,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, R31,  OTHER},
+        /* qe                */ {REG, M13U,    OF, M13U,  M23U, M23U, ADD,  DONE, HIGH, NIL,  ROOT},
+        /* 1 / root          */ {TABLE, NIL,   BY, SLOPE, NIL,  NIL,  LONE, DONE, MID,  Ge,   OTHER},
+        /* its sign          */ {LAST, NIL,    BY, FLIP,  NIL,  NIL,  LONE, DONE, HIGH, He,   OTHER},
+        /* n4                */ {LAST, NIL,    OF, M23U,  NIL,  NIL,  LONE, DONE, HIGH, N4,   HOLD},
+        /* c4                */ {REG, He,      OF, M13U,  NIL,  NIL,  LONE, DONE, HIGH, C4,   HOLD},
+        /* -n4               */ {REG, N4,      BY, MINUS, NIL,  NIL,  LONE, DONE, HIGH, M4,   OTHER},
+        /* -n4 c23           */ {LAST, NIL,    OF, C23,   NIL,  NIL,  LONE, DONE, HIGH, T4,   OTHER},
+        /* r12               */ {PORT, I_R12,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, R12,  OTHER},
+        /* r22               */ {PORT, I_R22,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, R22,  OTHER},
+        /* r32               */ {PORT, I_R32,  BY, PLUS,  NIL,  NIL,  LONE, DONE, HIGH, R32,  OTHER},
+        /* w1                */ {REG, T4,      OF, C1,    C4,   N1,   SUB,  DONE, HIGH, W1,   OTHER},
+        /* w2                */ {REG, T4,      OF, N1,    C4,   C1,   ADD,  DONE, HIGH, W2,   OTHER},
+        /* w3                */ {REG, N4,      OF, N23,   NIL,  NIL,  LONE, DONE, HIGH, W3,   OTHER},
+        /* n6, two of 3      */ {REG, W1,      OF, R11,   W2,   R21,  ADD,  KEEP, HIGH, NIL,  OTHER},
+        /* n6                */ {REG, W3,      OF, R31,   NIL,  NIL,  LONE, DONE, HIGH, N6,   OTHER},
+        /* c6, two of 3      */ {REG, W1,      OF, R12,   W2,   R22,  ADD,  KEEP, HIGH, NIL,  OTHER},
+        /* c6                */ {REG, W3,      OF, R32,   NIL,  NIL,  LONE, DONE, HIGH, C6,   OTHER},
+        /* r11 r12 + r21 r22 */ {REG, R11,     OF, R12,   R21,  R22,  ADD,  KEEP, HIGH, NIL,  OTHER},
+        /* skew              */ {REG, R31,     OF, R32,   NIL,  NIL,  LONE, DONE, HIGH, NIL,  CHECK},
+        /* r11^2 - 1         */ {PORT, I_UNIT, BY, MINUS, R11,  R11,  ADD,  KEEP, HIGH, NIL,  OTHER},
+        /* column 1          */ {REG, R21,     OF, R21,   R31,  R31,  ADD,  DONE, HIGH, NIL,  CHECK},
+        /* r12^2 - 1         */ {PORT, I_UNIT, BY, MINUS, R12,  R12,  ADD,  KEEP, HIGH, NIL,  OTHER},
+        /* column 2          */ {REG, R22,     OF, R22,   R32,  R32,  ADD,  DONE, HIGH, NIL,  CHECK},
+        /* -r13              */ {PORT, I_R13,  BY, MINUS, NIL,  NIL,  LONE, KEEP, HIGH, NIL,  OTHER},
+        /* cross 1           */ {REG, R21,     OF, R32,   R31,  R22,  SUB,  DONE, HIGH, NIL,  CHECK},
+        /* -r23              */ {PORT, I_R23,  BY, MINUS, NIL,  NIL,  LONE, KEEP, HIGH, NIL,  OTHER},
+        /* cross 2           */ {REG, R31,     OF, R12,   R11,  R32,  SUB,  DONE, HIGH, NIL,  CHECK},
+        /* -r33              */ {PORT, I_R33,  BY, MINUS, NIL,  NIL,  LONE, KEEP, HIGH, NIL,  OTHER},
+        /* cross 3           */ {REG, R11,     OF, R22,   R21,  R12,  SUB,  DONE, HIGH, NIL,  CHECK},
+        /* c5                */ {REG, N23,     OF, U3,    C23,  R33,  ADD,  DONE, HIGH, C5,   OTHER},
+        /* n5                */ {REG, C4,      OF, M13,   N4,   M23,  ADD,  DONE, HIGH, N5,   OTHER}};
+    engine_program #(.LINES(92), .BITS(47), .TABLE(LINES)) control (
+        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(out_op));
+endmodule
+`default_nettype wire

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of six joints in unit vectors, one of eight branches, for an arm with an ortho-parallel base and a
+// spherical wrist. Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_c*,
+// out_n* cos and sin of a joint, s2.U, nearest; cfg_*: six.config.
+//   in_branch[0]: the shoulder looks back; [1]: sin(q3 + psi) < 0; [2]: sin q5 < 0
+// Error: page. Latency, II: 95.
+// Status: unreachable (nearest answer), singular (joint 1, 2 or 4 has no direction: its last one is held, (1, 0) after
+// a reset; the others take the rest), bit 3: the matrix is no rotation, by 16 units of 2^-U.
+// Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6
+`default_nettype none
+module vector_ik6 #(
+    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, a range of 128 units
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18: 16, 0.0009 degrees
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire signed [W+3:0] cfg_a1,
+    input  wire signed [W+3:0] cfg_b,
+    input  wire signed [W+3:0] cfg_c1,
+    input  wire signed [W+3:0] cfg_c2,
+    input  wire signed [W+3:0] cfg_c4,
+    input  wire signed [W+3:0] cfg_k,
+    input  wire signed [26:0]  cfg_cp,
+    input  wire signed [26:0]  cfg_np,
+    input  wire [24:0]         cfg_r,
+    input  wire [21:0]         cfg_e,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [U+1:0] in_r11,
+    input  wire signed [U+1:0] in_r12,
+    input  wire signed [U+1:0] in_r13,
+    input  wire signed [U+1:0] in_r21,
+    input  wire signed [U+1:0] in_r22,
+    input  wire signed [U+1:0] in_r23,
+    input  wire signed [U+1:0] in_r31,
+    input  wire signed [U+1:0] in_r32,
+    input  wire signed [U+1:0] in_r33,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,
+    input  wire [2:0]          in_branch,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output wire signed [U+1:0] out_c1,
+    output wire signed [U+1:0] out_n1,
+    output wire signed [U+1:0] out_c2,
+    output wire signed [U+1:0] out_n2,
+    output wire signed [U+1:0] out_c3,
+    output wire signed [U+1:0] out_n3,
+    output wire signed [U+1:0] out_c4,
+    output wire signed [U+1:0] out_n4,
+    output wire signed [U+1:0] out_c5,
+    output wire signed [U+1:0] out_n5,
+    output wire signed [U+1:0] out_c6,
+    output wire signed [U+1:0] out_n6,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18) begin : g_illegal
+            vector_ik6_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18 rule ();
+        end
+    endgenerate
+
+    wire        idle, done;
+    wire        accept = in_valid && in_ready;
+    wire [46:0] op;
+    assign      in_ready = idle && (!out_valid || out_ready);
+    six_inverse_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+        .out_op(op));
+
+    // Ports as words of the engine
+    reg  [9*U+17:0]  matrix;
+    reg  [3*W-1:0]   tip;
+    reg  [2:0]       signs;
+    wire [6*W+23:0]  lengths = {cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1};
+    wire [23*27-1:0] words;
+    wire [26:0]      port, word;
+    wire [5:0]       dest;
+    assign words[18*27 +: 5*27] = {27'h2000000, 5'd0, cfg_e, 2'd0, cfg_r, cfg_np, cfg_cp};
+    genvar i;
+    generate
+        for (i = 0; i < 9; i = i + 1) begin : g_matrix
+            assign words[27*i +: 27] = {matrix[(U+2)*i +: U+2], {(25-U){1'b0}}};
+        end
+        for (i = 0; i < 3; i = i + 1) begin : g_tip
+            assign words[27*(9+i) +: 27] = {{2{tip[W*i+W-1]}}, tip[W*i +: W], {(25-W){1'b0}}};
+        end
+        for (i = 0; i < 6; i = i + 1) begin : g_length
+            assign words[27*(12+i) +: 27] = {{2{lengths[(W+4)*i+W+3]}}, lengths[(W+4)*i +: W+4], {(21-W){1'b0}}};
+        end
+    endgenerate
+    engine_ports #(.COUNT(23)) operands (.clk(clk), .in_words(words), .in_select(op[43:39]), .out_word(port));
+    product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_op(op),
+        .in_port(port), .in_signs(signs), .out_word(word), .out_dest(dest), .out_status(out_status));
+    engine_results #(.COUNT(12), .U(U)) joints (.clk(clk), .in_word(word), .in_dest(dest), .out_words({out_n6, out_c6,
+        out_n5, out_c5, out_n4, out_c4, out_n3, out_c3, out_n2, out_c2, out_n1, out_c1}));
+
+    always @(posedge clk) begin
+        if (accept) begin
+            matrix <= {in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11};
+            tip    <= {in_z, in_y, in_x};
+            signs  <= in_branch;
+        end
+        out_valid <= !rst && (done || out_valid && !out_ready);
+    end
+endmodule
+`default_nettype wire

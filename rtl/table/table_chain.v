@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every joint's position of a chain of any number of links, streamed from the base: a link in, a position out.
+//   (x, y) <- (x, y) + L (cos j, sin j) with j the sum of the joint words so far; in_last ends a chain
+// SPACE = 1: (rho, z) for (x, y), x = rho cos j0, y = rho sin j0, where j0, the yaw, is the first word of the chain.
+// Formats: in_j1 angle of A bits; in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, nearest, saturated (the sums are not).
+// Error of a coordinate: 0.57 + 1.63 (L1 + ... + Lk) / 2^16 LSB after k links, lengths in LSB; in space z 0.57 + 1.06
+// times that, x and y 0.60 + 2.11 times.
+// Latency 3 + SPACE, II 2 a link: the first clock of a link is the last of one before it.
+// Status: overflow (a coordinate or rho was saturated; or the chain has had N links before, this one does not count).
+// Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions.
+// Model: chain.table_chain
+`default_nettype none
+module table_chain #(
+    parameter SPACE = 0,  // 1: the chain's first word is its yaw, 0: a planar chain, without out_z
+    parameter W = 16,     // bits of a coordinate and of a length, 15 to 20: 16 are common in servo control
+    parameter F = 8,      // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
+    parameter A = 18,     // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter N = 32      // links that a chain may have beside its yaw, 2 to 64: a snake has 32
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire [A-1:0]        in_j1,
+    input  wire [W-1:0]        in_l,
+    input  wire                in_last,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_y,
+    output wire signed [W-1:0] out_z,
+    output wire                out_last,
+    output wire [3:0]          out_status
+);
+    generate
+        if (SPACE < 0 || SPACE > 1 || W < 15 || W > 20 || F < 0 || F >= W || A < 10 || A > 24 || N < 2 || N > 64)
+        begin : g_illegal
+            table_chain_needs_SPACE_0_or_1_W_from_15_to_20_F_below_W_A_from_10_to_24_and_N_from_2_to_64 rule ();
+        end
+    endgenerate
+
+    localparam K = W + 1;  // fraction bits of a root
+    localparam C = (W + 3) / 2 + (SPACE > 0 ? 1 : 0), T = A < C + 1 ? A - 1 : C;  // address bits of its table
+
+    reg  [A-1:0]      base;  // sum of the joint words of the chain
+    reg  [T-1:0]      upper;
+    wire [A-1:0]      word = base + in_j1;
+    wire              read, kept, yaw, overflow;
+    wire [2*K-T+19:0] chord;
+    assign            out_status = {1'b0, overflow, 2'b00};
+    always @(posedge clk) begin
+        if (!kept)
+            upper <= word[A-1:A-T];
+        if (in_valid && in_ready)
+            base <= word;
+        if (rst || (in_valid && in_ready && (in_last || yaw)))
+            base <= {A{1'b0}};
+    end
+    angle_chord #(.A(A), .K(K), .T(T)) codec (.clk(clk), .in_read(read), .in_keep(kept), .in_cos(!kept),
+        .in_j({kept ? upper : word[A-1:A-T], word[A-T-1:0]}), .out_chord(chord));
+    generate
+        if (SPACE == 0) begin : g_plane
+            assign yaw = 1'b0;
+            assign out_z = {W{1'b0}};
+            kernel_link_sum #(.W(W), .K(K), .T(T), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
+                .in_ready(in_ready), .out_read(read), .out_kept(kept), .in_chord(chord), .in_l(in_l),
+                .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y),
+                .out_last(out_last), .out_overflow(overflow));
+        end else begin : g_space
+            kernel_link_space #(.W(W), .K(K), .T(T), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
+                .in_ready(in_ready), .out_read(read), .out_kept(kept), .out_yaw(yaw), .in_chord(chord), .in_l(in_l),
+                .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y),
+                .out_z(out_z), .out_last(out_last), .out_overflow(overflow));
+        end
+    endgenerate
+endmodule
+`default_nettype wire

@@ -1,0 +1,87 @@
+"""Corners of rtl/arm: arms with every constant at its ends, targets at every border, both elbows, both shoulders."""
+
+from __future__ import annotations
+
+import numpy as np
+from quadrance import arm
+from quadrance.cores import Core
+from quadrance.fixed import to_fixed
+
+from tb.lib import stimulus
+from tb.lib.stimulus import Vectors
+from tb.rational import stimulus as rational
+from tb.vector.stimulus import directions
+
+
+def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
+    """Lengths and constants: none, the greatest of both signs, ordinary ones."""
+    return _inverse(core, rng) if core.function == "arm_ik3" else _forward(core, rng)
+
+
+def _forward(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
+    rows = [[port.high for port in core.cfg], [port.low for port in core.cfg], [0] * len(core.cfg)]
+    for scale in (1, 4, 4, 16):
+        rows.append([int(rng.integers(port.low // scale, port.high // scale, endpoint=True)) for port in core.cfg])
+    rows.append([{"cfg_sine": 0, "cfg_radius": 0}.get(port.name, port.high // 8) for port in core.cfg])  # no threshold
+    return [dict(zip((port.name for port in core.cfg), row)) for row in rows]
+
+
+def _inverse(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
+    p, f = core.params, core.params["F"]
+    high, half = (1 << p["W"]) - 1, 1 << p["W"] - 1
+    links = [(high, high), (0, 0), (high, 1), (1, 1), (3 << f, 2 << f), (256 & high, 256 & high),
+             (half // 4, half // 5), (half // 4, half // 4), *rng.integers(1, half // 2, (4, 2)).tolist()]
+    ends = {"cfg_base": half, "cfg_shoulder": half // 4, "cfg_lateral": half}
+    found = []
+    for i, (l1, l2) in enumerate(links):
+        reach = 4 * half if i in (0, 2) else min(l1 + l2 + 4, half)
+        more = {name: int(np.clip(rng.integers(-reach, reach) // 2, 1 - end, end - 1)) for name, end in ends.items()}
+        if i in (1, 4):
+            more = {name: 0 for name in ends}
+        turn = rng.uniform(-np.pi, np.pi) * (i != 4)
+        more |= {"cfg_ce": int(to_fixed(np.cos(turn), p["U"])), "cfg_ne": int(to_fixed(-np.sin(turn), p["U"]))}
+        found.append({"cfg_l1": l1, "cfg_l2": l2} | arm.config(p, cfg_l1=l1, cfg_l2=l2, **more))
+    return [{port.name: words[port.name] for port in core.cfg} for words in found]
+
+
+def corners(core: Core, cfg: dict[str, int]) -> Vectors:
+    """Directed inputs of one core; samples without a direction follow and precede regular ones, and come first."""
+    rng = np.random.default_rng(1)
+    if core.function == "arm_fk3":
+        return stimulus.joined(directions(core, rng), stimulus.saturation(core, cfg))
+    return _targets(core, cfg, rng) if core.function == "arm_ik3" else _motions(core, rng)
+
+
+def _motions(core: Core, rng: np.random.Generator) -> Vectors:
+    """Directions as of rtl/vector with extreme, small and no rates or velocities; stretched and folded arms."""
+    found = directions(core, rng)
+    count, one = found["in_c1"].size, 1 << core.params["U"]
+    straight = rng.random(count) < 0.3
+    found["in_c2"][straight] = rng.choice([one, -one], straight.sum())
+    found["in_n2"][straight] = rng.integers(-3, 4, straight.sum())
+    for port in core.inputs:
+        if port.type is None:
+            words = np.where(rng.random(count) < 0.3, rng.choice(stimulus.extremes(port), count),
+                             rng.integers(port.low, port.high, count, endpoint=True))
+            found[port.name] = words >> np.where(rng.random(count) < 0.4, rng.integers(0, port.width, count), 0)
+    return found
+
+
+def _targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
+    """Targets of `tb.rational`, as they are and about the shoulder; the yaw axis, the circle of the lateral offset."""
+    p, half = core.params, 1 << core.params["W"] - 1
+    found = rational.targets(core, cfg, rng)
+    x, y, z = (found[f"in_{axis}"] for axis in "xyz")
+    base, shoulder, lateral = (cfg[f"cfg_{name}"] for name in ("base", "shoulder", "lateral"))
+    back, yaw = rng.integers(0, 2, x.size), rng.uniform(-np.pi, np.pi, x.size)
+    radius = np.hypot(x, y) * np.where(back, -1, 1) + shoulder * p["SHOULDER"]
+    far = np.hypot(radius, lateral * p["LATERAL"])
+    circle = np.abs(lateral) + rng.integers(-2, 3, x.size)  # next to the circle nearer than which nothing is reached
+    far = np.where(rng.random(x.size) < 0.2, circle, far)
+    moved = [np.rint(far * np.cos(yaw)), np.rint(far * np.sin(yaw)), z + base * p["BASE"]]
+    moved = [np.clip(word, -half, half - 1).astype(np.int64) for word in moved]
+    axis = rng.random(x.size) < 0.05
+    moved[0][axis], moved[1][axis] = 0, 0
+    joined = [np.concatenate(pair) for pair in zip((x, y, z), moved)]
+    return {"in_x": joined[0], "in_y": joined[1], "in_z": joined[2], "in_elbow": rng.integers(0, 2, 2 * x.size),
+            "in_back": np.concatenate([rng.integers(0, 2, x.size), back])}

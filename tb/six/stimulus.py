@@ -1,0 +1,95 @@
+"""Corners of rtl/six: poses of both robots on all branches, every singularity, out of reach, matrices that are none."""
+
+from __future__ import annotations
+
+import numpy as np
+from quadrance import codecs, six, truth_six
+from quadrance.cores import Core, joints
+from quadrance.truth_six import Six
+
+from tb.lib import stimulus
+from tb.lib.stimulus import Vectors
+
+EIGHTH = np.pi / 4
+
+
+def arms(core: Core) -> list[Six]:
+    """The robots of the library as large as the word, a plain arm, offsets of either sign, and lengths of zero."""
+    units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
+    found = []
+    for name in truth_six.known():
+        arm, mm = truth_six.load(name)
+        found.append(Six(*(length / mm * units / 128 for length in arm)))
+    share = [(0, 0, 0, 0.1, 0.25, 0.25, 0.1), (-0.05, 0.1, -0.125, -0.1, 0.2, 0.3, -0.2), (0.1, 0, 0.3, 0, 0.4, 0.1, 0),
+             (0, 0, 0, 0, 0, 0, 0), (0.01, 0, 0.01, 0.01, 0.01, 0.005, 0.01)]
+    return found + [Six(*(units * part for part in one)) for one in share]
+
+
+def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
+    """Words of `arms`; then the extremes of every length."""
+    words = six.forward_config if core.function.startswith("fk6") else six.config
+    found = [words(core.params, **arm._asdict()) for arm in arms(core)]
+    lengths = {port.name: (port.low, port.high) for port in core.cfg if port.signed and port.width < 27}
+    return found + [found[0] | {name: both[way] for name, both in lengths.items()} for way in (0, 1)]
+
+
+def _arm(core: Core, cfg: dict[str, int]) -> Six:
+    """The arm of configuration words."""
+    lsb = 2.0 ** -(core.params["F"] + six.MORE)
+    length = {name: cfg.get(f"cfg_{name}", 0) * lsb for name in ("a1", "a2", "b", "c1", "c2", "c3", "c4")}
+    if "cfg_k" in cfg:
+        length["a2"], length["c3"] = (cfg["cfg_k"] * lsb * cfg[f"cfg_{part}"] / six.ONE for part in ("np", "cp"))
+    return Six(**length)
+
+
+def angles(count: int, rng: np.random.Generator) -> np.ndarray:
+    """Joints (count, 6): anywhere, in eighths of a turn, next to them log-uniform."""
+    q = rng.uniform(-np.pi, np.pi, (count, 6))
+    axis = EIGHTH * rng.integers(0, 8, q.shape)
+    near = axis + rng.choice([-1, 1], q.shape) * 2.0 ** -rng.uniform(0, 20, q.shape)
+    return np.choose(rng.integers(0, 3, q.shape), [q, axis, near])
+
+
+def poses(core: Core, cfg: dict[str, int], q: np.ndarray, rng: np.random.Generator) -> Vectors:
+    """Words of the poses of joints, each on a random branch; tips beyond the word are at its end."""
+    p = core.params
+    rotation, tip = truth_six.fk6(q, _arm(core, cfg))
+    end = (1 << p["W"] - 1) - 1
+    matrix = np.rint(rotation.reshape(-1, 9).T * 2.0 ** p["U"])
+    words = {f"in_r{axis}": row for axis, row in zip(six.AXES, matrix)}
+    words |= {f"in_{axis}": np.clip(np.rint(tip[:, i] * 2.0 ** p["F"]), -end - 1, end) for i, axis in enumerate("xyz")}
+    return {name: word.astype(np.int64) for name, word in words.items()} | {"in_branch": rng.integers(0, 8, len(q))}
+
+
+def corners(core: Core, cfg: dict[str, int]) -> Vectors:
+    """Forward: all borders and vectors of any length. Inverse: poses, half of them disturbed in one way or another."""
+    rng = np.random.default_rng(1)
+    if core.function.startswith("fk6"):
+        q, found = angles(400, rng), {}
+        for i, joint in enumerate(joints(core.inputs)):
+            found |= codecs.encode(joint, q[:, i])
+        wild = stimulus.uniform(core, rng, 200)
+        extreme = {port.name: rng.choice(stimulus.extremes(port), 100) for port in core.inputs}
+        return stimulus.joined(stimulus.joined(found, wild), extreme)
+    q = angles(600, rng)
+    q[::5, 4] = np.pi * rng.integers(0, 2, q[::5, 4].shape)  # straight wrist
+    found = poses(core, cfg, q, rng)
+    own = rng.random(600) < 0.5
+    for axis in "xyz":  # another tip: out of reach, near axis 1, the wrist's centre on the shoulder
+        other = rng.integers(-(1 << core.params["W"] - 1), 1 << core.params["W"] - 1, 600) >> rng.integers(
+            0, core.params["W"], 600)
+        found[f"in_{axis}"] = np.where(own | (rng.random(600) < 0.3), found[f"in_{axis}"], other)
+    slack = six.slack(core.params) - six.H + core.params["U"]  # of 2^-U
+    for axis in six.AXES:  # matrices just within the threshold, just beyond, and none at all
+        off = rng.integers(-1, 2, 600) << rng.integers(0, slack + 3, 600)
+        found[f"in_r{axis}"] = found[f"in_r{axis}"] + np.where(rng.random(600) < 0.04, off, 0)
+    for port in core.inputs:
+        found[port.name] = np.where(rng.random(600) < 0.003, rng.choice(stimulus.extremes(port), 600), found[port.name])
+    # first of all a sample with no direction at all: the wrist's centre on the shoulder, a straight wrist
+    q0, arm = np.zeros((2, 6)), _arm(core, cfg)
+    first = poses(core, cfg, q0, rng)
+    lsb = 2.0 ** core.params["F"]
+    first |= {"in_x": first["in_x"] * 0, "in_y": first["in_y"] * 0,
+              "in_z": np.full(2, np.clip(round((arm.c1 + arm.c4) * lsb), -(1 << core.params["W"] - 1),
+                                         (1 << core.params["W"] - 1) - 1))}
+    return stimulus.joined(first, found)
