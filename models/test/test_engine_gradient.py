@@ -115,8 +115,9 @@ def test_bad_inputs_and_the_sample_behind_them(core: cores.Core) -> None:
     p = core.params
     cfg = arm(p)
     goal, start = reachable(p, cfg, 1, 5), words(p, [[-100, 30]])
+    long = arm(p, 0.2, 2) | {"cfg_alpha": (2 << p["W"]) - 1, "cfg_shift": 0}  # a gain of 3.1
     for change, iterations in (({"cfg_tol": 0, "cfg_limit": 7}, 7), ({"cfg_tol": 64, "cfg_limit": 0}, 0),
-                               ({"cfg_tol": 64, "cfg_limit": 50, "cfg_alpha": (2 << p["W"]) - 1, "cfg_shift": 0}, 50)):
+                               (long | {"cfg_tol": 64, "cfg_limit": 50}, 50)):
         answer = run(p, goal, start, cfg | change)
         assert answer["out_status"] == 8 and answer["out_iters"] == iterations
     line = np.array([[cfg["cfg_l1"], 0]])
