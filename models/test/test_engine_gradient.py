@@ -128,6 +128,20 @@ def test_bad_inputs_and_the_sample_behind_them(core: cores.Core) -> None:
     assert twice["out_j1"][0] == twice["out_j1"][1] and twice["out_j2"][0] == twice["out_j2"][1]
 
 
+@EACH
+def test_the_last_step_is_what_moved_the_joints(core: cores.Core) -> None:
+    """From the answer of one limit to that of the next; nothing where no step was taken."""
+    p = core.params
+    cfg = arm(p) | {"cfg_tol": 0}
+    goal, start = reachable(p, cfg, 20, 6), np.tile(words(p, (-100, 30)), (20, 1))
+    answers = [run(p, goal, start, cfg | {"cfg_limit": limit}) for limit in range(6)]
+    assert not answers[0]["out_d1"].any() and not answers[0]["out_d2"].any()
+    for old, new in zip(answers, answers[1:]):
+        mask, both = 2 ** p["A"] - 1, new["out_d1"] + new["out_d2"]
+        assert np.all(old["out_j1"] + both & mask == new["out_j1"]) and both.any()
+        assert np.all(old["out_j2"] + new["out_d2"] & mask == new["out_j2"])
+
+
 def test_an_arm_too_short_for_its_word_is_refused() -> None:
     p = CORES[0].params
     with pytest.raises(ValueError, match="finer unit"):

@@ -57,7 +57,7 @@ def gd(p: Params, *, in_x: Ints, in_y: Ints, in_j1: Ints, in_j2: Ints, in_warm: 
                                               cfg_tol, cfg_limit)))
     x, y, j1, j2, warm, l1, l2, step, shift, tol, limit = (np.atleast_1d(column) for column in columns)
     size, mask = x.size, (1 << p["A"]) - 1
-    joints, out = np.zeros((2, size), dtype=np.int64), np.zeros((4, size), dtype=np.int64)
+    joints, out = np.zeros((2, size), dtype=np.int64), np.zeros((6, size), dtype=np.int64)
     # samples that start by themselves at once; then those behind them that start from their answers, and so on
     index = np.arange(size)
     depth = index - np.maximum.accumulate(np.where(warm == 0, index, -1))
@@ -67,6 +67,7 @@ def gd(p: Params, *, in_x: Ints, in_y: Ints, in_j1: Ints, in_j2: Ints, in_warm: 
         th1, th2 = (np.where(own, given[at], np.where(at > 0, answer[at - 1], 0))
                     for given, answer in ((j1, joints[0]), (j2, joints[1])))
         fine, count = np.ones(at.size, dtype=np.int64), np.zeros(at.size, dtype=np.int64)
+        last = np.zeros((2, at.size), dtype=np.int64)
         while at.size:
             square, e1, e2 = _pass(p, fine, th1, th2, *(column[at] for column in (x, y, l1, l2, step, shift)))
             wide = (fine == 1) & (square >> 2 * p["W"] - 3 != 0)
@@ -74,16 +75,18 @@ def gd(p: Params, *, in_x: Ints, in_y: Ints, in_j1: Ints, in_j2: Ints, in_warm: 
             stop = done | (count == limit[at]) & ~wide
             where = at[stop]
             joints[:, where] = th1[stop], th2[stop]
-            out[:, where] = count[stop], square[stop], 1 - fine[stop], 8 * ~done[stop]
+            out[:, where] = count[stop], square[stop], 1 - fine[stop], 8 * ~done[stop], *last[:, stop]
             moves = ~wide
             th1 = np.where(moves, th1 + e1 + e2, th1) & mask
             th2 = np.where(moves, th2 + e2, th2) & mask
+            last = np.where(moves, wrap(np.stack([e1, e2]), p["A"]), last)
             count = count + moves
             fine = ints(~wide & ((fine == 1) | (square >> 2 * p["W"] - 13 == 0)))
+            last = last[:, ~stop]
             at, th1, th2, fine, count = at[~stop], th1[~stop], th2[~stop], fine[~stop], count[~stop]
     shape = columns[0].shape
-    return {name: row.reshape(shape) for name, row in zip(
-        ("out_j1", "out_j2", "out_iters", "out_error", "out_coarse", "out_status"), (*joints, *out))}
+    names = ("j1", "j2", "iters", "error", "coarse", "status", "d1", "d2")
+    return {f"out_{name}": row.reshape(shape) for name, row in zip(names, (*joints, *out))}
 
 
 def degrees(p: Params, word: Ints) -> np.ndarray:

@@ -10,7 +10,7 @@ module engine_quaternion_gd_props #(parameter W = 16, F = 8, A = 24) (
     input [W:0] cfg_alpha, input [21:0] cfg_tol, input [9:0] cfg_limit, input [A-1:0] in_j1, in_j2
 );
     wire in_ready, out_valid, out_coarse;
-    wire [A-1:0] out_j1, out_j2;
+    wire [A-1:0] out_j1, out_j2, out_d1, out_d2;
     wire [9:0] out_iters;
     wire [2*W-1:0] out_error;
     wire [3:0] out_status;
@@ -26,8 +26,8 @@ module engine_quaternion_gd_props #(parameter W = 16, F = 8, A = 24) (
     wire [11:0] step = \dut.control.step ;
     wire        counts = !\dut.wide ;
 
-    wire [2*A+2*W+14:0] result = {out_j1, out_j2, out_iters, out_error, out_coarse, out_status};
-    reg  [2*A+2*W+14:0] result_before;
+    wire [4*A+2*W+14:0] result = {out_d1, out_d2, out_j1, out_j2, out_iters, out_error, out_coarse, out_status};
+    reg  [4*A+2*W+14:0] result_before;
     reg  [32:0] cfg_before;
     wire [32:0] cfg = {cfg_shift, cfg_limit, cfg_tol};
     always @(posedge clk) begin
