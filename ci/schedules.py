@@ -174,6 +174,8 @@ def latency_problems(core: Core, lines: set[int]) -> list[str]:
 
     Clocks that it shares with the sample before it (II below latency) are none of the table's lines.
     """
+    if core.latency is None:
+        return []
     gives = min(lines, default=0) + 1 + core.latency - core.ii
     if len(lines) == 1 and core.latency % gives:
         return [f"{core.id}: cores.toml says latency {core.latency}, its table of {min(lines)} lines gives {gives}"]

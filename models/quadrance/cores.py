@@ -22,6 +22,7 @@ TYPES = {"spread": ("j", 2, False), "angle": ("j", 0, False), "vector": ("cn", 2
          "half_tangent": ("j", 2, False)}
 PORTS = ("cfg", "in", "out")
 FUNCTION_KEYS = {"model", *PORTS, "status"}
+VARIES = "varies"  # the latency of a core that stops when it is done
 CORE_KEYS = {"architecture", "latency", "ii", "illegal", "sets"}
 
 
@@ -62,8 +63,8 @@ class Core:
     architecture: str
     set_id: str
     params: dict[str, int]
-    latency: int
-    ii: int
+    latency: int | None  # None: it varies from sample to sample
+    ii: int | None
     sources: tuple[Path, ...]
     cfg: tuple[Port, ...]
     inputs: tuple[Port, ...]
@@ -227,7 +228,7 @@ def expand(family: str, function: str, shared: dict, name: str, own: dict,
                              for port in _ports(kind, key, spec, params, where)) for kind in PORTS}
         if status is not None:
             ports["out"] += (Port("out_status", 4, False),)
-        latency = formula(own["latency"], params, f"{where}: latency")
+        latency = None if own["latency"] == VARIES else formula(own["latency"], params, f"{where}: latency")
         cores.append(Core(
             name=name, family=family, function=function, architecture=own["architecture"], set_id=set_id, params=params,
             latency=latency, ii=formula(own["ii"], params, f"{where}: ii") if "ii" in own else latency,

@@ -7,6 +7,7 @@ from quadrance import engine_rus
 from quadrance.cores import Core
 from quadrance.parallel import geometry, reconfiguration
 
+from tb.engine import gradient
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
@@ -21,7 +22,9 @@ def words_of(core: Core, name: str) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Each robot with its own words, then extremes and some at random."""
+    """Each robot with its own words, then extremes and some at random; of a gradient engine those of gradient.py."""
+    if core.model_name == "iterative.fixed.gd":
+        return gradient.configs(core, rng)
     robots = [words_of(core, name) for name in SCALE]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
     return [*robots, *edges, *({port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}
@@ -61,6 +64,8 @@ def _mixed(loads: list[dict[str, int]], samples: Vectors, rng: np.random.Generat
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Poses of a robot behind its geometry; then joints on their axes, and geometry and poses at the ends of words."""
+    if core.model_name == "iterative.fixed.gd":
+        return gradient.corners(core, cfg)
     rng = np.random.default_rng(1)
     name = next((one for one in SCALE
                  if words_of(core, one) == cfg), "rus_2x3")

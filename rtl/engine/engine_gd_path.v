@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two multipliers of engine_quaternion_gd: from chords of both links to the tip's error E, its square, and the steps of
+// the joints. J is never formed: with link i as the vector (xi, yi) and (ax, ay) = alpha E, link i asks for
+// ei = xi ay - yi ax; joint 2 moves by e2, joint 1 by e1 + e2.
+// Formats: chords of angle_chord, root sQ1.K; links in 1/2 LSB; E in 1/64 LSB; fine: its W + 2 lower bits, saturated at
+// 2^(W-5) LSB, else 1/4 LSB, saturated at 2^(W-1) LSB; squares in 1/256 LSB^2, not fine in LSB^2. All truncated.
+// Operands are in registers, so a product is there in the clock after the line that names its factors.
+`default_nettype none
+module engine_gd_path #(
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20
+    parameter A = 24,  // bits of a joint word, 16 to 24
+    parameter K = 17,  // fraction bits of a root: W + 1
+    parameter T = 10   // address bits of its table: a step has K - T + 4 bits
+) (
+    input  wire                clk,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire [W:0]          cfg_alpha,
+    input  wire                in_shift,    // steps are a fourth
+    input  wire                in_fine,     // the range of E
+    input  wire                in_still,    // a step is 0
+    input  wire [11:0]         in_op,       // columns of the table in engine_quaternion_gd.v
+    input  wire [2*K-T+19:0]   in_chord,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output reg  [A-1:0]        out_step,    // of the products of two clocks before
+    output reg  [2*W-1:0]      out_square
+);
+    localparam N = W + 9, O = W + 2;  // bits of an error, of an operand
+    localparam CUT = 2 * W - A;       // bits of a product below a step
+
+    wire [1:0] left_op, right_op;
+    wire       first, second, tip, clear, square;
+    wire [2:0] unused_op;
+    assign {left_op, right_op, unused_op, square, clear, tip, second, first} = in_op;
+
+    // products
+    reg  signed [O-1:0]   al, ar, bl, br;
+    wire signed [2*O-1:0] a = al * ar, b = bl * br;
+
+    // chord to root
+    wire [K:0]     knot;
+    wire [K-T+3:0] rise;
+    wire [14:0]    offset;
+    assign {knot, rise, offset} = in_chord;
+    reg  [K:0]     base;
+    wire [O-1:0]   root = base + a[15+:O];
+
+    // links: the last four of x1 y1 x2 y2
+    reg [O-1:0] x1, y1, x2, y2;
+
+    // error
+    reg  signed [N-1:0] e, back;
+    wire [N-1:0]        from = first ? {{3{in_x[W-1]}}, in_x, 6'd0} : second ? {{3{in_y[W-1]}}, in_y, 6'd0} : back;
+    wire                over = in_fine ? e[N-1:W+1] != {8{e[N-1]}} : e[N-1:W+5] != {4{e[N-1]}};
+    wire [O-1:0]        f = over ? {e[N-1], {(O-1){!e[N-1]}}} : in_fine ? e[W+1:0] : e[W+5:4];
+    reg  [O-1:0]        ax;
+
+    // step
+    reg  signed [A+4:0] exact;
+    always @* case ({in_fine, in_shift})
+        2'd0: out_step = exact[A-1:0];
+        2'd1: out_step = exact[A+1:2];
+        2'd2: out_step = exact[A+3:4];
+        default: out_step = {exact[A+4], exact[A+4:6]};
+    endcase
+
+    wire unused = &{1'b0, unused_op, a[14:0], b[3:0]};
+    always @(posedge clk) begin
+        base <= knot;
+        ax   <= a[W+1+:O];
+        case (left_op)
+            2'b00: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
+            2'b01: al <= y1;
+            2'b10: al <= y2;
+            default: al <= {1'b0, cfg_alpha};
+        endcase
+        case (left_op)
+            2'b00: bl <= root;
+            2'b01: bl <= x1;
+            2'b10: bl <= x2;
+            default: bl <= f;
+        endcase
+        if (left_op != 2'b10) begin
+            ar <= left_op == 2'b00 ? {{(O-15){1'b0}}, offset} : left_op == 2'b01 ? ax : f;
+            case (right_op)
+                2'b00: br <= {2'd0, cfg_l1};
+                2'b01: br <= {2'd0, cfg_l2};
+                2'b10: br <= f;
+                default: br <= a[W+1+:O];
+            endcase
+        end
+        if (first || second || tip)
+            {x1, y1, x2, y2} <= {y1, x2, y2, b[W+:O]};
+        e      <= from - b[W-5+:N];
+        back <= e;
+        if (clear)
+            out_square <= {2*W{1'b0}};
+        else if (square)
+            out_square <= out_square + {1'b0, b[4+:2*W-1]};
+        exact <= in_still ? {(A+5){1'b0}} : {b[2*O-1], b[2*O-1:CUT]} - {a[2*O-1], a[2*O-1:CUT]};
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of two joints in the plane by quaternion gradient descent: theta <- theta + alpha E J, with the
+// tip's error E and the Jacobian J. It stops when |E|^2 < cfg_tol, or after cfg_limit steps.
+// Formats: in_j1, in_j2, out_j1, out_j2 angle of A bits, joint 2 relative to link 1; in_x, in_y sQ(W-F).F;
+// cfg_l1, cfg_l2 uQ(W-F).F; cfg_alpha, cfg_shift from iterative.fixed.config; cfg_tol and out_error in 1/256 LSB^2 (with
+// out_coarse in LSB^2); out_d1, out_d2 sA: the last step moved joint 1 by their sum, joint 2 by out_d2. in_warm: start
+// from the last answer, 0 after reset, not from in_j1, in_j2.
+// Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.05 + 3.0 (L1 + L2) / 2^(W+1) LSB, lengths in LSB.
+// Latency 12 a pass less 1, II the same. Passes: out_iters + 1, and those that only change the range.
+// Status: not converged (the limit was reached: out of reach, alpha too great, or a start along the arm).
+// Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd
+`default_nettype none
+module engine_quaternion_gd #(
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
+    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
+    parameter A = 24   // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
+) (
+    input  wire           clk,
+    input  wire           rst,
+    input  wire [W-1:0]   cfg_l1,
+    input  wire [W-1:0]   cfg_l2,
+    input  wire [W:0]     cfg_alpha,
+    input  wire           cfg_shift,
+    input  wire [21:0]    cfg_tol,
+    input  wire [9:0]     cfg_limit,
+    input  wire           in_valid,
+    output wire           in_ready,
+    input  wire [W-1:0]   in_x,
+    input  wire [W-1:0]   in_y,
+    input  wire [A-1:0]   in_j1,
+    input  wire [A-1:0]   in_j2,
+    input  wire           in_warm,
+    output reg            out_valid,
+    input  wire           out_ready,
+    output wire [A-1:0]   out_j1,
+    output wire [A-1:0]   out_j2,
+    output wire [9:0]     out_iters,
+    output wire [2*W-1:0] out_error,
+    output wire           out_coarse,
+    output reg  [A-1:0]   out_d1,
+    output reg  [A-1:0]   out_d2,
+    output wire [3:0]     out_status
+);
+    generate
+        if (W < 14 || W > 20 || F < 0 || F >= W || A < 16 || A > 24) begin : g_illegal
+            engine_quaternion_gd_needs_W_from_14_to_20_and_F_below_W_and_A_from_16_to_24 rule ();
+        end
+    endgenerate
+
+    // Schedule. start: th1 th2 x y iters fine <-
+    localparam [1:0]            // operands of the two multipliers
+        NONE   = 2'b00,         // - <- -: nothing
+        CHORD  = 2'b00,         // left right <- chord: a chord, and the root of the one before
+        LINK1  = 2'b01,         // left right <- link1 ax: of link 1 and alpha E
+        LINK2  = 2'b10,         // left right <- link2 ax: of link 2 and alpha E
+        ERROR  = 2'b11;         // left right <- e fine: alpha and an error, and its square
+    localparam [1:0]            // right operand of the second
+        L1     = 2'b00,         // - <- -: length of link 1
+        L2     = 2'b01,         // - <- -: length of link 2
+        E      = 2'b10,         // - <- e fine: an error
+        ALPHA  = 2'b11;         // - <- ax: alpha times the error of y
+    localparam [9:0]            // the rest
+        COS    = 10'h001,       // chord <- th1: read the cosine of joint 1
+        SIN    = 10'h000,       // chord both <- th1 th2: read the sine of joint 1
+        COS12  = 10'h003,       // chord <- both: read the cosine of both joints
+        SIN12  = 10'h002,       // chord <- both: read the sine of both joints
+        X      = 10'h004,       // e link1 <- x left right: x, less a product
+        Y      = 10'h008,       // e link1 <- y left right: y, less a product
+        TIP    = 10'h010,       // e link2 <- e left right: the error, less a product
+        CLEAR  = 10'h020,       // s <- -: the squares begin
+        SQUARE = 10'h040,       // s ax <- left right s: add a square
+        STOP   = 10'h080,       // step <- left right s fine: stop here if converged or at the limit
+        MOVE1  = 10'h100,       // th1 step <- th1 step left right: joint 1 by what its own link asks for
+        MOVE2  = 10'h300;       // th1 th2 iters fine <- th1 th2 step s fine: both by what link 2 asks for
+    localparam [14*12-1:0] PASS = {
+        /* read c1         */ {NONE,  L1,    COS},
+        /* read s1         */ {CHORD, L1,    SIN},
+        /* read c12; c1    */ {CHORD, L1,    COS12},
+        /* read s12; L1 c1 */ {CHORD, L1,    SIN12 | X},
+        /* L1 s1           */ {CHORD, L2,    Y},
+        /* L2 c12: Ex      */ {CHORD, L2,    TIP},
+        /* L2 s12: Ey      */ {ERROR, E,     TIP | CLEAR},
+        /* Ex^2, alpha Ex  */ {ERROR, E,     SQUARE},
+        /* Ey^2, alpha Ey  */ {LINK1, ALPHA, SQUARE},
+        /* e1; stop?       */ {LINK2, ALPHA, STOP},
+        /* e2              */ {NONE,  L1,    MOVE1},
+        /* joints          */ {NONE,  L1,    MOVE2}};
+    wire [13:0] op;
+    wire        idle, cosine, both, stop, move1, move2, halt;
+    wire        accept = in_valid && in_ready;
+    assign      {move2, move1, stop} = op[9:7];
+    assign      {both, cosine} = op[1:0];
+    assign      in_ready = idle && (!out_valid || out_ready);
+    schedule #(.LINES(12), .BITS(14), .TABLE(PASS)) control (.clk(clk), .rst(rst || halt), .in_start(accept || move2),
+        .out_idle(idle), .out_op(op));
+
+    // joints
+    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a root, address bits of its table
+    reg  [A-1:0]       th1, th2, th12;
+    wire [A-1:0]       step;
+    wire [2*K-T+19:0]  chord;
+    assign out_j1 = th1;
+    assign out_j2 = th2;
+    angle_chord #(.A(A), .K(K), .T(T)) codec (.clk(clk), .in_read(1'b1), .in_keep(1'b0), .in_cos(cosine),
+        .in_j(both ? th12 : th1), .out_chord(chord));
+    always @(posedge clk) begin
+        th12 <= th1 + th2;
+        if (accept ? !in_warm : move1)
+            th1 <= accept ? in_j1 : th1 + step;
+        if (accept ? !in_warm : move2)
+            th2 <= accept ? in_j2 : th2 + step;
+        if (rst) begin
+            th1 <= {A{1'b0}};
+            th2 <= {A{1'b0}};
+        end
+    end
+
+    // error, steps
+    reg  [W-1:0]   x, y;
+    reg            fine;
+    wire [2*W-1:0] s;
+    wire           wide = fine && s[2*W-1:2*W-3] != 0;  // may be saturated: the pass does not count
+    engine_gd_path #(.W(W), .A(A), .K(K), .T(T)) path (.clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),
+        .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_still(wide), .in_op(op[13:2]),
+        .in_chord(chord), .in_x(x), .in_y(y), .out_step(step), .out_square(s));
+
+    // end
+    reg  [9:0] iters;
+    reg        failed;
+    wire       done = fine && s[2*W-1:22] == 0 && s[21:0] < cfg_tol;
+    assign     halt = stop && (done || (iters == cfg_limit && !wide));
+    assign     out_iters = iters;
+    assign     out_error = s;
+    assign     out_coarse = !fine;
+    assign     out_status = {failed, 3'b000};
+    always @(posedge clk) begin
+        if (accept) begin
+            x     <= in_x;
+            y     <= in_y;
+            fine  <= 1'b1;
+            iters <= 10'd0;
+        end else if (move2) begin
+            fine  <= !wide && (fine || s[2*W-1:2*W-13] == 0);
+            iters <= iters + {9'd0, !wide};
+        end
+        if (accept) begin
+            out_d1 <= {A{1'b0}};
+            out_d2 <= {A{1'b0}};
+        end else if (move1 && !wide) begin
+            if (move2)
+                out_d2 <= step;
+            else
+                out_d1 <= step;
+        end
+        if (halt)
+            failed <= !done;
+        out_valid <= !rst && (halt || (out_valid && !out_ready));
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,19 @@
+// What the contract of a gradient engine does not depend on: steps and chords of any value. The square is any value
+// too, but it stands where no line of the table changes it.
+module engine_gd_path #(parameter W = 16, A = 24, K = 17, T = 10) (
+    input clk, input [W-1:0] cfg_l1, cfg_l2, input [W:0] cfg_alpha, input in_shift, in_fine, in_still,
+    input [11:0] in_op, input [2*K-T+19:0] in_chord, input [W-1:0] in_x, in_y,
+    output [A-1:0] out_step, output reg [2*W-1:0] out_square
+);
+    (* anyseq *) wire [A-1:0] step;
+    (* anyseq *) wire [2*W-1:0] square;
+    assign out_step = step;
+    always @(posedge clk) if (in_op[4] || in_op[3]) out_square <= square;
+endmodule
+
+module angle_chord #(parameter A = 18, K = 17, T = 9, DROP = 0) (
+    input clk, in_read, in_keep, in_cos, input [A-1:0] in_j, output [2*K-T+19+(DROP>0):0] out_chord
+);
+    (* anyseq *) wire [2*K-T+19+(DROP>0):0] chord;
+    assign out_chord = chord;
+endmodule
