@@ -152,7 +152,7 @@ def test_the_list_is_in_order():
                 assert (port.type is not None) == joint, core.id
 
 
-JOINT_PORTS = {f"{letter}{i}" for letter in "jcn" for i in (1, 2, 3)}
+JOINT_PORTS = {f"{letter}{i}" for letter in "jcn" for i in range(1, 7)}
 
 
 def test_latencies_follow_the_parameters():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 
 from quadrance.arms import Arm
 from quadrance.cores import Core, Joint, joints
@@ -51,7 +52,14 @@ def configure(core: Core, **lengths: int) -> dict[str, int]:
         derive = getattr(importlib.import_module(f"quadrance.{module}"), "config", None)
         if derive is None:
             raise ValueError(f"{core.id}: quadrance.{module} has no config() for {missing}")
+        try:
+            inspect.signature(derive).bind(core.params, **lengths)
+        except TypeError:
+            raise ValueError(f"{core.id}: {missing} follow from more than two links; see quadrance.{module}.config"
+                             ) from None
         words |= {name: int(word) for name, word in derive(core.params, **lengths).items()}
+    if missing := sorted(set(names) - set(words)):
+        raise ValueError(f"{core.id}: no arm of two links says what {missing} are")
     return {name: words[name] for name in names}
 
 
