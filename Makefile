@@ -16,14 +16,15 @@ CHOSEN := $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(SIM),--sim 
 TESTS  := $(PY) -m pytest -q -n $(N) --dist worksteal --names
 export SEED
 export SIM
+export FARM
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report figures verdict report-check packages formal netlist coverage waves mutants exhaustive clean
+.PHONY: help setup lint test smoke report accuracy figures verdict report-check packages formal netlist coverage waves mutants exhaustive worker clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
-	@echo "options: ARM=name|file.toml  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FRESH=1"
+	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FARM=tcp://host:8786|local  FRESH=1"
 
 setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
 	@( mkdir -p build && : > build/.writable ) 2> /dev/null || { \
@@ -37,13 +38,16 @@ lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pa
 	@$(PY) -m ci.lint
 
 test: setup ## every bench in both simulators and every model test; CORE=name SIM=icarus|verilator: those of them
-	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN)
+	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(PATHS)
 
 smoke: setup ## the first parameter set of every core: cocotb bench under Icarus, bulk run
 	@$(TESTS) -m smoke $(CHOSEN)
 
-report: setup ## latency, area, clock and accuracy of every core on ARM; FRESH=1 measures all again
-	@$(PY) -m ci.report --arm $(ARM) $(if $(FRESH),--fresh)
+report: setup ## latency, area, clock and accuracy of every core on ARM (another one: a minute); FRESH=1 measures all again
+	@$(PY) -m ci.report --arm "$(ARM)" $(if $(OUT),--out "$(OUT)") $(if $(FRESH),--fresh)
+
+accuracy: setup ## errors of one CORE on ARM, by its bit-true model, in seconds
+	@$(PY) -m ci.accuracy "$(ARM)" $(CORE)
 
 figures: setup ## the pictures of the parallel robot's paper, and its claims beside ours
 	@$(PY) -m ci.figures
@@ -75,6 +79,10 @@ mutants: setup ## break every core in 100 ways; the benches must notice
 exhaustive: setup ## the long run, a new seed every day: 10^6 vectors a core, pairs of cores, random parameters
 	@echo "SEED=$(LONG_SEED) make exhaustive: repeats this run"
 	@SEED=$(LONG_SEED) $(TESTS) -m slow --durations 10 $(CHOSEN)
+
+worker: setup ## a Dask worker for the scheduler FARM=tcp://host:8786, whose runs carry the same FARM=
+	@test -n "$(FARM)" || { echo "make worker: give FARM=tcp://host:8786, the address of a dask scheduler" >&2; exit 1; }
+	@$(PY) -m distributed.cli.dask_worker $(FARM) --nthreads 1 --nworkers $(if $(filter auto,$(N)),auto,$(N)) --no-dashboard
 
 clean: ## remove what the tools made; .venv stays
 	rm -rf build

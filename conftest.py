@@ -16,7 +16,7 @@ EVERY = 20.0  # seconds between two lines of progress where there is no terminal
 def pytest_addoption(parser: pytest.Parser) -> None:
     house = parser.getgroup("quadrance")
     house.addoption("--core", help="only tests of this core: a name, or name-set")
-    house.addoption("--sim", help="only tests in this simulator: icarus or verilator (bulk runs are Verilator's)")
+    house.addoption("--sim", help="no test in another simulator: icarus or verilator (bulk runs are Verilator's)")
     house.addoption("--names", action="store_true", help="names of tests and their number in place of dots")
 
 
@@ -38,7 +38,9 @@ def _core(item: pytest.Item) -> Core | None:
 
 
 def _simulator(item: pytest.Item) -> str | None:
-    return getattr(item, "callspec", None) and item.callspec.params.get("simulator") or (_core(item) and "verilator")
+    """The simulator of a bench, Verilator of a bulk run, None of what simulates no core."""
+    named = getattr(item, "callspec", None) and item.callspec.params.get("simulator")
+    return named or ("verilator" if _core(item) and item.nodeid.startswith("tb/") else None)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -48,7 +50,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     def wanted(item: pytest.Item) -> bool:
         core = _core(item)
         return (not name or core is not None and name in (core.id, core.name)) and \
-            (not simulator or _simulator(item) == simulator)
+            (not simulator or _simulator(item) in (None, simulator))
 
     if name or simulator:
         config.hook.pytest_deselected(items=[item for item in items if not wanted(item)])

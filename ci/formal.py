@@ -32,7 +32,7 @@ from pathlib import Path
 
 from quadrance.cores import Core
 
-from ci import cache, contract
+from ci import cache, cone, contract
 from tb.lib import tools
 from tb.lib.simulate import available
 
@@ -111,7 +111,10 @@ def prove(proof: Proof) -> str:
 def prove_contract(core: Core) -> str:
     """Run the proof of one core's contract: sby's verdict."""
     name = f"contract-{core.id}"
-    return run(name, contract.job(core, WORK / f"{name}-in"))
+    work = WORK / f"{name}-in"
+    text = contract.job(core, work)
+    cone.leave_out(core, work)
+    return run(name, text)
 
 
 def _timed(work: Callable, what: object) -> tuple[str, float]:

@@ -13,11 +13,12 @@ import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 from pyslang import TextDiagnosticClient
 from pyslang.driver import Driver
-from quadrance.cores import ROOT, RTL, Core, all_cores
+from quadrance.cores import ROOT, RTL, Core, all_cores, find
 
 from ci import packages, schedules
 from tb.lib import tools
@@ -108,6 +109,15 @@ def check_core(core: Core) -> list[str]:
     return wrong
 
 
+def check_wrapper(name: str) -> list[str]:
+    """The AXI-Stream wrapper of a core, at the core's first parameter set."""
+    core = find(name)
+    top = replace(core, name=f"axis_{name}", sources=(RTL / "axis" / f"axis_{name}.v", *core.sources))
+    return [f"axis_{core.id}: {tool.__name__}: {text or code}"
+            for tool in ((verilator, icarus, slang) if available("icarus") else (verilator, slang))
+            for code, text in [tool(top, core.params)] if code or text]
+
+
 def check_file(path: Path) -> list[str]:
     """Shape of one Verilog file: licence, header, one module of the file's name, net types."""
     text, name = path.read_text(), path.relative_to(ROOT)
@@ -135,7 +145,7 @@ def check_house(cores: tuple[Core, ...]) -> list[str]:
     wrong = []
     listed = {source for core in cores for source in core.sources}
     for path in sorted(RTL.rglob("*.v")):
-        if path not in listed:
+        if path not in listed and path.parent.name != "axis":
             wrong.append(f"{path.relative_to(ROOT)}: no entry of rtl/cores.toml reaches it")
     reported = {(row["core"], json.dumps(row["params"], sort_keys=True))
                 for row in json.loads(REPORT.read_text())["cores"]} if REPORT.exists() else set()
@@ -158,6 +168,7 @@ def main() -> int:
         wrong = [line for lines in pool.map(check_core, cores) for line in lines]
     wrong += [line for path in sorted(RTL.rglob("*.v")) for line in check_file(path)]
     wrong += check_house(cores) + packages.stale()
+    wrong += [line for name in packages.AXIS for line in check_wrapper(name)]
     code, text = _call("ruff", "check", "--quiet", "models", "tb", "ci")
     wrong += [text] if code else []
     print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")

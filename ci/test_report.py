@@ -6,7 +6,9 @@ from dataclasses import replace
 
 import pytest
 from quadrance import cores
+from quadrance.cli.catalogue import Refused
 
+from ci import accuracy
 from ci.report import README, blocks, comparison, documents, figures, measure, paper, rows, run, tables, terminal
 
 FRONT = """# Title
@@ -228,3 +230,26 @@ def test_the_report_prints(made, capsys):
     terminal.show(made)
     printed = capsys.readouterr().out
     assert "rational_fk1-S24" in printed and "Where CORDIC wins" in printed and "Table III" in printed
+
+
+def test_the_models_give_the_figures_of_the_committed_report():
+    """What another arm's report is made by: on the committed arm the same figures as the simulation."""
+    committed = json.loads((run.REPORTS / "report.json").read_text())
+    core = cores.find("classic_fk1_iter")
+    row = next(one for one in committed["cores"] if (one["core"], one["set"]) == (core.name, core.set_id))
+    found = measure.simulate(core, committed["arm"], measure.modelled)
+    assert run._rounded({key: found[key] for key in measure.FIGURES}) == {key: row[key] for key in measure.FIGURES}
+
+
+def test_where_the_report_of_another_arm_goes(tmp_path):
+    assert run.folder_of("ur5") == run.OTHERS / "ur5" and run.folder_of("ur5", str(tmp_path)) == tmp_path
+    for arm, out in (("cobra600", str(tmp_path)), ("ur5", str(run.REPORTS))):
+        with pytest.raises(ValueError, match="OUT="):
+            run.folder_of(arm, out)
+
+
+def test_the_accuracy_of_one_core():
+    lines = accuracy.lines("cobra600", "vector_fk1")
+    assert lines[0].startswith("vector_fk1-U16 on Omron") and len(lines) == 5
+    with pytest.raises(Refused, match="is a part"):
+        accuracy.lines("cobra600", "isqrt_iter")

@@ -58,7 +58,7 @@ def test_sim_leaves_icarus_out(monkeypatch):
 def test_core_and_sim_choose_the_tests():
     def item(core, simulator=None):
         params = {"core": core} | ({"simulator": simulator} if simulator else {})
-        return SimpleNamespace(callspec=SimpleNamespace(params=params))
+        return SimpleNamespace(callspec=SimpleNamespace(params=params), nodeid="tb/test_x.py::x")
 
     def chosen(**options):
         left, config = list(items), SimpleNamespace(getoption=lambda name: options.get(name[2:]),
@@ -72,7 +72,7 @@ def test_core_and_sim_choose_the_tests():
     assert chosen() == [0, 1, 2, 3, 4, 5]
     assert chosen(core="vector_fk1") == chosen(core="vector_fk1-U16") == [0, 1, 2]
     assert chosen(core="vector_fk1", sim="verilator") == [1, 2]  # a bulk run is Verilator's
-    assert chosen(sim="icarus") == [0, 3]
+    assert chosen(sim="icarus") == [0, 3, 4, 5]  # and what simulates no core
 
 
 def test_a_core_that_is_not_there_is_refused():

@@ -1,7 +1,7 @@
 """Measure every core on a real arm and write what it costs.
 
     python -m ci.report                  measure what the committed report does not have; write reports/, README, pages
-    python -m ci.report --arm mine.toml  another arm: write build/report/mine/ and nothing else
+    python -m ci.report --arm mine.toml  another arm: write build/report/mine/ (--out: another folder), nothing else
     python -m ci.report --verdict        and search the verdict at equal accuracy (half an hour on two cores)
     python -m ci.report --fresh          measure everything again, and say where it differs from the committed report
     python -m ci.report --check          does the committed report still follow from the sources? (seconds)
@@ -31,11 +31,11 @@ def check() -> None:
     print("The committed report follows from the sources.")
 
 
-def report(arm: str, fresh: bool, verdict: bool = False) -> None:
+def report(arm: str, fresh: bool, verdict: bool = False, out: str | None = None) -> None:
     """Measure, write and print the report of an arm; a verdict that no longer stands is searched, or not shown."""
     started, listed, committed = time.monotonic(), cores.all_cores(), freshness.committed()
     arm = DEFAULT_ARM if run.is_default(arm) else arm
-    folder = run.folder_of(arm)
+    folder = run.folder_of(arm, out)
     if folder == REPORTS and (problems := blocks.wrong(README, cores.RTL, listed)):
         raise ValueError("\n".join(problems))  # before minutes of measuring, not after
     made, maps, kept = run.put_together(arm, listed, committed, fresh)
@@ -54,7 +54,7 @@ def report(arm: str, fresh: bool, verdict: bool = False) -> None:
               "Every figure is the one of the committed report.")
     if folder == REPORTS and "verdict" not in made:
         print("The verdict at equal accuracy does not stand and is left out: `make verdict` searches it.")
-    where = folder.relative_to(tools.ROOT)
+    where = tools.local(folder) if folder.is_relative_to(tools.ROOT) else folder
     print(f"Written to {where}/ (report.json, report.md, plots) in {time.monotonic() - started:.0f} s."
           + ("" if folder == REPORTS else f" Only {DEFAULT_ARM} refreshes reports/ and README.md."))
 
@@ -64,15 +64,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m ci.report", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--arm", default=DEFAULT_ARM, help="name of models/quadrance/arms or path of a TOML file")
+    parser.add_argument("--out", help="folder of the report of another arm")
     parser.add_argument("--verdict", action="store_true", help="search the verdict at equal accuracy, default arm only")
     parser.add_argument("--fresh", action="store_true", help="measure everything again and compare")
     parser.add_argument("--check", action="store_true", help="only check that the committed report is fresh")
     args = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     try:
-        check() if args.check else report(args.arm, args.fresh, args.verdict)
-    except KeyboardInterrupt:
-        raise SystemExit("report: interrupted; what was finished is kept in build/cache") from None
+        check() if args.check else report(args.arm, args.fresh, args.verdict, args.out)
+    except KeyboardInterrupt as stop:
+        raise SystemExit(f"report: interrupted; {stop or 'what was finished'} kept in build/cache") from None
     except (arms.ArmError, RuntimeError, ValueError) as error:
         raise SystemExit(f"report: {error}") from None
 

@@ -15,7 +15,7 @@ NOTE = """\
 A chain takes a link after the other, so its area stays and its clocks grow; the cores fk1 to fk3 have a fixed number of
 joints. Of more than three joints there is no fixed core: what stands there with ≈ lies on the straight line through
 the three (least squares). Clocks are those from the first link to the tip; a chain also gives every joint before it.
-`paper_mff` takes directions in the fixed frame, not joint words, and has tables of roots where `paper_fk*` have digits."""
+`paper_mff` takes directions in the fixed frame, no joint words, and its roots from tables, `paper_fk*` from digits."""
 
 
 def clocks(chain: Row, joints: int) -> int:

@@ -20,7 +20,7 @@ from matplotlib.colors import LogNorm  # noqa: E402
 
 COLOUR = {"vector": "tab:red", "table": "tab:purple", "rational": "tab:green", "classic": "tab:blue",
           "paper": "tab:orange"}
-MARKER = dict(zip(KINEMATIC, "os^DvP"))
+BLOCKS = {(False, False): "o", (True, False): "^", (False, True): "s", (True, True): "D"}  # has DSP, has memory blocks
 CODE = [Path(__file__), SOURCE, designs.SOURCE,
         *(Path(__file__).with_name(name) for name in ("labels.py", "paper.py", "rows.py", "verdict.py"))]
 FLOOR = 1e-3  # LSB: smaller errors are drawn as this
@@ -56,55 +56,80 @@ def draw(report: dict, maps: dict[tuple[str, str], dict[str, list]], folder: Pat
         pyplot.close(figure)
 
 
-def _points(rows: list[Row], unit: str) -> list[tuple]:
-    """x, y, text, colour, marker and fill of our cores and of the paper's; `unit` "cycles" or "ns"."""
-    points = [(row["latency_cycles" if unit == "cycles" else "latency_ns"], area_of(row), name(row),
-               COLOUR[row["family"]], MARKER[row["function"]], "full") for row in rows]
-    scale = 1 if unit == "cycles" else 1000 / PAPER["clock_mhz"]
+def _points(rows: list[Row]) -> list[tuple]:
+    """x (ns), y, text, colour, marker and fill of our cores and of the paper's."""
+    points = []
+    for row in rows:
+        blocks = [(row["area"]["cyclonev"][key], what) for key, what in (("dsp", "DSP"), ("mem", "mem"))]
+        text = ", ".join(f"{count} {what}" for count, what in blocks if count)
+        points.append((row["latency_ns"], area_of(row), name(row) + (f" ({text})" if text else ""),
+                       COLOUR[row["family"]], BLOCKS[tuple(count > 0 for count, _ in blocks)], "full"))
     for function in sorted({row["function"] for row in rows} & set(PAPER["cycles"])):
-        points += [(PAPER["cycles"][function][which] * scale, PAPER["logic_elements"][function][which],
-                    f"printed {text} {function.upper()}", COLOUR[family], MARKER[function], "none")
+        points += [(PAPER["cycles"][function][which] * 1000 / PAPER["clock_mhz"],
+                    PAPER["logic_elements"][function][which], f"printed {text}", COLOUR[family], "P", "none")
                    for which, text, family in (("rational", "rational", "paper"), ("cordic", "CORDIC*", "classic"))]
     return points
 
 
+def _legend(figure: pyplot.Figure, marks: list[tuple[str, str, str, str]]) -> None:
+    """Below the figure: (text, colour, marker, fill) of every kind of mark."""
+    lines = [pyplot.Line2D([], [], color=colour, marker=shape, fillstyle=fill, linestyle="", label=text)
+             for text, colour, shape, fill in marks]
+    figure.legend(handles=lines, loc="lower center", ncol=5, frameon=False)
+
+
 def _area(rows: list[Row]) -> pyplot.Figure:
-    """Area against latency, forward above inverse, in cycles and in ns."""
+    """Area against latency in ns, a panel a function; the shape says which blocks a core has."""
     labels = []
-    figure, grid = pyplot.subplots(2, 2, figsize=(15, 14), sharey="row")
-    for axes, way in zip(grid, ("fk", "ik")):
-        shown = [row for row in rows if row["function"].startswith(way)]
-        for axis, unit in zip(axes, ("cycles", "ns")):
-            points = _points(shown, unit)
-            for x, y, _, colour, shape, fill in points:
-                axis.plot([x], [y], marker=shape, color=colour, linestyle="", fillstyle=fill, markersize=8)
-            axis.set(xscale="log", yscale="log", xlabel=f"latency, {unit}"
-                     + (" at the core's own ECP5 clock" if unit == "ns" else ""))
-            axis.grid(True, which="both", alpha=0.25)
-            axis.margins(x=0.2, y=0.12)
-            labels.append((axis, points))
-        axes[0].set_ylabel("Cyclone V ALUT (proxy for LE), DSP blocks not counted")
-    figure.suptitle("Area against latency. Red: vector, purple: table, green: rational, blue: CORDIC, "
-                    "orange: paper's circuits; hollow: printed at 50 MHz\n"
-                    "(*the area is that of its parallel CORDIC, the cycles are those of its iterative one)")
-    figure.tight_layout(rect=(0, 0, 1, 0.98))
+    functions = [one for one in KINEMATIC if any(row["function"] == one for row in rows)]
+    figure, grid = pyplot.subplots(max(-(-len(functions) // 3), 1), 3, squeeze=False,
+                                   figsize=(19, 6.2 * max(-(-len(functions) // 3), 1)))
+    for axis in grid.flat[len(functions):]:
+        axis.set_axis_off()
+    for axis, function in zip(grid.flat, functions):
+        points = _points([row for row in rows if row["function"] == function])
+        for x, y, _, colour, shape, fill in points:
+            axis.plot([x], [y], marker=shape, color=colour, linestyle="", fillstyle=fill, markersize=8)
+        axis.set(title=f"{function}: {KINEMATIC[function]}", xscale="log", yscale="log",
+                 xlabel="latency, ns at the core's own ECP5 clock", ylabel="Cyclone V ALUT (proxy for LE)")
+        axis.grid(True, which="both", alpha=0.25)
+        axis.tick_params(axis="x", which="minor", labelsize=6, rotation=45)
+        axis.margins(x=0.25, y=0.15)
+        labels.append((axis, points))
+    figure.suptitle("Area against latency; DSP and memory blocks beside the name, for they are not in the area")
+    shown = {row["family"] for row in rows}
+    _legend(figure, [*((family, colour, "o", "full") for family, colour in COLOUR.items() if family in shown),
+                     *((text, "black", BLOCKS[which], "full") for which, text in (
+                         ((False, False), "no blocks"), ((True, False), "DSP blocks"), ((False, True), "memory blocks"),
+                         ((True, True), "both"))),
+                     ("printed, at 50 MHz (*area of its parallel CORDIC, cycles of its iterative one)", "black", "P",
+                      "none")])
+    figure.tight_layout(rect=(0, 0.06, 1, 0.98))
     for axis, points in labels:
         label(axis, points)
     return figure
 
 
 def _accuracy(rows: list[Row]) -> pyplot.Figure:
-    """A bar a core for its greatest arithmetic error, and one for its words over the workspace."""
-    figure, axis = pyplot.subplots(figsize=(11, 1.5 + 0.36 * max(len(rows), 1)))
+    """A bar a core for its greatest arithmetic error, and one for its words over the workspace; 0 is no bar but 0."""
+    figure, axis = pyplot.subplots(figsize=(14, 1.8 + 0.36 * max(len(rows), 1)))
     for i, row in enumerate(rows):
-        axis.barh(i + 0.2, max(greatest_error(row), FLOOR), 0.38, color=COLOUR[row["family"]])
-        axis.barh(i - 0.2, max(row["words_lsb"] or 0, FLOOR), 0.38, color="lightgrey")
+        for off, error, colour in ((0.2, greatest_error(row), COLOUR[row["family"]]),
+                                   (-0.2, row["words_lsb"] or 0, "lightgrey")):
+            if error > 0:
+                axis.barh(i - off, max(error, FLOOR), 0.38, color=colour)
+            else:
+                axis.text(FLOOR, i - off, " 0", va="center", fontsize=7, color=colour if off > 0 else "grey")
     axis.set_yticks(range(len(rows)), [name(row) for row in rows], fontsize=8)
-    axis.set(xscale="log", xlabel="greatest error at the tip, LSB (coloured: arithmetic, on the trajectory and "
-             "in the sweep; grey: rounding of the words, over the workspace)")
+    axis.set(xscale="log", xlabel="greatest error at the tip, LSB", title="Accuracy at the tip", xlim=(FLOOR, None),
+             ylim=(max(len(rows), 1) - 0.5, -0.5))
     axis.axvline(1, color="black", linewidth=0.8)
-    axis.invert_yaxis()
     axis.grid(True, axis="x", alpha=0.25)
+    shown = {row["family"] for row in rows}
+    bars = [pyplot.Rectangle((0, 0), 1, 1, color=colour) for family, colour in COLOUR.items() if family in shown]
+    axis.legend([*bars, pyplot.Rectangle((0, 0), 1, 1, color="lightgrey")],
+                [*(f"{family}: arithmetic" for family in COLOUR if family in shown),
+                 "rounding of the words, over the workspace"], fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1))
     figure.tight_layout()
     return figure
 
@@ -130,8 +155,6 @@ def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]]) -> pypl
                     "arithmetic: the core's own; words: what rounding its words costs an exact core")
     return figure
 
-
-BLOCKS = {(False, False): "o", (True, False): "^", (False, True): "s", (True, True): "D"}  # has DSP, has memory blocks
 
 
 def dominated(one: verdict.Figures, others: list[verdict.Figures]) -> bool:

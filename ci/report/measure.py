@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import astuple
 
 import numpy as np
@@ -36,9 +37,18 @@ def stream(core: Core, inputs: dict, cfg: dict[str, int]) -> dict:
                         compute)
 
 
-def _answered(core: Core, arm: Arm, case: Case, every: bool = False) -> tuple[dict, Errors | None]:
+def modelled(core: Core, inputs: dict, cfg: dict[str, int]) -> dict:
+    """As `stream`, by the bit-true model, which the benches hold to the Verilog: nothing is built, in a moment."""
+    count = next(iter(inputs.values())).size
+    answer = core.model(core.params, **inputs, **(cfg or {}))
+    return {"outputs": {port.name: np.broadcast_to(answer[port.name], (count,)) for port in core.outputs},
+            "latency": [core.latency], "ii": core.ii}
+
+
+def _answered(core: Core, arm: Arm, case: Case, every: bool = False,
+              answers: Callable[..., dict] = stream) -> tuple[dict, Errors | None]:
     """The simulation of a case and the errors of its answers."""
-    result = stream(core, case.inputs, case.cfg)
+    result = answers(core, case.inputs, case.cfg)
     outputs = {port: np.array(words, dtype=np.int64) for port, words in result["outputs"].items()}
     return result, accuracy.errors(core, arm, case, outputs, every)
 
@@ -52,11 +62,12 @@ def _listed(core: Core, timed: dict) -> dict[str, int]:
     return {"latency_cycles": cycles, "ii": ii}
 
 
-def simulate(core: Core, arm_name: str) -> dict:
+def simulate(core: Core, arm_name: str, answers: Callable[..., dict] = stream) -> dict:
     """The figures of a row that come from simulation, by the names of `FIGURES`.
 
     Arithmetic errors on the trajectory (`error_*`) and in the sweep; over the workspace the greatest error of the
     words (`words_*`: an exact core of the same words) and of words and arithmetic together (`total_*`).
+    `answers` is `stream`, the Verilog, or `modelled`.
     """
     arm = arms.load(arm_name)
     row: dict = dict.fromkeys(FIGURES)
@@ -66,7 +77,7 @@ def simulate(core: Core, arm_name: str) -> dict:
     for what, case in cases.items():
         if case is None:
             continue
-        result, errors = _answered(core, arm, case)
+        result, errors = _answered(core, arm, case, answers=answers)
         timed = timed or result
         if errors is None:
             continue
@@ -84,15 +95,15 @@ def simulate(core: Core, arm_name: str) -> dict:
         row["error_lsb"] = row["sweep_error_lsb"]
     if timed is None:  # a function without a truth here: its timing on its own corners
         cfg = stimulus.configs(core, np.random.default_rng(1))[0]
-        timed = stream(core, stimulus.corners(core, cfg), cfg)
+        timed = answers(core, stimulus.corners(core, cfg), cfg)
     return row | _listed(core, timed)
 
 
-def tip_map(core: Core, arm_name: str) -> dict[str, list]:
+def tip_map(core: Core, arm_name: str, answers: Callable[..., dict] = stream) -> dict[str, list]:
     """Arithmetic error and rounding of the words over the workspace, LSB: (MAP, MAP) each, NaN out of reach."""
     arm = arms.load(arm_name)
     case, inside = accuracy.map_case(core, arm, MAP)
-    _, errors = _answered(core, arm, case, every=True)
+    _, errors = _answered(core, arm, case, every=True, answers=answers)
     maps = {}
     for what, error in (("arithmetic", errors.arithmetic), ("words", errors.quantisation)):
         grid = np.full(inside.shape, np.nan)

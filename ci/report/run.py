@@ -22,7 +22,8 @@ def job(what: str, core_id: str, arm_name: str) -> object:
         return synth.core_area(core)
     if what == "clock":
         return synth.core_fmax(core)
-    return measure.tip_map(core, arm_name) if what == "map" else measure.simulate(core, arm_name)
+    answers = measure.stream if is_default(arm_name) else measure.modelled  # another arm: the bit-true models
+    return (measure.tip_map if what == "map" else measure.simulate)(core, arm_name, answers)
 
 
 def mapped(listed: tuple[Core, ...]) -> dict[tuple[str, str], str]:
@@ -110,9 +111,16 @@ def is_default(arm_name: str) -> bool:
     return arms.path_of(arm_name).resolve() == arms.path_of(DEFAULT_ARM).resolve()
 
 
-def folder_of(arm_name: str) -> Path:
-    """Where the report of an arm goes: `reports/` for the default arm only."""
-    return REPORTS if is_default(arm_name) else OTHERS / arms.path_of(arm_name).stem
+def folder_of(arm_name: str, out: str | None = None) -> Path:
+    """Where the report of an arm goes: `reports/` for the default arm only; `out` is for the others."""
+    if is_default(arm_name):
+        if out:
+            raise ValueError(f"OUT={out}: the report of {DEFAULT_ARM} goes to reports/; OUT is for another arm")
+        return REPORTS
+    folder = Path(out) if out else OTHERS / arms.path_of(arm_name).stem
+    if folder.resolve() in (REPORTS, tools.ROOT) or folder.is_file():
+        raise ValueError(f"OUT={out}: a folder of its own is wanted, which is neither the checkout nor its reports/")
+    return folder
 
 
 def _flat(figure: object, key: str = "") -> dict[str, object]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from quadrance import vector_solve
 from quadrance.arms import Arm, ArmError
-from quadrance.fixed import Ints, ints, round_shift, saturate, to_fixed, wrap
+from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, to_fixed, wrap
 from quadrance.vector import GUARD
 from quadrance.vector_solve import SUM
 
@@ -156,28 +156,36 @@ def turn(p: Params, c: Ints, n: Ints, by_c: Ints, by_n: Ints) -> tuple[Ints, Int
     return rounded(c * by_c, n * ~by_n), rounded(c * by_n, n * by_c)
 
 
-def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, in_back: Ints, cfg_l1: Ints, cfg_l2: Ints,
-        cfg_q: Ints, cfg_r: Ints, cfg_e: Ints, cfg_base: Ints, cfg_shoulder: Ints, cfg_lateral: Ints, cfg_bb: Ints,
-        cfg_ce: Ints, cfg_ne: Ints) -> dict[str, Ints]:
-    """Joints of the tip (x, y, z) for the elbow and the shoulder asked for."""
-    x, y, z, elbow, back = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, in_back))
+def branch(p: Params, x: Ints, y: Ints, z: Ints, elbow: Ints, back: Ints, cfg: dict[str, Ints]) -> dict[str, Ints]:
+    """Words of one branch, joint 2 without joint 1; `none1`, `none3`: joint 1, joint 3 has no direction."""
     up = 16 - p["W"]
     x, y, z, l1, l2, base, shoulder, lateral = (
-        ints(word) << up for word in (x, y, z, cfg_l1, cfg_l2, cfg_base, cfg_shoulder, cfg_lateral))
+        ints(word) << up for word in (x, y, z, *(cfg[f"cfg_{name}"] for name in
+                                                 ("l1", "l2", "base", "shoulder", "lateral"))))
     z, over = saturate(z - base * p["BASE"], 16)
     if p["LATERAL"]:
-        c3, n3, rho, inside = _yaw(x, y, lateral, -ints(cfg_bb), back)
+        c3, n3, rho, inside = _yaw(x, y, lateral, -ints(cfg["cfg_bb"]), back)
         rho = wrap(rho - (shoulder * p["SHOULDER"] << 4), 21)
     else:
         c3, n3, rho, inside = _plain_yaw(x, y, shoulder, p["SHOULDER"], back)
     c1, n1, c2, n2, clamped, zero = vector_solve._elbow(
-        rho, z, vector_solve.GUARD, elbow, l1, l2, ints(cfg_q), ints(cfg_r), ints(cfg_e))
-    on_axis = (x == 0) & (y == 0)
-    joints = vector_solve._held(p, 1, c1, n1, zero) | vector_solve._held(p, 3, c3, n3, on_axis)
-    c2, n2 = vector_solve._word(p, c2), vector_solve._word(p, n2)
+        rho, z, vector_solve.GUARD, elbow, l1, l2, *(ints(cfg[f"cfg_{name}"]) for name in "qre"))
+    c1, n1, c2, n2, c3, n3 = (vector_solve._word(p, product) for product in (c1, n1, c2, n2, c3, n3))
     if p["ELBOW"]:
-        c2, n2 = turn(p, c2, n2, ints(cfg_ce), ints(cfg_ne))
+        c2, n2 = turn(p, c2, n2, ints(cfg["cfg_ce"]), ints(cfg["cfg_ne"]))
+    on_axis = (x == 0) & (y == 0)
+    return {"c1": c1, "n1": n1, "c2": c2, "n2": n2, "c3": c3, "n3": n3, "none1": zero, "none3": on_axis,
+            "status": ints(clamped | inside) + 2 * ints(on_axis | zero) + 4 * ints(over)}
+
+
+def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, in_back: Ints,
+        **cfg: Ints) -> dict[str, Ints]:
+    """Joints of the tip (x, y, z) for the elbow and the shoulder asked for."""
+    found = branch(p, *(ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, in_back)), cfg)
+    one = 1 << p["U"]
+    answer = {f"out_{letter}{i}": hold_last(found[f"{letter}{i}"], ~found[f"none{i}"], one * (letter == "c"))
+              for i in (1, 3) for letter in "cn"}
+    c2, n2 = found["c2"], found["n2"]
     if p["ABSOLUTE"]:
-        c2, n2 = turn(p, c2, n2, joints["out_c1"], joints["out_n1"])
-    return {**joints, "out_c2": c2, "out_n2": n2,
-            "out_status": ints(clamped | inside) + 2 * ints(on_axis | zero) + 4 * ints(over)}
+        c2, n2 = turn(p, c2, n2, answer["out_c1"], answer["out_n1"])
+    return {**answer, "out_c2": c2, "out_n2": n2, "out_status": found["status"]}

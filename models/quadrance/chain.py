@@ -96,13 +96,20 @@ def table_chain(p: Params, *, in_j1: Ints, in_l: Ints, in_last: Ints) -> dict[st
     word, (d, g) = wrap(sums(np.where(yaw, 0, j), first), p["A"], signed=False), sizes(p)
     length = np.where(yaw, 0, length)
     parts = [codecs.angle_chord(k, t, p["A"], word, cosine) * length >> k - g for cosine in (True, False)]
-    found = _positions(p, parts, first, p["W"] + d + 1)
+    whole = p["W"] + d + 1
     if not p["SPACE"]:
-        return _answer(p, found, last, beyond) | {"out_z": 0 * last}
-    rho, over = saturate(wrap(sums(parts[0], first) + _half(p, 4), p["W"] + d + 1 + g) >> g - 4, p["W"] + 4)
-    turn = [codecs.angle_chord(k, t, p["A"], j[first], cosine) for cosine in (True, False)]
-    x, y = (round_shift(rho * root, k + 4) for root in turn)
-    return _answer(p, {"x": x, "y": y, "z": found["y"]}, last, beyond | over)
+        return _answer(p, _positions(p, parts, first, whole), last, beyond) | {"out_z": 0 * last}
+    turn = tuple(codecs.angle_chord(k, t, p["A"], j[first], cosine) for cosine in (True, False))
+    found, over = _space(p, *parts, turn, k, first, whole)
+    return _answer(p, found, last, beyond | over)
+
+
+def _space(p: Params, rho: Ints, z: Ints, turn: tuple[Ints, Ints], fraction: int, first: Ints, whole: int) -> tuple:
+    """Coordinates from the parts of rho and z, and where rho was saturated; rho has 4 fraction bits."""
+    g = sizes(p)[1]
+    along, over = saturate(wrap(sums(rho, first) + _half(p, 4), whole + g) >> g - 4, p["W"] + 4)
+    x, y = (round_shift(along * word, fraction + 4) for word in turn)
+    return {"x": x, "y": y, "z": _positions(p, (z,), first, whole)["x"]}, over
 
 
 def vector_directions(p: Params, c: Ints, n: Ints, last: Ints) -> tuple[Ints, Ints]:
@@ -124,11 +131,22 @@ def vector_directions(p: Params, c: Ints, n: Ints, last: Ints) -> tuple[Ints, In
 
 
 def vector_chain(p: Params, *, in_c1: Ints, in_n1: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:
-    """``(C, N) <- (C c - N n, C n + N c)``, then ``(x, y) + L (C, N)``; a product is truncated to G bits."""
-    c, n, length, last, first, beyond = _stream(p, in_c1, in_n1, in_l, in_last)
+    """``(C, N) <- (C c - N n, C n + N c)``, then ``(x, y) + L (C, N)``; a product is truncated to G bits.
+
+    In space that is ``(rho, z)``, and the first word is the yaw, as in `table_chain`; no direction is turned by it.
+    """
+    c, n, length, last, first, beyond = _stream(p, in_c1, in_n1, in_l, in_last, more=p["SPACE"])
+    yaw = (np.arange(last.size) == first) & (p["SPACE"] > 0)
     d, g = sizes(p)
-    parts = tuple(wrap(part * length >> p["U"], p["W"] + 2 + g) for part in vector_directions(p, c, n, last))
-    return _answer(p, _positions(p, parts, first, p["W"] + d + 2), last, beyond)
+    links, whole = ~yaw, p["W"] + d + 2
+    # a chain that is its yaw alone has no link that could end it, nor has it turned anything
+    turned = np.zeros((2, last.size), dtype=np.int64)
+    turned[:, links] = vector_directions(p, c[links], n[links], last[links])
+    parts = tuple(wrap(part * np.where(yaw, 0, length) >> p["U"], p["W"] + 2 + g) for part in turned)
+    if not p["SPACE"]:
+        return _answer(p, _positions(p, parts, first, whole), last, beyond) | {"out_z": 0 * last}
+    found, over = _space(p, *parts, (c[first], n[first]), p["U"], first, whole)
+    return _answer(p, found, last, beyond | over)
 
 
 def mff(p: Params, *, in_j1: Ints, in_j2: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:

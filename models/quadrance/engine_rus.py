@@ -67,12 +67,12 @@ def leg(row: dict[str, Ints], words: dict[str, Ints], cb: Ints, nb: Ints, cfg_k:
 
     joint, across, turn = ([words[f"{i}{j}"] << 2 for j in (1, 2, 3)] for i in ROWS)
     x, z, y = (length(((row[f"{i}1"] << 4) * joint[0] + (row[f"{i}2"] << 4) * joint[1] >> 16)
-                      + ((row[f"{i}3"] << 4) * joint[2] >> 16) + (row[i] + words[i]) * 64 + 2) for i in ROWS)
-    e = length((x * turn[0] + z * turn[1] >> 16) + ((cb << 4) * turn[2] >> 16) + 2)
+                      + ((row[f"{i}3"] << 4) * joint[2] >> 16) + (row[i] + words[i]) * 64 + 3) for i in ROWS)
+    e = length((x * turn[0] + z * turn[1] >> 16) + ((cb << 4) * turn[2] >> 16) + 3)
     f = y + wrap((nb << 4) * turn[2] >> 18, 23)
     over.append(wrap(f, 23) != wrap(f, 22))
     f = wrap(f, 22)
-    h = length((x * across[0] + z * across[1] >> 16) + 2)
+    h = length((x * across[0] + z * across[1] >> 16) + 3)
     square = e * e + f * f
     q = wrap(square, 44, signed=False)
     product = wrap((square >> 16) + (h * h >> 16) + cfg_k >> 2, 27) * cfg_c
@@ -153,7 +153,9 @@ def config(p: Params, robot: Robot, mm_per_lsb: float, near: float = 0.0) -> dic
     if la < SHORTEST + 1 or max(la, lb) >= 1 << 17:
         raise PoseError(f"{robot.id}: a crank has {SHORTEST + 1} LSB and more, crank and rod less than 2^17; "
                         f"they have {la:.0f} and {lb:.0f}")
-    return {"cfg_k": round((la * la - lb * lb) * 2.0 ** (2 * FINE - 16)), "cfg_c": round(2.0 ** (42 - FINE) / la),
+    lost = 3 + la * 2.0 ** (FINE - 16)  # on the average, by truncating the squares and G
+    return {"cfg_k": round((la * la - lb * lb) * 2.0 ** (2 * FINE - 16) + lost),
+            "cfg_c": round(2.0 ** (42 - FINE) / la),
             "cfg_near": min(math.ceil(near / mm_per_lsb / 64), 0xFFF)}
 
 
@@ -202,14 +204,15 @@ def stream(loads: list[dict[str, int]], samples: dict[str, Ints]) -> dict[str, I
 
 
 def exact(p: Params, columns: dict[str, Ints], cfg_k: int, cfg_c: int) -> dict[str, Floats]:
-    """What the words of poses say, in float64: arrays (N, 6) of angle, root (LSB of 18 bits) and gap S^2.
+    """What the words of poses say, in float64: arrays (N, legs) of angle, and in LSB of 18 bits of root, gap S^2, flat
+    sqrt(e^2 + f^2) and distance |d|.
 
     The last geometry of each leg in `columns` holds for all of them.
     """
     value = {name: ints(words).astype(np.float64) for name, words in columns.items()}
     load = ints(columns["in_load"]) == 1
     la = 2.0 ** (42 - FINE) / cfg_c
-    found: dict[str, list[Floats]] = {"angle": [], "root": [], "gap": [], "flat": []}
+    found: dict[str, list[Floats]] = {"angle": [], "root": [], "gap": [], "flat": [], "distance": []}
     for number in range(LEGS):
         at = np.flatnonzero(load & (columns["in_leg"] == number))
         if not at.size:
@@ -221,7 +224,7 @@ def exact(p: Params, columns: dict[str, Ints], cfg_k: int, cfg_c: int) -> dict[s
         ct, st, link = of["in_r21"] / ONE, of["in_r22"] / ONE, of["in_r23"]
         e, f = x * ct + z * st + link * value["in_cb"] / ONE, y + link * value["in_nb"] / ONE
         h = x * of["in_r31"] / ONE + z * of["in_r32"] / ONE
-        g = (e * e + f * f + h * h + cfg_k * 2.0 ** (16 - 2 * FINE)) / (2 * la)
+        g = (e * e + f * f + h * h + (cfg_k - 3 - la * 2.0 ** (FINE - 16)) * 2.0 ** (16 - 2 * FINE)) / (2 * la)
         gap = e * e + f * f - g * g
         root = np.sqrt(np.maximum(gap, 0))
         g = np.where(gap < 0, np.copysign(np.hypot(e, f), g), g)
@@ -230,4 +233,5 @@ def exact(p: Params, columns: dict[str, Ints], cfg_k: int, cfg_c: int) -> dict[s
         found["root"].append(root)
         found["gap"].append(gap)
         found["flat"].append(np.hypot(e, f))
+        found["distance"].append(np.sqrt(e * e + f * f + h * h))
     return {name: np.stack(rows, axis=-1) for name, rows in found.items()}

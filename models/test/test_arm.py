@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from quadrance import arm, arms, bounds, truth_arm
+from quadrance import arm, arms, bounds, truth_arm, workspaces
 from quadrance.arms import ArmError
 from quadrance.bounds import arm as limits
 from quadrance.cores import all_cores
@@ -194,3 +194,12 @@ def test_truth_there_and_back(name):
 def test_a_constant_that_does_not_fit_names_arm_key_and_reason(key, change):
     with pytest.raises(ArmError, match=rf"all: {key}: .* mm is -?\d+ LSB and the word ends at -?\d+; raise"):
         arm.words(W16, replace(BUILT, **change), True)
+
+
+@pytest.mark.parametrize("name", ("dobot_magician", "ur5"))
+def test_the_section_of_a_workspace(name):
+    """What the picture of rtl/arm shows: both sides of the shoulder, 2 LSB at most, nothing nearer than the offset."""
+    r, _, error = workspaces.section(arms.load(name), 41)
+    for side in (r < 0, r > 0):
+        assert np.isfinite(error[side]).sum() > 300 and np.nanmax(error[side]) <= 2
+    assert np.all(np.isnan(error[np.abs(r) < arms.load(name).lateral - 1]))

@@ -11,7 +11,7 @@ SPACE = [pytest.param(core, id=core.id) for core in all_cores() if core.params.g
 CORES = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "chain"
          and not core.params.get("SPACE")]
 FIXED = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "mff"]
-VECTORS = [pytest.param(core, id=core.id) for core in all_cores() if core.name == "vector_chain"]
+VECTORS = [core for core in CORES if core.values[0].name == "vector_chain"]
 OVERFLOW = 4
 
 
@@ -166,6 +166,10 @@ def yawed(core, rng, reach, count=60):
     return found, truths
 
 
+def space_bound(core, lengths):
+    return (bounds.table_chain_space if core.family == "table" else bounds.vector_chain_space)(core.params, lengths)
+
+
 @pytest.mark.parametrize("core", SPACE)
 def test_every_position_in_space(core):
     rng, half, worst = np.random.default_rng(1), 1 << core.params["W"] - 1, 0.0
@@ -173,7 +177,7 @@ def test_every_position_in_space(core):
         chains, truths = yawed(core, rng, reach)
         for answer, (yaw, theta, lengths) in zip(run(core, chains), truths):
             assert [answer[f"out_{axis}"][0] for axis in "xyz"] == [0, 0, 0]
-            across, upright = bounds.table_chain_space(core.params, lengths)
+            across, upright = space_bound(core, lengths)
             for axis, place, law in zip("xyz", chain.space_positions(yaw, theta, lengths), (across, across, upright)):
                 error = np.abs(answer[f"out_{axis}"][1:] - place)
                 assert np.all(error <= law)
@@ -195,7 +199,7 @@ def test_space_beyond_the_word_and_the_parameter(core):
             rho, z = np.clip(rho, -half, half - 1), np.clip(z, -half, half - 1)
             place = np.stack([rho * np.cos(exact[0]), rho * np.sin(exact[0]), z])
             found = np.stack([answer[f"out_{one}"][1:] for one in "xyz"])
-            assert np.all(np.abs(found - place) <= bounds.table_chain_space(core.params, lengths[1:])[0] + 1)
+            assert np.all(np.abs(found - place) <= space_bound(core, lengths[1:])[0] + 1)
             assert answer["out_status"].tolist() == [0, 0, OVERFLOW, 0, 0, 0]
     rng = np.random.default_rng(7)
     word, _ = words(core, rng.uniform(-1, 1, most + 4))
@@ -211,14 +215,14 @@ def test_space_beyond_the_word_and_the_parameter(core):
 def test_joints_on_the_forearm(core):
     """Joints four and five of Fig. 11: after the upper arm links in one line, as long as the joints are apart."""
     rng = np.random.default_rng(8)
-    upper, pieces = 9000, np.array([4000, 2500, 1500])
+    upper, pieces = 900, np.array([400, 250, 150])
     for theta in rng.uniform(-np.pi, np.pi, (200, 3)):
         word, exact = words(core, np.array([theta[2], theta[0], theta[1], 0, 0]))
         answer, = run(core, [(word, np.array([0, upper, *pieces]))])
         for k, away in enumerate(np.cumsum(pieces)):
             tip = truth.fk3(exact[1], exact[2], exact[0], upper, away)
             for axis, place in zip("xyz", tip):
-                law = bounds.table_chain_space(core.params, [upper, *pieces])[0][k + 1]
+                law = space_bound(core, [upper, *pieces])[0][k + 1]
                 assert abs(answer[f"out_{axis}"][k + 2] - place) <= law
 
 

@@ -51,6 +51,9 @@ def test_the_package_has_all_of_the_verilog(installed):
     there = installed.site / "quadrance" / "rtl"
     assert {path.relative_to(there) for path in there.rglob("*.v")} == \
         {path.relative_to(cores.RTL) for path in cores.RTL.rglob("*.v")}
+    package = cores.PACKAGE
+    assert {path.relative_to(package) for path in package.rglob("*.py")} == \
+        {path.relative_to(there.parent) for path in there.parent.rglob("*.py")}, "packages of pyproject.toml"
     found = json.loads(installed("files", "rational_ik2", "--json"))["files"]
     for path in map(Path, found):
         assert path.is_relative_to(there)

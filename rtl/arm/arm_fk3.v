@@ -3,7 +3,7 @@
 // offset b, elbow offset e and an elbow measured from the base. A switch at 0 leaves its part out.
 //   rho, z = x, y of vector_fk2 with L2 + i e for L2, plus a and the base height; x + i y = (rho + i b)(c3 + i n3)
 // Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 u(W-F).F; other cfg_*, out_* s(W-F).F, nearest, saturated.
-// Error: each coordinate within 0.72 LSB of the vectors as they are given, if none is longer than 1.
+// Error: each coordinate within 0.80 LSB of the vectors as they are given, if none is longer than 1.
 // Latency 8, II 8; the schedule is in arm_chain.v. Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 24-31 in vector form, with the offsets of real arms. Model: arm.fk3
 `default_nettype none

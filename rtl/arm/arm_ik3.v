@@ -71,6 +71,7 @@ module arm_ik3 #(
     arm_vectors #(.U(U), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE)) codec (
         .clk(clk), .rst(rst), .cfg_ce(cfg_ce), .cfg_ne(cfg_ne), .in_cos(cosine), .in_sin(sine), .in_word(word),
         .in_flat(flat), .in_negative(negative), .in_none(none), .in_to_c(to_c), .in_to_n(to_n), .in_by1(by1),
+        .in_load(1'b0), .in_last_c({3*(U+2){1'b0}}), .in_last_n({3*(U+2){1'b0}}),
         .out_c({out_c3, out_c2, out_c1}), .out_n({out_n3, out_n2, out_n1}));
 endmodule
 `default_nettype wire

@@ -2,6 +2,7 @@
 // Registers of the unit vectors that arm_solve gives coordinate by coordinate, as unit_vectors; and joint 2 turned by a
 // constant (elbow offset) and by joint 1 (elbow measured from the base):
 //   in_to_c then in_to_n: (c2, n2) turned by (cfg_ce, cfg_ne), or by (c1, n1) with in_by1
+//   in_load: joints 1 and 3 are in_last_*, what they hold where they have no direction
 // Formats: in_word s4.20, rounded to U fraction bits; cfg_ce, cfg_ne, out_c, out_n s2.U, joint 1 in the lowest bits.
 // Error of a turn: less than 1 LSB of U by truncation, and 1 LSB times the sine, for ~n stands for -n. After reset
 // (1, 0), but of joint 2, whose words are never held. Latency 1, and 2 for a turn. Models: vector_solve._word, arm.turn
@@ -24,6 +25,9 @@ module arm_vectors #(
     input  wire                in_to_c,
     input  wire                in_to_n,
     input  wire                in_by1,
+    input  wire                in_load,
+    input  wire [3*(U+2)-1:0]  in_last_c,
+    input  wire [3*(U+2)-1:0]  in_last_n,
     output wire [3*(U+2)-1:0]  out_c,
     output wire [3*(U+2)-1:0]  out_n
 );
@@ -41,8 +45,13 @@ module arm_vectors #(
     wire signed [2*U+3:0] product1 = c2 * right1, product2 = n2 * right2;
     wire        [U+2:0] sum = product1[2*U+1:U-1] + product2[2*U+1:U-1] + {{(U+2){1'b0}}, 1'b1};
     reg         [U+1:0] kept;
-    wire               unused = &{1'b0, in_word, product1, product2, sum[0], in_by1, in_to_c, in_to_n, cfg_ce, cfg_ne};
+    wire               unused = &{1'b0, in_word, product1, product2, sum[0], in_by1, in_to_c, in_to_n, cfg_ce, cfg_ne,
+                                  in_last_c, in_last_n};
     always @(posedge clk) begin
+        if (in_load) begin
+            {c3, c1} <= {in_last_c[2*(U+2) +: U+2], in_last_c[U+1:0]};
+            {n3, n1} <= {in_last_n[2*(U+2) +: U+2], in_last_n[U+1:0]};
+        end
         if (in_cos[0] && !in_none)
             c1 <= word;
         if (in_sin[0] && !in_none)

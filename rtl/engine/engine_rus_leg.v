@@ -75,8 +75,8 @@ module engine_rus_leg (
         DIVISOR = 15'h1000,     // w slope <- n shift s: read the reciprocal's table; flags
         NUM     = 15'h2000,     // n <- a b: a numerator
         OUT     = 15'h4000;     // - <- d: the sine
+    //                      A, B     C        D        add    behind
     localparam [19*30-1:0] LEG = {
-        //                  A, B     C        D        add    behind
         /* row x       */ {FIRST,   ROW_C,   IDLE_D,  PLACE, NONE},
         /* row z       */ {ROW,     ROW_C,   IDLE_D,  PLACE, X},
         /* row y       */ {ROW,     ROW_C,   IDLE_D,  PLACE, Z},

@@ -41,8 +41,8 @@ module engine_rus_path (
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [53:0] pc = cl * cr, pd = dl * dr;
     wire signed [45:0] ab = pa + pb;
-    /* verilator lint_on UNUSEDSIGNAL */
     wire signed [29:0] sum = ab[45:16] + (pc[45:16] + add);
+    /* verilator lint_on UNUSEDSIGNAL */
     wire        [21:0] length = sum[23:2];
     wire               over = sum[29:23] != {7{sum[23]}};
     wire signed [18:0] away = $signed(in_row[17:0]) + $signed(in_words[17:0]);
@@ -107,7 +107,8 @@ module engine_rus_path (
         dl <= next_d ? word : table_d ? {1'b0, w, 4'd8} : {{5{in_nb[17]}}, in_nb, 4'd0};
         if (link_d || table_d)
             dr <= divide ? pd[49:23] : table_d ? {1'b0, slope, 6'd0} : {{7{in_words[35]}}, in_words[35:18], 2'd0};
-        add <= with_k ? {{3{cfg_k[26]}}, cfg_k} : place ? {{5{away[18]}}, away, 6'd2} : 30'd2;
+        // half, and what two truncations lose
+        add <= with_k ? {{3{cfg_k[26]}}, cfg_k} : place ? {{5{away[18]}}, away, 6'd3} : 30'd3;
 
         if (to_x)
             x <= length;

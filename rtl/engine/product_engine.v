@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums of two products a clock on a register file of 64 words, for programs that engine_program plays.
 //   word = A B [+- C D] [+ the sum before] to nearest 2^-25, written to DEST; products of one term shifted for roots
-// An operation reads in one clock and computes in the next; its word can be read from the second line behind it on, by
-// the next line as LAST. Formats: words s2.25; sum s4.28, each product truncated to 2^-28; it wraps.
+// A line reads in one clock and computes in the next; its word can be read from the second line behind on, by the next
+// line as LAST. Formats: words s2.25; sum s4.28, each product truncated to 2^-28; it wraps.
 //   in_op {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}: rtl/engine/README.md
-//   in_port: the word of a PORT operand, one clock after its line; in_signs: minus for BACK, DOWN, FLIP
+//   in_port: the word of a PORT operand, one clock after its line; in_signs: minus for BACK, DOWN, FLIP; in_run: not
+//   idle, or nothing is done but writing to registers
 //   out_word, out_dest: the word of the line before, and its register, 0 for none. out_status: unreachable, singular,
 //   bit 3 a failed CHECK, of all lines since in_start
 // The register file is stored four times, for four reads a clock. Model: six._dot, six._unit, six._root
@@ -17,15 +18,18 @@ module product_engine #(
     input  wire        clk,
     input  wire        rst,
     input  wire        in_start,
+    input  wire        in_run,
     input  wire [46:0] in_op,
     input  wire [26:0] in_port,
     input  wire [2:0]  in_signs,
     output reg  [26:0] out_word,
-    output reg  [5:0]  out_dest,
+    output wire [5:0]  out_dest,
     output wire [3:0]  out_status
 );
     reg  [46:0] op;  // of the clock in which it computes
-    wire [8:0]  act = op[8:0] & {9{ROOTS != 0}};
+    reg  [5:0]  written;
+    assign      out_dest = written & {6{in_run}};
+    wire [8:0]  act = op[8:0] & {9{ROOTS != 0 && in_run}};
     wire [5:0]  dest = op[14:9];
     wire        low = op[15] && ROOTS != 0, mid = op[16] && ROOTS != 0, keep = op[17], minus = op[18], two = op[19];
 
@@ -131,7 +135,7 @@ module product_engine #(
         op       <= rst ? 47'd0 : in_op;
         kept     <= keep ? sum : 32'd4;
         out_word <= word;
-        out_dest <= skip || rst ? 6'd0 : dest;
+        written  <= skip ? 6'd0 : dest;
     end
     wire unused = &{1'b0, in_start, in_signs, act, fold, low, mid, op};
 endmodule

@@ -30,26 +30,30 @@ module kernel_fixed_frame #(
     output wire                out_last,
     output wire                out_overflow
 );
+    localparam [31:0] MOST = N;
     localparam D = $clog2(N), G = D + 3, C = 12;  // bits of a count below N; guard bits; bits of an offset
     localparam M = W + G, P = W + D + 1 + G;  // bits of a product without its sign, of a sum
     localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and what N products of each sign lose
 
     // Schedule. start: chords length <- in_j2 in_l
-    localparam [3:0]
-        CHORD = 4'b0001,  // major minor swap <- chords: complete both roots with the two multipliers
-        LEAN  = 4'b0010,  // chords <-: with CHORD: these are the roots of p; the codec has read t
-        RISE  = 4'b0100,  // a z <- major minor length swap: L cos p ends z; a is L sin p
-        LAST  = 4'b1000;  // x y_part <- a major minor swap: a sin t ends x; the product of y waits for the clock after
+    localparam [4:0]
+        CHORD = 5'b00001,  // major minor swap <- chords: complete both roots with the two multipliers
+        LEAN  = 5'b00010,  // chords <-: with CHORD: these are the roots of p, not those of t, whose clock ends z
+        RISE  = 5'b00100,  // a held <- major minor length swap: L sin p and L cos p
+        REACH = 5'b01000,  // held y_part <- a major minor swap: a sin t and a cos t
+        LAST  = 5'b10000;  // x <- held: the product ends x, that of y waits for the clock after
     //                 work
-    localparam [4*4-1:0] LINK = {
-        /* roots of p */ {CHORD | LEAN},
-        /* z          */ {RISE},
-        /* roots of t */ {CHORD},
-        /* x, y       */ {LAST}};
-    wire idle, decode, lean, rise, last;
+    localparam [5*5-1:0] LINK = {
+        /* roots of p    */ {CHORD | LEAN},
+        /* products of p */ {RISE},
+        /* roots of t, z */ {CHORD},
+        /* products of t */ {REACH},
+        /* x             */ {LAST}};
+    wire idle, decode, lean, rise, reach, last;
     wire accept = in_valid && in_ready, taken = out_valid && out_ready;
-    schedule #(.LINES(4), .BITS(4), .TABLE(LINK)) control (.clk(clk), .rst(rst), .in_start(accept),
-        .out_idle(idle), .out_op({last, rise, lean, decode}));
+    schedule #(.LINES(5), .BITS(5), .TABLE(LINK)) control (.clk(clk), .rst(rst), .in_start(accept),
+        .out_idle(idle), .out_op({last, reach, rise, lean, decode}));
+    wire height = decode && !lean;
     assign in_ready = idle && (!out_valid || out_ready);
     assign out_want = idle;
 
@@ -78,10 +82,10 @@ module kernel_fixed_frame #(
 
     // z, then x, then y through one adder; they change places. A sign is that of a one's complement
     reg  [P-1:0] sum0, sum1, sum2;
-    reg  [M-1:0] y_part;
+    reg  [M-1:0] held, y_part;
     reg          down, back, left;  // signs of cos p, of sin p sin t and sin p cos t; down also of sin p, before
     wire         negative = out_valid ? back : last ? left : down;
-    wire [M-1:0] part = (out_valid ? y_part : product1[U+1 +: M]) ^ {M{negative}};
+    wire [M-1:0] part = (out_valid ? y_part : held) ^ {M{negative}};
     wire [P-1:0] sum = sum0 + {{(P-M){negative}}, part};
     wire         over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};
     reg          over_before;
@@ -90,7 +94,7 @@ module kernel_fixed_frame #(
     // Links of the chain so far, N at most
     reg  [D:0]   links;
     reg          ends, beyond;
-    wire         full = links == N;
+    wire         full = links == MOST[D:0];
     assign       out_last = ends;
     assign       out_overflow = over || over_before || beyond;
 
@@ -111,17 +115,19 @@ module kernel_fixed_frame #(
             back  <= lean ? neg_n : neg_c ^ back;
             left  <= lean ? neg_n : neg_n ^ left;
         end
-        if (rise) begin
-            a     <= product2[U+1 +: M];
-            out_z <= out_y;
-        end
-        if (last) begin
+        if (rise)
+            a <= product2[U+1 +: M];
+        if (rise || reach)
+            held <= product1[U+1 +: M];
+        if (reach)
             y_part <= product2[U+1 +: M];
-            out_x  <= out_y;
-        end
-        if (rise || last)
+        if (height)
+            out_z <= out_y;
+        if (last)
+            out_x <= out_y;
+        if (height || last)
             over_before <= over || (last && over_before);
-        if (rise || last || taken) begin
+        if (height || last || taken) begin
             sum0 <= sum1;
             sum1 <= sum2;
             sum2 <= sum;

@@ -35,7 +35,7 @@ module kernel_link_space #(
 );
     localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
     localparam M = W + 1 + G, P = W + D + 1 + G;  // bits of a product, of a sum
-    localparam [D:0] MOST = N + 1;
+    localparam [31:0] MOST = N + 1;
     // Half of what N products lose, with half a unit of rho, or half an LSB of z
     localparam [P-1:0] FINE = (1 << G - 4 >> 1) + (1 << D - 1), HALF = (1 << G - 1) + (1 << D - 1);
     reg  waits, second, third;  // clocks of a link: completes the cosine; the sine, rho; z, x. In out_valid's: y
@@ -48,7 +48,7 @@ module kernel_link_space #(
     wire [K:0]     knot;
     wire [K-T+3:0] step, rise;
     wire [14:0]    offset, below;
-    wire           same, copy;  // of signs
+    wire           same;  // of signs
     assign {knot, step, offset} = in_chord;
     assign {same, rise, below} = $signed(step) * $signed({1'b0, offset});
     reg  [K:0]     root;
@@ -57,7 +57,7 @@ module kernel_link_space #(
     reg  [W-1:0]   length0, length1;
     reg  [2:0]     flags0, flags1;  // yaw, last of the chain, beyond N links
     reg  [D:0]     links;
-    wire           full = links == MOST;
+    wire           full = links == MOST[D:0];
     assign         out_yaw = links == 0;
     wire [M-1:0]   part;
     wire [K-G-1:0] rest;
@@ -81,7 +81,7 @@ module kernel_link_space #(
     reg                 over_rho, over_before;
     assign out_y = over3 ? {near3[W], {(W-1){!near3[W]}}} : near3[W-1:0];
     assign out_overflow = over_before || over3;
-    wire                unused = &{1'b0, same, copy, copy_too, copy3, rest, rest3, below};
+    wire                unused = &{1'b0, same, copy_too, copy3, rest, rest3, below};
 
     always @(posedge clk) begin
         if (accept) begin

@@ -31,6 +31,7 @@ module kernel_link_sum #(
     output wire                out_last,
     output wire                out_overflow
 );
+    localparam [31:0] MOST = N;
     localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
     localparam M = W + 1 + G, P = W + D + 1 + G;  // bits of a product, of a sum
     localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half of what N products lose
@@ -44,7 +45,7 @@ module kernel_link_sum #(
     wire [K:0]     knot;
     wire [K-T+3:0] step, rise;
     wire [14:0]    offset, below;
-    wire           same, copy;  // of signs
+    wire           same;  // of signs
     assign {knot, step, offset} = in_chord;
     assign {same, rise, below} = $signed(step) * $signed({1'b0, offset});
     reg  [K:0]     root;
@@ -53,12 +54,12 @@ module kernel_link_sum #(
     reg  [W-1:0]   length0, length1;
     reg            ends0, ends1, beyond0, beyond1;
     reg  [D:0]     links;
-    wire           full = links == N;
+    wire           full = links == MOST[D:0];
     wire [M-1:0]   part;
     wire [K-G-1:0] rest;
     wire           copy_too;
     assign {copy_too, part, rest} = $signed(root) * $signed({1'b0, length1});
-    wire           unused = &{1'b0, same, copy, copy_too, rest, below};
+    wire           unused = &{1'b0, same, copy_too, rest, below};
 
     // x, then y through one adder; they change places. Its constant HALF rounds
     reg  [P-1:0]   front, back;

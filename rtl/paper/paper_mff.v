@@ -4,7 +4,7 @@
 // in_j1 is the angle t from the y axis to the x axis, in_j2 the angle p from the z axis; both in the FIXED frame.
 // Formats: turn-spreads u2.S, whose quadrants are the octant; in_l uQ(W-F).F; outputs sQ(W-F).F, saturated.
 // Error: z 0.57 + 0.83 (L1 + ... + Lk) / 2^U LSB after k links, lengths in LSB; x and y 0.69 and twice that.
-// Latency and II 5 a link; the schedule is in kernel_fixed_frame.v.
+// Latency and II 6 a link; the schedule is in kernel_fixed_frame.v.
 // Status: overflow (a coordinate was saturated; or the chain has had N links before: this one does not count).
 // Source: paper section IV-D, Fig. 12, octants corrected; a root of each spread, not of their product. Model: chain.mff
 `default_nettype none

@@ -80,8 +80,8 @@ module vector_fk6 #(
     endgenerate
     engine_ports #(.COUNT(19)) operands (.clk(clk), .in_words(words), .in_select(op[43:39]), .out_word(port));
     /* verilator lint_off PINCONNECTEMPTY */
-    product_engine #(.ROOTS(0)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_op(op), .in_port(port),
-        .in_signs(3'd0), .out_word(word), .out_dest(dest), .out_status());
+    product_engine #(.ROOTS(0)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle), .in_op(op),
+        .in_port(port), .in_signs(3'd0), .out_word(word), .out_dest(dest), .out_status());
     /* verilator lint_on PINCONNECTEMPTY */
 
     // Results: nine words of the matrix, then three coordinates

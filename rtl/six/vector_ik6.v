@@ -91,8 +91,8 @@ module vector_ik6 #(
         end
     endgenerate
     engine_ports #(.COUNT(23)) operands (.clk(clk), .in_words(words), .in_select(op[43:39]), .out_word(port));
-    product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_op(op),
-        .in_port(port), .in_signs(signs), .out_word(word), .out_dest(dest), .out_status(out_status));
+    product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
+        .in_op(op), .in_port(port), .in_signs(signs), .out_word(word), .out_dest(dest), .out_status(out_status));
     engine_results #(.COUNT(12), .U(U)) joints (.clk(clk), .in_word(word), .in_dest(dest), .out_words({out_n6, out_c6,
         out_n5, out_c5, out_n4, out_c4, out_n3, out_c3, out_n2, out_c2, out_n1, out_c1}));
 

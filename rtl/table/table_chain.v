@@ -33,8 +33,8 @@ module table_chain #(
     output wire [3:0]          out_status
 );
     generate
-        if (SPACE < 0 || SPACE > 1 || W < 15 || W > 20 || F < 0 || F >= W || A < 10 || A > 24 || N < 2 || N > 64)
-        begin : g_illegal
+        if (SPACE < 0 || SPACE > 1 || W < 15 || W > 20 || F < 0 || F >= W || A < 10 || A > 24 || N < 2
+            || N > 64) begin : g_illegal
             table_chain_needs_SPACE_0_or_1_W_from_15_to_20_F_below_W_A_from_10_to_24_and_N_from_2_to_64 rule ();
         end
     endgenerate

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every joint's position of a planar chain of any number of links, streamed from the base: a link in, a position out.
+// Every joint's position of a chain of any number of links, streamed from the base: a link in, a position out.
 //   (C, N) <- (C c - N n, C n + N c), from (1, 0) on; (x, y) <- (x, y) + L (C, N), from (0, 0) on; in_last ends a chain
-// Formats: in_c, in_n s2.U (1.0 is 2^U); in_l uQ(W-F).F; out_x, out_y sQ(W-F).F, nearest, saturated (the sum is not).
-// Inside: C, N s2.(U+G), x, y s(W+D+2).G with D = log2 N, G = D + 3. Right while the product of the lengths of the
-// vectors stays below 2; beyond it the chain wraps, the next one does not.
-// Error of a coordinate after k links: 1/2 + 1/16 + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB.
-// Latency 4, II 3 a link: the first clock of a link is the last of the one before it.
-// Status: overflow (a coordinate was saturated; or the chain has had N links before, and this one does not count).
-// Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions. Model: chain.vector_chain
+// SPACE = 1: (rho, z) for (x, y), x = rho c3, y = rho n3, where (c3, n3), the yaw, is the first word of the chain.
+// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, saturated (sums are not).
+// Right while the product of the lengths of the vectors stays below 2; beyond it the chain wraps, the next does not.
+// Error of a coordinate after k links: 0.57 (in space x, y 0.60) + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB with
+// G = log2 N + 3. Latency 4, in space 5; II 3 a link.
+// Status: overflow (a coordinate or rho was saturated; or the chain has had N links before, this one does not count).
+// Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions.
+// Model: chain.vector_chain
 `default_nettype none
 module vector_chain #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
-    parameter U = 16,  // fraction bits of cosine and sine, 4 to 20: 16 are what a coordinate of 16 bits needs
-    parameter N = 32   // links that a chain may have, 2 to 64, U + log2 N at most 22: a snake has 32
+    parameter SPACE = 0,  // 1: the chain's first word is its yaw, 0: a planar chain, without out_z
+    parameter W = 16,     // bits of a coordinate and of a length, 4 to 20: 16 are common in servo control
+    parameter F = 8,      // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
+    parameter U = 16,     // fraction bits of cosine and sine, 4 to 20: 16 are what a coordinate of 16 bits needs
+    parameter N = 32      // links that a chain may have beside its yaw, 2 to 64, U + log2 N at most 22: a snake has 32
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -23,114 +25,36 @@ module vector_chain #(
     input  wire signed [U+1:0] in_n1,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
-    output reg                 out_valid,
+    output wire                out_valid,
     input  wire                out_ready,
-    output reg  signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_x,
     output wire signed [W-1:0] out_y,
+    output wire signed [W-1:0] out_z,
     output wire                out_last,
     output wire [3:0]          out_status
 );
-    localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
-    localparam V = U + 2 + G, M = W + 2 + G, P = W + D + 2 + G;  // bits of C and N, of a product, of a sum
-    localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with zeros behind
-    localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
-    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half of what N products lose
     generate
-        if (W < 4 || W > 20 || F < 0 || F >= W || U < 4 || U > 20 || N < 2 || N > 64 || U + D > 22) begin : g_illegal
-            vector_chain_needs_W_from_4_to_20_F_below_W_U_from_4_N_from_2_to_64_and_U_with_log2_N_up_to_22 rule ();
+        if (SPACE < 0 || SPACE > 1 || W < 4 || W > 20 || F < 0 || F >= W || U < 4 || U > 20 || N < 2 || N > 64
+            || U + $clog2(N) > 22) begin : g_illegal
+            vector_chain_needs_SPACE_0_or_1_W_U_from_4_to_20_F_below_W_N_from_2_to_64_and_U_with_log2_N_to_22 rule ();
         end
     endgenerate
 
-    // Schedule. start: r1 r2 next cosine sine <- in_c1 in_n1
-    localparam [1:0]
-        TURN = 2'b01,  // r1 r2 sine cosine <- r1 r2 next cosine sine: the sine; the cosine of the clock before goes on
-        LAST = 2'b10;  // x y_part <- r1 r2 cosine sine: products with the length; the next link is taken in this clock
-    //                 work
-    localparam [2*2-1:0] LINK = {
-        /* C n + N c */ {TURN},
-        /* L C, L N  */ {LAST}};
-    wire idle, turn, last;
-    reg  waits;  // the link is in its first clock, that of C c - N n
-    wire move = !out_valid || out_ready;
-    wire accept = in_valid && in_ready;
-    schedule #(.LINES(2), .BITS(2), .TABLE(LINK)) control (.clk(clk), .rst(rst), .in_start(waits && move),
-        .out_idle(idle), .out_op({last, turn}));
-    assign in_ready = !waits && (idle || last) && move;
-
-    // The joint's word passes by both multipliers: (c, n), then (n, c), then the length twice
-    reg  signed [V-1:0] cosine, sine;  // of the link; in the first two clocks of the one before it
-    reg         [B-1:0] r1, r2;
-    reg                 minus;  // r2 is the one's complement of n, 2^-(U+G) below -n for the bits behind it are ones
-    reg         [W-1:0] length;
-    reg         [V-1:0] next;
-    /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [V+R-1:0] product1 = cosine * $signed({r1, {G{1'b0}}}), product2 = sine * $signed({r2, {G{minus}}});
-    /* verilator lint_on UNUSEDSIGNAL */
-    wire [V-1:0] cut1 = product1[U+G +: V], cut2 = product2[U+G +: V];
-    wire [V-1:0] turned = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both cuts
-
-    // x, then y through one adder; they change places. Its constant HALF rounds
-    reg  [P-1:0] front, back;
-    reg  [M-1:0] y_part;
-    wire [M-1:0] part = last ? product1[U+G +: M] : y_part;
-    wire [P-1:0] sum = front + {{(P-M){part[M-1]}}, part};
-    wire         over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};
-    assign       out_y = over ? {sum[P-1], {(W-1){!sum[P-1]}}} : sum[W+G-1:G];
-
-    // Links of the chain so far, N at most; ends and beyond are those of the link at work, then of the result
-    reg  [D:0]   links;
-    reg          ends, beyond, over_before;
-    reg  [1:0]   shown;
-    wire         full = links == N;
-    wire         taken = out_valid && out_ready;
-    assign       out_last = shown[1];
-    assign       out_status = {1'b0, over || over_before || shown[0], 2'b00};
-
-    always @(posedge clk) begin
-        if (accept) begin
-            length <= in_l;
-            ends   <= in_last;
-            beyond <= full;
-            links  <= links + {{D{1'b0}}, !full};
+    wire   overflow;
+    assign out_status = {1'b0, overflow, 2'b00};
+    generate
+        if (SPACE == 0) begin : g_plane
+            assign out_z = {W{1'b0}};
+            kernel_vector_sum #(.W(W), .U(U), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
+                .in_ready(in_ready), .in_c1(in_c1), .in_n1(in_n1), .in_l(in_l), .in_last(in_last),
+                .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_last(out_last),
+                .out_overflow(overflow));
+        end else begin : g_space
+            kernel_vector_space #(.W(W), .U(U), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
+                .in_ready(in_ready), .in_c1(in_c1), .in_n1(in_n1), .in_l(in_l), .in_last(in_last),
+                .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z),
+                .out_last(out_last), .out_overflow(overflow));
         end
-        if (!waits || move) begin
-            r1    <= turn ? {{(B-W){1'b0}}, length} : waits ? ~r2 : {{(B-U-1){in_c1[U+1]}}, in_c1[U:0]};
-            r2    <= turn ? {{(B-W){1'b0}}, length} : waits ? r1 : ~{{(B-U-1){in_n1[U+1]}}, in_n1[U:0]};
-            minus <= !turn && !waits;
-        end
-        next <= turned;
-        if (turn) begin
-            cosine <= next;
-            sine   <= turned;
-        end
-        if (last) begin
-            y_part      <= product2[U+G +: M];
-            shown       <= {ends, beyond};
-            out_x       <= out_y;
-            over_before <= over;
-        end
-        if (last || taken) begin
-            front <= back;
-            back  <= sum;
-        end
-        waits     <= accept || (waits && !move);
-        out_valid <= last || (out_valid && !out_ready);
-        if (accept && full)
-            length <= {W{1'b0}};
-        if (rst || (accept && in_last))
-            links <= {(D+1){1'b0}};
-        if (rst || (last && ends)) begin
-            cosine <= ONE;
-            sine   <= {V{1'b0}};
-        end
-        if (rst || (taken && out_last)) begin
-            front <= HALF;
-            back  <= HALF;
-        end
-        if (rst) begin
-            waits     <= 1'b0;
-            out_valid <= 1'b0;
-        end
-    end
+    endgenerate
 endmodule
 `default_nettype wire

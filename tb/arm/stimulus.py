@@ -3,19 +3,35 @@
 from __future__ import annotations
 
 import numpy as np
-from quadrance import arm
+from quadrance import arm, arm_keep
 from quadrance.cores import Core
 from quadrance.fixed import to_fixed
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 from tb.rational import stimulus as rational
+from tb.vector import targets
 from tb.vector.stimulus import directions
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Lengths and constants: none, the greatest of both signs, ordinary ones."""
-    return _inverse(core, rng) if core.function == "arm_ik3" else _forward(core, rng)
+    if core.function == "keep2":
+        found = targets.configs(core, rng)[:12]
+    else:
+        found = _inverse(core, rng) if core.function in ("arm_ik3", "keep3") else _forward(core, rng)
+    if "keep" in core.function:
+        found = [_limited(core, cfg, i, rng) for i, cfg in enumerate(found[-7:])]  # every sample is four of the kernel
+    return [{port.name: cfg[port.name] for port in core.cfg} for cfg in found]
+
+
+def _limited(core: Core, cfg: dict[str, int], i: int, rng: np.random.Generator) -> dict[str, int]:
+    """The configuration with limits of every joint: none, narrow ones, so narrow that no branch is within them."""
+    cfg = dict(cfg)
+    for joint in range(1, int(core.function[-1]) + 1):
+        low, room = rng.uniform(-np.pi, np.pi), rng.uniform(0.5, 1.2) * 2 * np.pi if i % 3 else 7.0
+        cfg |= arm_keep.limit(core.params, joint, low, low + (0.3 if i == 5 else room))
+    return cfg
 
 
 def _forward(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -23,17 +39,20 @@ def _forward(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     for scale in (1, 4, 4, 16):
         rows.append([int(rng.integers(port.low // scale, port.high // scale, endpoint=True)) for port in core.cfg])
     rows.append([{"cfg_sine": 0, "cfg_radius": 0}.get(port.name, port.high // 8) for port in core.cfg])  # no threshold
-    return [dict(zip((port.name for port in core.cfg), row)) for row in rows]
+    found = [dict(zip((port.name for port in core.cfg), row)) for row in rows]
+    long = found[2] | {"cfg_l1": core.cfg[0].high}, found[2] | {"cfg_l2": core.cfg[1].high, "cfg_l1": 7}
+    return [*found, *long]
 
 
 def _inverse(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     p, f = core.params, core.params["F"]
     high, half = (1 << p["W"]) - 1, 1 << p["W"] - 1
     links = [(high, high), (0, 0), (high, 1), (1, 1), (3 << f, 2 << f), (256 & high, 256 & high),
-             (half // 4, half // 5), (half // 4, half // 4), *rng.integers(1, half // 2, (4, 2)).tolist()]
+             (half // 4, half // 5), (half // 4, half // 4), *rng.integers(1, half // 2, (4, 2)).tolist(),
+             (high, half // 3), (half // 3, high)]
     ends = {"cfg_base": half, "cfg_shoulder": half // 4, "cfg_lateral": half}
     found = []
-    for i, (l1, l2) in enumerate(links):
+    for i, (l1, l2) in enumerate(np.minimum(links, high).tolist()):
         reach = 4 * half if i in (0, 2) else min(l1 + l2 + 4, half)
         more = {name: int(np.clip(rng.integers(-reach, reach) // 2, 1 - end, end - 1)) for name, end in ends.items()}
         if i in (1, 4):
@@ -41,7 +60,7 @@ def _inverse(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
         turn = rng.uniform(-np.pi, np.pi) * (i != 4)
         more |= {"cfg_ce": int(to_fixed(np.cos(turn), p["U"])), "cfg_ne": int(to_fixed(-np.sin(turn), p["U"]))}
         found.append({"cfg_l1": l1, "cfg_l2": l2} | arm.config(p, cfg_l1=l1, cfg_l2=l2, **more))
-    return [{port.name: words[port.name] for port in core.cfg} for words in found]
+    return found
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
@@ -49,6 +68,11 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     rng = np.random.default_rng(1)
     if core.function == "arm_fk3":
         return stimulus.joined(directions(core, rng), stimulus.saturation(core, cfg))
+    if core.function == "keep2":
+        return {name: words for name, words in targets.corners(core, cfg, rng).items() if name != "in_elbow"}
+    if core.function == "keep3":
+        found = _targets(core, cfg, rng)
+        return {name: found[name] for name in ("in_x", "in_y", "in_z")}
     return _targets(core, cfg, rng) if core.function == "arm_ik3" else _motions(core, rng)
 
 

@@ -11,15 +11,21 @@ from tb.engine import gradient
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
-SCALE = {"rus_2x3": 1 / 128, "rotary_stewart": 1 / 512, "klipper_delta": 1 / 128, "linuxcnc_delta": 1 / 128}
+SCALE = {"rus_2x3": 1 / 128, "rotary_stewart": 1 / 640, "klipper_delta": 1 / 128, "linuxcnc_delta": 1 / 128}
 EYE = np.eye(3)
+
+
+def words_of(core: Core, name: str) -> dict[str, int]:
+    """Configuration of a robot; a leg is near a singular one with a root of less than half a crank."""
+    robot = geometry.load(name)
+    return engine_rus.config(core.params, robot, SCALE[name], near=robot.la[0] / 2)
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Each robot with its own words, then extremes and some at random; of a gradient engine those of gradient.py."""
     if core.model_name == "iterative.fixed.gd":
         return gradient.configs(core, rng)
-    robots = [engine_rus.config(core.params, geometry.load(name), scale, near=20.0) for name, scale in SCALE.items()]
+    robots = [words_of(core, name) for name in SCALE]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
     return [*robots, *edges, *({port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}
                                for _ in range(2))]
@@ -61,8 +67,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     if core.model_name == "iterative.fixed.gd":
         return gradient.corners(core, cfg)
     rng = np.random.default_rng(1)
-    name = next((one for one, scale in SCALE.items()
-                 if engine_rus.config(core.params, geometry.load(one), scale, near=20.0) == cfg), "rus_2x3")
+    name = next((one for one in SCALE
+                 if words_of(core, one) == cfg), "rus_2x3")
     robot, scale = geometry.load(name), SCALE[name]
     turn, place, beta = workspace(name, 160, rng)
     if name == "rus_2x3":

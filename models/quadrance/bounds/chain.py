@@ -61,6 +61,16 @@ def vector_chain_directions(p: Params, lengths: ArrayLike) -> Floats:
     return vector_chain(p, lengths) + np.cumsum(floats(lengths) * ((1 + vector_word(p)) ** links - 1))
 
 
+def vector_chain_space(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
+    """x or y, and z, of vector_chain in space against the vectors' directions, after each link (n,), LSB.
+
+    rho as z, and half a unit of its own 1/16; the yaw's length stretches it once more. Rounding 1/2.
+    """
+    z = vector_chain_directions(p, lengths)
+    off = vector_word(p)
+    return 0.5 + (z - 0.5 + 1 / 32) * (1 + off) + off * np.cumsum(floats(lengths)), z
+
+
 def mff(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
     """x or y, and z, of paper_mff after each link of a chain (n,), LSB.
 

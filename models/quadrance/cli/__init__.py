@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadrance import arms
-from quadrance.cli import catalogue, check, tables, verilog, words
+from quadrance.cli import axis, catalogue, check, tables, verilog, words
 from quadrance.cli.catalogue import Refused
 from quadrance.cli.tables import Column
 
@@ -129,6 +129,14 @@ def _files(args: argparse.Namespace) -> None:
     if args.json:
         return _json({"core": core.id, "top": core.name, "files": paths})
     print(verilog.dot_f(core, paths) if args.f else "\n".join(paths))
+
+
+def _axis(args: argparse.Namespace) -> None:
+    core = catalogue.find(args.core)
+    text = axis.wrapper(core)
+    if args.json:
+        return _json({"core": core.name, "top": f"axis_{core.name}", "verilog": text})
+    print(text, end="")
 
 
 def _copy(folder: str, paths: list[Path]) -> None:
@@ -259,6 +267,7 @@ def parser() -> Parser:
     sub.add_argument("-f", action="store_true", help="as a command file (-f) of a simulator")
     sub.add_argument("--relative", metavar="DIR", help="paths seen from a folder")
     sub.add_argument("--copy", metavar="DIR", help="copy the files there")
+    core(command("axis", _axis, "the Verilog of an AXI-Stream wrapper around a core"), param=False)
     for name, does, text, value in (
             ("encode", _encode, "degrees, encoder counts or millimetres into words", "degrees, counts, mm or units"),
             ("decode", _decode, "words into degrees, encoder counts or millimetres", "a word; of a vector C,N")):

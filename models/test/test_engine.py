@@ -1,0 +1,121 @@
+"""The parallel robot's core: its model against float64, within derived bounds, on every robot file."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from quadrance import cores, engine_rus
+from quadrance.bounds import engine as bounds
+from quadrance.parallel import geometry, position
+from quadrance.parallel.geometry import PoseError
+
+from tb.engine.stimulus import SCALE, spiral, workspace
+
+CORES = [core for core in cores.all_cores() if core.name == "engine_rus_ik"]
+EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
+ROBOTS = pytest.mark.parametrize("name", sorted(SCALE))
+
+
+def run(core, name: str, poses: tuple, near: float = 0.0) -> tuple[dict, dict, geometry.Robot, float]:
+    """The core's answer and what the same words say in float64, arrays (N, legs), poses alone."""
+    robot, scale = geometry.load(name), SCALE[name]
+    loads = engine_rus.geometry(core.params, robot, scale)
+    columns = engine_rus.stream(loads, engine_rus.poses(core.params, robot, scale, *poses))
+    cfg = engine_rus.config(core.params, robot, scale, near)
+    out = core.model(core.params, **columns, **cfg)
+    keep, legs = slice(len(loads), None), range(robot.legs)
+    cosine, sine, root = (np.stack([out[f"out_{what}{leg + 1}"][keep] for leg in legs], axis=-1) for what in "cns")
+    found = {"cosine": cosine, "sine": sine, "angle": np.arctan2(sine, cosine), "root": root / bounds.FINE,
+             "far": np.stack([out["out_far"][keep] >> leg & 1 for leg in legs], axis=-1) == 1,
+             "status": out["out_status"][keep]}
+    exact = engine_rus.exact(core.params, columns, cfg["cfg_k"], cfg["cfg_c"])
+    return found, {key: words[keep] for key, words in exact.items()}, robot, scale
+
+
+def apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return np.abs(np.angle(np.exp(1j * (a - b))))
+
+
+@EVERY
+@ROBOTS
+def test_angles_roots_and_flags_keep_their_bounds(core, name):
+    found, exact, robot, scale = run(core, name, workspace(name, 3000, np.random.default_rng(5)))
+    la = robot.la[0] / scale
+    g, plane = bounds.rus_vector(exact["distance"], la)
+    band = 2 * exact["flat"] * (g + plane) * 1.01 + (g + plane) ** 2  # of S^2
+    sure = np.abs(exact["gap"]) > band
+    assert sure.mean() > 0.99 and np.array_equal(found["far"][sure], exact["gap"][sure] < 0)
+    reach = ~found["far"] & (exact["root"] > 8 * (g + plane))
+    assert reach.mean() > 0.3
+    limit = bounds.rus_angle(exact["distance"], la, np.where(reach, exact["root"], 1), exact["flat"])
+    assert np.all(apart(found["angle"], exact["angle"])[reach] <= limit[reach])
+    off = band / np.where(reach, exact["root"], 1) + bounds.ROOT * exact["root"] + 2 / bounds.FINE
+    assert np.all(np.abs(found["root"] - exact["root"])[reach] <= off[reach])
+    length = np.hypot(found["cosine"], found["sine"])
+    assert np.abs(length / engine_rus.ONE - 1).max() < 1e-4, "unit vectors, out of reach too"
+
+
+@ROBOTS
+def test_degrees_that_the_page_claims(name):
+    """S of a tenth of the crank and more: arithmetic alone, W = 18."""
+    found, exact, robot, scale = run(CORES[0], name, workspace(name, 6000, np.random.default_rng(6)))
+    reach = ~found["far"] & (exact["root"] * scale >= robot.la[0] / 10)
+    worst = np.degrees(apart(found["angle"], exact["angle"])[reach].max())
+    assert worst <= {"rus_2x3": 0.005, "rotary_stewart": 0.01}.get(name, 0.003)
+
+
+def test_nearest_crank_out_of_reach():
+    poses = (np.eye(3), np.array([[0, -900, 0], [0, -750, 30], [90, -800, 20], [0, 750.0, 0]]), 0.3)
+    found, exact, robot, _ = run(CORES[0], "rus_2x3", poses)
+    assert found["far"].all() and np.all(found["root"] == 0) and np.all(found["status"] & 1)
+    assert apart(found["angle"], exact["angle"]).max() < np.radians(0.01)
+    misses = np.abs(position.rods(robot, np.eye(3), poses[1], found["angle"], 0.3))
+    for turn in (-0.01, 0.01):
+        assert np.all(np.abs(position.rods(robot, np.eye(3), poses[1], found["angle"] + turn, 0.3)) > misses)
+
+
+def test_spiral_closes_its_rods():
+    """The paper's 101 poses with the best link angles: cranks of the core against the robot's inverse and rods."""
+    turn, place, beta = spiral()
+    found, _, robot, _ = run(CORES[0], "rus_2x3", (turn, place, beta))
+    true = position.inverse(robot, turn, place, beta)
+    assert true.reachable.all() and not found["status"].any()
+    assert np.degrees(apart(found["angle"], true.alpha)).max() < 0.005, "rounded inputs included"
+    assert np.abs(position.rods(robot, turn, place, found["angle"], beta)).max() < 0.01, "mm"
+
+
+def test_singular_flag_is_the_root_below_its_limit():
+    poses = workspace("rus_2x3", 4000, np.random.default_rng(8))
+    found, exact, _, scale = run(CORES[0], "rus_2x3", poses, near=60.0)
+    root = np.where(found["far"], np.inf, exact["root"] * scale)
+    near = (root < 60).any(axis=1)
+    clear = (np.abs(root - 60) > 1).all(axis=1)
+    assert near.sum() > 20 and np.array_equal((found["status"][clear] & 2) > 0, near[clear])
+
+
+@EVERY
+def test_legs_answer_from_their_last_geometry(core):
+    robot, scale = geometry.load("rus_2x3"), SCALE["rus_2x3"]
+    loads = engine_rus.geometry(core.params, robot, scale)
+    cfg = engine_rus.config(core.params, robot, scale)
+    pose = engine_rus.poses(core.params, robot, scale, np.eye(3), np.array([[0, -320.0, 0]]))
+    rows = [{name: int(words[0]) for name, words in pose.items()}]
+    every = [*rows, loads[0], *rows, loads[3], *rows, {**loads[3], "in_leg": 0}, *rows, {**loads[0], "in_leg": 6},
+             *rows]
+    out = core.model(core.params, **{name: np.array([row[name] for row in every]) for name in every[0]}, **cfg)
+    assert out["out_far"].tolist() == [63, 0, 62, 0, 54, 0, 54, 0, 54]
+    assert out["out_status"].tolist() == [1, 0] * 4 + [1]
+    assert [out["out_c1"][i] for i in (0, 1, 3, 5)] == [engine_rus.ONE] * 4 and out["out_n1"][3] == 0
+    assert out["out_c1"][6] == out["out_c4"][4] != out["out_c1"][4] == out["out_c1"][2]
+    assert out["out_c1"][8] == out["out_c1"][6], "leg 7 and 8 do not exist"
+
+
+def test_words_that_do_not_fit():
+    p, robot = CORES[0].params, geometry.load("rus_2x3")
+    for scale, reason in ((1.0, "4097 LSB and more"), (1 / 512, "less than 2.17")):
+        with pytest.raises(PoseError, match=reason):
+            engine_rus.config(p, robot, scale)
+    with pytest.raises(PoseError, match="position: does not fit 18 bits"):
+        engine_rus.poses(p, robot, 1 / 128, np.eye(3), np.array([[0, -1100.0, 0]]))
+    with pytest.raises(PoseError, match="leg 4: does not fit|position: does not fit"):
+        engine_rus.geometry(p, robot, 1 / 400)

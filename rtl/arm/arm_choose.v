@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs an inverse kernel once for every branch of a target and keeps the best answer: within the limits of all joints,
+// in reach, nearest to the answer before, in this order; of equals the first.
+//   within: c mc + n mn > h for every joint, (mc, mn) the direction in the middle of its limits, h the cosine of half
+//   the room; nearest: the greatest sum over the joints of c c' + n n', the cosines of the steps from the last answer
+// An answer out of the limits is not remembered. After reset the last answer is the arm at its zeros.
+// Formats: c, n, mc, mn, h s2.U, joint 1 in the lowest bits; products are truncated. Error: 2 LSB of a cosine.
+// out_go, out_number: a branch starts, after out_take; in_done: it has ended, held until out_next.
+// Latency, II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1). Model: arm_keep._choose
+`default_nettype none
+module arm_choose #(
+    parameter JOINTS = 3,   // 2 or 3
+    parameter BRANCHES = 4, // 2 or 4: elbow, and side of the shoulder
+    parameter U = 16        // fraction bits of cosine and sine, 8 to 16: 16
+) (
+    input  wire                    clk,
+    input  wire                    rst,
+    input  wire [JOINTS*(U+2)-1:0] cfg_mc,
+    input  wire [JOINTS*(U+2)-1:0] cfg_mn,
+    input  wire [JOINTS*(U+2)-1:0] cfg_h,
+    input  wire                    in_valid,
+    output wire                    in_ready,
+    output wire                    out_take,
+    output wire                    out_go,
+    output wire [1:0]              out_number,
+    input  wire                    in_done,
+    output wire                    out_next,
+    input  wire [JOINTS*(U+2)-1:0] in_c,
+    input  wire [JOINTS*(U+2)-1:0] in_n,
+    input  wire [3:0]              in_status,
+    output wire [JOINTS*(U+2)-1:0] out_last_c,
+    output wire [JOINTS*(U+2)-1:0] out_last_n,
+    output reg                     out_valid,
+    input  wire                    out_ready,
+    output reg  [JOINTS*(U+2)-1:0] out_c,
+    output reg  [JOINTS*(U+2)-1:0] out_n,
+    output reg  [1:0]              out_best,
+    output wire                    out_beyond,
+    output reg  [3:0]              out_status
+);
+    localparam N = U + 2, S = U + 6;  // bits of a word, of a sum of cosines
+
+    // Schedule. start: allowed score last <- in_c in_n
+    localparam [4:0]
+        LIMIT1 = 5'b00_1_0_0,  // allowed <- allowed: joint 1 is within its limits
+        LIMIT2 = 5'b01_1_0_0,  // allowed <- allowed: joint 2
+        LIMIT3 = 5'b10_1_0_0,  // allowed <- allowed: joint 3
+        STEP1  = 5'b00_0_1_0,  // score <- score last: the step of joint 1
+        STEP2  = 5'b01_0_1_0,  // score <- score last: joint 2
+        STEP3  = 5'b10_0_1_0,  // score <- score last: joint 3
+        BETTER = 5'b00_0_0_1;  // best number <- allowed score: it is the answer if it is the best so far
+    localparam [5*5-1:0] TWO = {
+        /* limit 1 */ {LIMIT1},
+        /* step 1  */ {STEP1},
+        /* limit 2 */ {LIMIT2},
+        /* step 2  */ {STEP2},
+        /* decide  */ {BETTER}};
+    localparam [7*5-1:0] THREE = {
+        /* limit 1 */ {LIMIT1},
+        /* step 1  */ {STEP1},
+        /* limit 2 */ {LIMIT2},
+        /* step 2  */ {STEP2},
+        /* limit 3 */ {LIMIT3},
+        /* step 3  */ {STEP3},
+        /* decide  */ {BETTER}};
+    wire [1:0] joint;
+    wire       limit, step, better, idle;
+    reg        busy, begun;     // a target is in work; its first branch starts
+    reg  [1:0] number;
+    wire       last_one = number == (BRANCHES == 4 ? 2'd3 : 2'd1);
+    wire       start = in_done && idle;
+    generate
+        if (JOINTS == 2) begin : g_two
+            schedule #(.LINES(5), .BITS(5), .TABLE(TWO)) control (.clk(clk), .rst(rst), .in_start(start),
+                .out_idle(idle), .out_op({joint, limit, step, better}));
+        end else begin : g_three
+            schedule #(.LINES(7), .BITS(5), .TABLE(THREE)) control (.clk(clk), .rst(rst), .in_start(start),
+                .out_idle(idle), .out_op({joint, limit, step, better}));
+        end
+    endgenerate
+    assign in_ready = !busy && (!out_valid || out_ready);
+    assign out_take = in_valid && in_ready;
+    assign out_next = better;
+    assign out_go = begun || better && !last_one;
+    assign out_number = begun ? 2'd0 : number + 2'd1;
+
+    // One cosine a clock: of joint i with the middle of its limits, or with the last answer
+    reg  [JOINTS*N-1:0] last_c, last_n;
+    assign              out_last_c = last_c;
+    assign              out_last_n = last_n;
+    wire signed [N-1:0] c = in_c[joint*N +: N], n = in_n[joint*N +: N];
+    wire signed [N-1:0] to_c = limit ? cfg_mc[joint*N +: N] : last_c[joint*N +: N];
+    wire signed [N-1:0] to_n = limit ? cfg_mn[joint*N +: N] : last_n[joint*N +: N];
+    wire signed [N-1:0] h = cfg_h[joint*N +: N];
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire signed [2*N-1:0] product1 = c * to_c, product2 = n * to_n;
+    /* verilator lint_on UNUSEDSIGNAL */
+    wire [S-1:0] cosine = {{2{product1[2*N-1]}}, product1[2*N-1:U]} + {{2{product2[2*N-1]}}, product2[2*N-1:U]};
+    reg  [S-1:0] score, best_score;
+    wire [S-1:0] sum = cosine + (limit ? ~{{(S-N){h[N-1]}}, h} : score);  // cosine - h - 1 is not negative
+    reg          allowed, best_allowed, best_reach;
+    wire         reach = !in_status[0];
+    // A greater number is a better answer: the sum with its sign turned is one without a sign
+    wire [S+1:0] key = {allowed, reach, !score[S-1], score[S-2:0]};
+    wire [S+1:0] best = {best_allowed, best_reach, !best_score[S-1], best_score[S-2:0]};
+    wire         take = better && (number == 0 || key > best);
+    assign       out_beyond = !best_allowed;
+    always @(posedge clk) begin
+        if (start || limit)
+            allowed <= start || allowed && !sum[S-1];
+        if (start || step)
+            score <= start ? {S{1'b0}} : sum;
+        if (take) begin
+            out_c       <= in_c;
+            out_n       <= in_n;
+            out_best    <= number;
+            out_status  <= in_status;
+            best_allowed <= allowed;
+            best_reach  <= reach;
+            best_score  <= score;
+        end
+        if (out_go)
+            number <= out_number;
+        begun     <= !rst && out_take;
+        busy      <= !rst && (out_take || busy && !(better && last_one));
+        out_valid <= !rst && (better && last_one || out_valid && !out_ready);
+        if (out_valid && best_allowed) begin
+            last_c <= out_c;
+            last_n <= out_n;
+        end
+        if (rst) begin
+            last_c <= {JOINTS{2'b01, {U{1'b0}}}};
+            last_n <= {(JOINTS*N){1'b0}};
+        end
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of two joints that chooses the elbow: within the joint limits, in reach, nearest to the answer
+// before. vector_ik2 for both elbows, and arm_choose.
+// Formats: in_x, in_y s(W-F).F; out_c*, out_n* s2.U, nearest; cfg_mc*, cfg_mn*, cfg_h* s2.U: direction in the middle of
+// a joint's limits, cosine of half the room (arm_keep.limit); other cfg_*: vector_solve.config. out_elbow: the branch.
+// Error of the tip: vector_ik2. Latency, II: 32.
+// Status: unreachable (nearest point answered), singular (x = y = 0: joint 1 has that of the last answer); out_beyond:
+// no branch is within the limits, and the answer is not remembered. Model: arm_keep.keep2
+`default_nettype none
+module arm_keep2 #(
+    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
+    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16   // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire signed [33:0]  cfg_q,
+    input  wire [25:0]         cfg_r,
+    input  wire [3:0]          cfg_e,
+    input  wire signed [U+1:0] cfg_mc1,
+    input  wire signed [U+1:0] cfg_mn1,
+    input  wire signed [U+1:0] cfg_h1,
+    input  wire signed [U+1:0] cfg_mc2,
+    input  wire signed [U+1:0] cfg_mn2,
+    input  wire signed [U+1:0] cfg_h2,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [U+1:0] out_c1,
+    output wire signed [U+1:0] out_n1,
+    output wire signed [U+1:0] out_c2,
+    output wire signed [U+1:0] out_n2,
+    output wire                out_elbow,
+    output wire                out_beyond,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 16) begin : g_illegal
+            arm_keep2_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_16 rule ();
+        end
+    endgenerate
+    localparam N = U + 2;
+    wire           take, go, done, next;
+    wire [1:0]     number, best;
+    wire [2:0]     cosine, sine;
+    wire [23:0]    word;
+    wire           flat, negative, none, ready;
+    wire [3:0]     status;
+    wire [3*N-1:0] c, n;
+    wire [2*N-1:0] last_c, last_n;
+    reg  [15:0]    x, y;
+    always @(posedge clk)
+        if (take) begin
+            x <= {in_x, {(16-W){1'b0}}};
+            y <= {in_y, {(16-W){1'b0}}};
+        end
+    kernel_vector_solve #(.JOINTS(2), .U(U)) kernel (
+        .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(go), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0),
+        .in_elbow(number[0]), .out_valid(done), .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word),
+        .out_flat(flat), .out_negative(negative), .out_none(none), .out_status(status));
+    arm_vectors #(.U(U), .ELBOW(0), .ABSOLUTE(0)) codec (
+        .clk(clk), .rst(rst), .cfg_ce({N{1'b0}}), .cfg_ne({N{1'b0}}), .in_cos(cosine), .in_sin(sine), .in_word(word),
+        .in_flat(flat), .in_negative(negative), .in_none(none), .in_to_c(1'b0), .in_to_n(1'b0), .in_by1(1'b0),
+        .in_load(go), .in_last_c({{N{1'b0}}, last_c}), .in_last_n({{N{1'b0}}, last_n}), .out_c(c), .out_n(n));
+    arm_choose #(.JOINTS(2), .BRANCHES(2), .U(U)) choice (
+        .clk(clk), .rst(rst), .cfg_mc({cfg_mc2, cfg_mc1}), .cfg_mn({cfg_mn2, cfg_mn1}), .cfg_h({cfg_h2, cfg_h1}),
+        .in_valid(in_valid), .in_ready(in_ready), .out_take(take), .out_go(go), .out_number(number), .in_done(done),
+        .out_next(next), .in_c(c[2*N-1:0]), .in_n(n[2*N-1:0]), .in_status(status), .out_last_c(last_c),
+        .out_last_n(last_n), .out_valid(out_valid), .out_ready(out_ready), .out_c({out_c2, out_c1}),
+        .out_n({out_n2, out_n1}), .out_best(best), .out_beyond(out_beyond), .out_status(out_status));
+    assign out_elbow = best[0];
+    wire   unused = &{1'b0, number[1], best[1], ready, c[3*N-1:2*N], n[3*N-1:2*N]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of an arm as it is built that chooses elbow and side of the shoulder: within the joint limits, in
+// reach, nearest to the answer before. arm_ik3 for the four branches, and arm_choose.
+// Formats: as arm_ik3; cfg_mc*, cfg_mn*, cfg_h* s2.U: direction in the middle of a joint's limits, cosine of half the
+// room (arm_keep.limit). out_elbow, out_back: the branch. Error of the tip: arm_ik3.
+// Latency, II: 106, 20 more with LATERAL, 8 more with ABSOLUTE.
+// Status: as arm_ik3, a joint without a direction has that of the last answer; out_beyond: no branch is within the
+// limits, and the answer is not remembered. Model: arm_keep.keep3
+`default_nettype none
+module arm_keep3 #(
+    parameter W = 16,        // bits of a coordinate, 8 to 16: 16, what the kernel's multipliers take
+    parameter F = 8,         // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16,        // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
+    parameter BASE = 1,      // 0 or 1: base height. 1, as all below: the general arm
+    parameter SHOULDER = 1,  // 0 or 1: shoulder offset, radial
+    parameter LATERAL = 1,   // 0 or 1: the arm's plane passes beside the yaw axis
+    parameter ELBOW = 1,     // 0 or 1: elbow offset, joint 2 turned by a constant
+    parameter ABSOLUTE = 1   // 0 or 1: joint 2 is measured from the base (parallelogram)
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire signed [33:0]  cfg_q,
+    input  wire [25:0]         cfg_r,
+    input  wire [3:0]          cfg_e,
+    input  wire signed [W-1:0] cfg_base,
+    input  wire signed [W-3:0] cfg_shoulder,
+    input  wire signed [W-1:0] cfg_lateral,
+    input  wire signed [31:0]  cfg_bb,
+    input  wire signed [U+1:0] cfg_ce,
+    input  wire signed [U+1:0] cfg_ne,
+    input  wire signed [U+1:0] cfg_mc1,
+    input  wire signed [U+1:0] cfg_mn1,
+    input  wire signed [U+1:0] cfg_h1,
+    input  wire signed [U+1:0] cfg_mc2,
+    input  wire signed [U+1:0] cfg_mn2,
+    input  wire signed [U+1:0] cfg_h2,
+    input  wire signed [U+1:0] cfg_mc3,
+    input  wire signed [U+1:0] cfg_mn3,
+    input  wire signed [U+1:0] cfg_h3,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [U+1:0] out_c1,
+    output wire signed [U+1:0] out_n1,
+    output wire signed [U+1:0] out_c2,
+    output wire signed [U+1:0] out_n2,
+    output wire signed [U+1:0] out_c3,
+    output wire signed [U+1:0] out_n3,
+    output wire                out_elbow,
+    output wire                out_back,
+    output wire                out_beyond,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 8 || W > 16 || F < 0 || F >= W || U < 8 || U > 16 || BASE < 0 || BASE > 1 || SHOULDER < 0
+            || SHOULDER > 1 || LATERAL < 0 || LATERAL > 1 || ELBOW < 0 || ELBOW > 1 || ABSOLUTE < 0
+            || ABSOLUTE > 1) begin : g_illegal
+            arm_keep3_needs_W_and_U_from_8_to_16_and_F_below_W_and_switches_of_0_or_1 rule ();
+        end
+    endgenerate
+    localparam N = U + 2;
+    wire           take, go, done, next, ready, flat, negative, none, to_c, to_n, by1;
+    wire [1:0]     number;
+    wire [2:0]     cosine, sine;
+    wire [23:0]    word;
+    wire [3:0]     status;
+    wire [3*N-1:0] c, n, last_c, last_n;
+    reg  [15:0]    x, y, z;
+    always @(posedge clk)
+        if (take) begin
+            x <= {in_x, {(16-W){1'b0}}};
+            y <= {in_y, {(16-W){1'b0}}};
+            z <= {in_z, {(16-W){1'b0}}};
+        end
+    arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE)) kernel (
+        .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_base({cfg_base, {(16-W){1'b0}}}),
+        .cfg_shoulder({cfg_shoulder, {(16-W){1'b0}}}), .cfg_lateral({cfg_lateral, {(16-W){1'b0}}}), .cfg_bb(cfg_bb),
+        .in_valid(go), .in_ready(ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(number[0]), .in_back(number[1]),
+        .out_valid(done), .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat),
+        .out_negative(negative), .out_none(none), .out_to_c(to_c), .out_to_n(to_n), .out_by1(by1),
+        .out_status(status));
+    arm_vectors #(.U(U), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE)) codec (
+        .clk(clk), .rst(rst), .cfg_ce(cfg_ce), .cfg_ne(cfg_ne), .in_cos(cosine), .in_sin(sine), .in_word(word),
+        .in_flat(flat), .in_negative(negative), .in_none(none), .in_to_c(to_c), .in_to_n(to_n), .in_by1(by1),
+        .in_load(go), .in_last_c(last_c), .in_last_n(last_n), .out_c(c), .out_n(n));
+    arm_choose #(.JOINTS(3), .BRANCHES(4), .U(U)) choice (
+        .clk(clk), .rst(rst), .cfg_mc({cfg_mc3, cfg_mc2, cfg_mc1}), .cfg_mn({cfg_mn3, cfg_mn2, cfg_mn1}),
+        .cfg_h({cfg_h3, cfg_h2, cfg_h1}), .in_valid(in_valid), .in_ready(in_ready), .out_take(take), .out_go(go),
+        .out_number(number), .in_done(done), .out_next(next), .in_c(c), .in_n(n), .in_status(status),
+        .out_last_c(last_c), .out_last_n(last_n), .out_valid(out_valid), .out_ready(out_ready),
+        .out_c({out_c3, out_c2, out_c1}), .out_n({out_n3, out_n2, out_n1}), .out_best({out_back, out_elbow}),
+        .out_beyond(out_beyond), .out_status(out_status));
+    wire unused = &{1'b0, ready};
+endmodule
+`default_nettype wire
