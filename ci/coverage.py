@@ -48,7 +48,7 @@ def measure(core_id: str) -> Counter[Point]:
     os.environ["QUADRANCE_COVERAGE"] = str(folder)
     with open(os.devnull, "w") as sink, contextlib.redirect_stdout(sink), contextlib.redirect_stderr(sink):
         bench = simulate(core, "verilator", seed=suite.SEED)
-    suite.bulk_run(core, suite.BULK_SAMPLES, suite.SEED)
+    suite.bulk_run(core, suite.bulk_samples(core), suite.SEED)
     total = points((bench / "coverage.dat").read_text())
     for file in folder.glob("*.dat"):
         total.update(points(file.read_text()))

@@ -58,12 +58,13 @@ class Verdict:
         return 1 - len(self.survivors) / differing if differing else 1.0
 
 
-def killed_in_bulk(mutants: Mutants, mutant: Mutant | None, seed: int, samples: int = suite.BULK_SAMPLES) -> bool:
+def killed_in_bulk(mutants: Mutants, mutant: Mutant | None, seed: int, samples: int | None = None) -> bool:
     """True when a comparison of the bulk run fails on the mutant; RuntimeError when it could not be run."""
     built = replace(mutants.core, sources=(mutants.netlist,), params={})
     plusargs = [mutant.plusarg] if mutant else []
     try:
-        suite.bulk_run(mutants.core, samples, seed, built=built, label=LABEL, plusargs=plusargs)
+        suite.bulk_run(mutants.core, samples or suite.bulk_samples(mutants.core), seed, built=built, label=LABEL,
+                       plusargs=plusargs)
     except AssertionError:
         return True
     return False

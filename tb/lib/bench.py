@@ -26,7 +26,7 @@ CLOCKED = CORE.clocked
 FIXED = CLOCKED and CORE.latency is not None
 LATENCY, II = CORE.latency or 8, CORE.ii or 1
 # A clock here costs as much as a thousand in the bulk run: here is every kind of sample, there is their number.
-RESETS = 60
+RESETS = min(60, 15 * LATENCY)  # a core of one clock has no moment in between
 CLOCKS = 1_000  # about as many for the corners of all configurations
 SAMPLES = 20
 

