@@ -21,12 +21,8 @@ WIDEST = 128  # bits of a register that may be control
 
 
 def cores() -> list[Core]:
-    """Every sequential core of fixed latency, its first parameter set.
-
-    The skid buffer, which holds two samples, and cores whose latency varies have proofs of their own.
-    """
-    return [core for core in all_cores() if core.clocked and core.latency is not None and core.first_set
-            and core.function != "skid_buffer"]
+    """Every sequential core, its first parameter set; the skid buffer holds two samples and has a proof of its own."""
+    return [core for core in all_cores() if core.clocked and core.first_set and core.function != "skid_buffer"]
 
 
 def _read(core: Core) -> str:
