@@ -33,7 +33,7 @@ def check() -> None:
 
 def report(arm: str, fresh: bool, verdict: bool = False, out: str | None = None) -> None:
     """Measure, write and print the report of an arm; a verdict that no longer stands is searched, or not shown."""
-    started, listed, committed = time.monotonic(), cores.all_cores(), freshness.committed()
+    started, listed, committed = time.monotonic(), cores.reported(), freshness.committed()
     arm = DEFAULT_ARM if run.is_default(arm) else arm
     folder = run.folder_of(arm, out)
     if folder == REPORTS and (problems := blocks.wrong(README, cores.RTL, listed)):

@@ -109,7 +109,7 @@ def check(folder: Path = REPORTS, readme: Path = README, listed: tuple[Core, ...
 
     Empty when everything is fresh. `readme` and the pages below `rtl` are compared with what the report generates.
     """
-    listed = cores.all_cores() if listed is None else listed
+    listed = cores.reported() if listed is None else listed
     try:
         report = json.loads((folder / "report.json").read_text())
         problems = _causes(report, listed)

@@ -23,7 +23,7 @@ TYPES = {"spread": ("j", 2, False), "angle": ("j", 0, False), "vector": ("cn", 2
 PORTS = ("cfg", "in", "out")
 FUNCTION_KEYS = {"model", *PORTS, "status"}
 VARIES = "varies"  # the latency of a core that stops when it is done
-CORE_KEYS = {"architecture", "latency", "ii", "illegal", "sets"}
+CORE_KEYS = {"architecture", "latency", "ii", "illegal", "sets", "checks"}
 
 
 @dataclass(frozen=True)
@@ -73,6 +73,7 @@ class Core:
     model_name: str
     first_set: bool
     illegal: tuple[dict[str, int], ...] = ()
+    reported: bool = True  # False: simulated and linted, but not synthesised for the report
 
     @property
     def id(self) -> str:
@@ -223,7 +224,7 @@ def expand(family: str, function: str, shared: dict, name: str, own: dict,
     if unknown := set(status or ()) - set(STATUS_BITS):
         raise ValueError(f"{where}: status: unknown bit {sorted(unknown)[0]}")
     cores = []
-    for set_id, params in own["sets"].items():
+    for set_id, params in (own["sets"] | own.get("checks", {})).items():
         ports = {kind: tuple(port for key, spec in shared.get(kind, {}).items()
                              for port in _ports(kind, key, spec, params, where)) for kind in PORTS}
         if status is not None:
@@ -234,7 +235,7 @@ def expand(family: str, function: str, shared: dict, name: str, own: dict,
             latency=latency, ii=formula(own["ii"], params, f"{where}: ii") if "ii" in own else latency,
             sources=sources, cfg=ports["cfg"], inputs=ports["in"], outputs=ports["out"],
             status=None if status is None else tuple(status), model_name=shared["model"], first_set=not cores,
-            illegal=tuple(own.get("illegal", ()))))
+            illegal=tuple(own.get("illegal", ())), reported=set_id in own["sets"]))
     return tuple(cores)
 
 
@@ -283,6 +284,11 @@ def all_cores() -> tuple[Core, ...]:
     """Every core at every parameter set, in the order of `rtl/cores.toml`."""
     return tuple(core for *entry, name, own in listed((RTL / "cores.toml").read_text())
                  for core in expand(*entry, name, own, sources_of(name)))
+
+
+def reported() -> tuple[Core, ...]:
+    """Those of `all_cores` that the report has a row of."""
+    return tuple(core for core in all_cores() if core.reported)
 
 
 def find(name: str) -> Core:
