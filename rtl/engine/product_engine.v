@@ -54,8 +54,8 @@ module product_engine #(
         end
     end
 
-    // Operands: A is a register, PORT, LAST or the table's W; B a register, the table's SLOPE or its complement, a power
-    // of two, 0 or +-1
+    // Operands: A is a register, PORT, LAST or the table's W; B a register, the table's SLOPE or its complement, a
+    // power of two, 0 or +-1
     wire [20:0] w;
     wire [19:0] slope;
     wire [25:0] power, four;
