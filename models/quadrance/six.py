@@ -57,30 +57,30 @@ def _low(a: Ints, b: Ints) -> Ints:
     return wrap(ints(a) * ints(b), N)
 
 
-def _reciprocal(q: Ints) -> Ints:
-    """The word 1 / (2 sqrt(q)) of a table argument u2.18."""
+def _reciprocal(q: Ints, minus: Ints | bool = False) -> Ints:
+    """The word 1 / (2 sqrt(q)) of a table argument u2.18; where `minus`, that of the slope's complement."""
     q = ints(q) & 0xFFFFF
     w = (q >> 9 << 10) + 767 - (q & 0x1FF)
-    return wrap(w * vector._root_slopes()[q >> 9 & 0x3FF] >> 12, N)
+    return wrap(w * (vector._root_slopes()[q >> 9 & 0x3FF] ^ -ints(minus)) >> 12, N)
 
 
-def _root(y: Ints) -> Ints:
-    """sqrt(y) of a word y >= 0: y 4^j in [1/4, 1), its reciprocal root, times y 2^(j + 1)."""
+def _root(y: Ints, minus: Ints) -> Ints:
+    """+-sqrt(y) of a word y >= 0: y 4^j in [1/4, 1), its reciprocal root, times y 2^(j + 1)."""
     power = _power(_fold(y))
     s = np.ceil(np.log2(np.maximum(power, 1) + 0.5)).astype(np.int64) - 1
     shift = np.maximum(s - 1, 0) // 2
     four, two = np.where(power > 0, np.int64(1) << 2 * shift, 0), np.where(power > 0, np.int64(2) << shift, 0)
-    return _dot((_low(y, two), _reciprocal(_low(y, four) >> 7)))
+    return _dot((_low(y, two), _reciprocal(_low(y, four) >> 7, minus)))
 
 
-def _unit(a: Ints, b: Ints, floor: int = 0) -> tuple[Ints, Ints, Ints, Ints]:
+def _unit(a: Ints, b: Ints, floor: int = 0, minus: Ints | bool = False) -> tuple[Ints, Ints, Ints, Ints]:
     """(a, b, g, none): the vector scaled up, the reciprocal of its length, and where nothing of it lies above bit
     `floor`: there it has no direction."""
     seen = (_fold(a) | _fold(b)) >> floor << floor & ONE * 2 - 1
     power = _power(seen)
     a, b = _low(a, power), _low(b, power)
     q = _sum(_term(a, a), _term(b, b))
-    return a, b, _reciprocal(q >> 12), seen == 0
+    return a, b, _reciprocal(q >> 12, minus), seen == 0
 
 
 # Forward
@@ -182,7 +182,7 @@ def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
     names = list(ports)
     ports = dict(zip(names, (ints(word) for word in np.broadcast_arrays(*ports.values()))))
     branch = ports["in_branch"]
-    back, down, flip = (np.where(branch >> i & 1, -ONE, ONE) for i in range(3))
+    back, down, flip = (branch >> i & 1 for i in range(3))
     r = {axis: ports[f"in_r{axis}"] << H - p["U"] for axis in AXES}
     x, y, z = (ports[f"in_{axis}"] << H - p["W"] for axis in "xyz")
     a1, b, c1, c2, c4, k = (_length(p, ports[f"cfg_{name}"]) for name in ("a1", "b", "c1", "c2", "c4", "k"))
@@ -191,18 +191,17 @@ def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
     pz = _dot((z, ONE), (c4, r["33"], -1), (c1, -ONE))
     total = _sum(_term(px, px), ~_term(b, b), _term(py, py))
     inside = total < 0
-    x0 = _root(np.where(inside, 0, _word(total)))
-    x1 = _dot((x0, back))
+    x1 = _root(np.where(inside, 0, _word(total)), back)
     cosine, sine, g, no1 = _unit(_dot((x1, px), (b, py)), _dot((x1, py), (b, px, -1)))
     c_1, n_1 = _held(_dot((cosine, g)), _dot((sine, g)), no1)
-    x = _dot((a1, -ONE), (x0, back))
+    x = _dot((a1, -ONE), (x1, ONE))
     total = _sum(_term(x, x), ~_term(c2, c2), _term(pz, pz), ~_term(k, k))
     far = total >> G >= 1 << N - 1
     t = _dot((_word(total), ports["cfg_r"]))
     product = t * ports["cfg_e"]
     outside = far | (product < -ONE) | (product >= ONE)
     c_e = np.where(outside, np.where((product < 0) & ~far, -ONE, ONE), wrap(product, N))
-    n_e = _dot((_root(_dot((ints(ONE), ONE), (c_e, c_e, -1))), down))
+    n_e = _root(_dot((ints(ONE), ONE), (c_e, c_e, -1)), down)
     k1, k2 = _dot((c2, ONE), (k, c_e)), _dot((k, n_e))
     cosine, sine, g, no2 = _unit(_dot((k1, pz), (k2, x)), _dot((k1, x), (k2, pz, -1)))
     c_2, n_2 = _held(_dot((cosine, g)), _dot((sine, g)), no2)
@@ -211,12 +210,10 @@ def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
     c23, n23 = _dot((c_2, c_3), (n_2, n_3, -1)), _dot((n_2, c_3), (c_2, n_3))
     u3, m23 = _dot((c_1, r["13"]), (n_1, r["23"])), _dot((c_1, r["23"]), (n_1, r["13"], -1))
     m13, c_5 = _dot((c23, u3), (n23, r["33"], -1)), _dot((n23, u3), (c23, r["33"]))
-    cosine, sine, g, no4 = _unit(m13, m23, floor(p))
-    g = _dot((g, flip))
+    cosine, sine, g, no4 = _unit(m13, m23, floor(p), flip)
     c_4, n_4 = _held(_dot((cosine, g)), _dot((sine, g)), no4)
     n_5 = _dot((c_4, m13), (n_4, m23))
-    minus = _dot((n_4, -ONE))
-    t = _dot((minus, c23))
+    t = _dot((n_4, c23, -1))
     w1, w2, w3 = _dot((t, c_1), (c_4, n_1, -1)), _dot((t, n_1), (c_4, c_1)), _dot((n_4, n23))
     n_6 = _dot((w1, r["11"]), (w2, r["21"]), (w3, r["31"]))
     c_6 = _dot((w1, r["12"]), (w2, r["22"]), (w3, r["32"]))

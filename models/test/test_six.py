@@ -109,6 +109,10 @@ def test_reciprocal_root_of_every_argument():
     word = six._reciprocal(q) / 2.0 ** (six.H - 1)
     low, high = word * np.sqrt(q / 2.0**18) - 1, word * np.sqrt((q + 1) / 2.0**18) - 1
     assert 0.6 * 2.0**-16 < max(np.abs(low).max(), np.abs(high).max()) <= bounds.ROOT
+    word = -six._reciprocal(q, np.ones_like(q)) / 2.0 ** (six.H - 1)
+    off = np.maximum(np.abs(word * np.sqrt(q / 2.0**18) - 1), np.abs(word * np.sqrt((q + 1) / 2.0**18) - 1))
+    assert 0.8 * 2.0**-16 < off[q < 1 << 18].max() <= bounds.MINUS
+    assert 1.9 * 2.0**-16 < off.max() <= bounds.MINUS_TO_2
 
 
 @ROBOTS

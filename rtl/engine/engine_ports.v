@@ -19,10 +19,13 @@ module engine_ports #(
 
     genvar b, i;
     generate
+        for (i = 0; i < 32; i = i + 1) begin : g_word
+            wire [26:0] word = in_words[27*(i < COUNT ? i : COUNT-1) +: 27];
+        end
         for (b = 0; b < 27; b = b + 1) begin : g_bit
             wire [31:0] column;
-            for (i = 0; i < 32; i = i + 1) begin : g_word
-                assign column[i] = in_words[27*(i < COUNT ? i : COUNT - 1) + b];
+            for (i = 0; i < 32; i = i + 1) begin : g_row
+                assign column[i] = g_word[i].word[b];
             end
             always @(posedge clk)
                 out_word[b] <= column[in_select];

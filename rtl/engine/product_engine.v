@@ -4,8 +4,8 @@
 // A line reads in one clock and computes in the next; its word can be read from the second line behind on, by the next
 // line as LAST. Formats: words s2.25; sum s4.28, each product truncated to 2^-28; it wraps.
 //   in_op {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}: rtl/engine/README.md
-//   in_port: the word of a PORT operand, one clock after its line; in_signs: minus for BACK, DOWN, FLIP; in_run: not
-//   idle, or nothing is done but writing to registers
+//   in_port: the word of a PORT operand, one clock after its line; in_signs: BACK, DOWN, FLIP take SLOPE's complement;
+//   in_run: not idle, or nothing is done but writing to registers
 //   out_word, out_dest: the word of the line before, and its register, 0 for none. out_status: unreachable, singular,
 //   bit 3 a failed CHECK, of all lines since in_start
 // The register file is stored four times, for four reads a clock. Model: six._dot, six._unit, six._root
@@ -54,13 +54,14 @@ module product_engine #(
         end
     end
 
-    // Operands: A is a register, PORT, LAST or the table's W; B a register, the table's SLOPE, a power of two or +-1
+    // Operands: A is a register, PORT, LAST or the table's W; B a register, the table's SLOPE or its complement, a
+    // power of two, 0 or +-1
     wire [20:0] w;
     wire [19:0] slope;
     wire [25:0] power, four;
     wire [13:0] twice;
-    wire        one_minus = op[34] ^ (op[33:32] == 2'd1 && in_signs[0] || op[33:32] == 2'd2 && in_signs[1]
-                                   || op[33:32] == 2'd3 && in_signs[2]);
+    wire        turned = op[36:35] == 2'd1 && in_signs[0] || op[36:35] == 2'd2 && in_signs[1]
+                      || op[36:35] == 2'd3 && in_signs[2];
     reg  [26:0] a, b;
     always @* begin
         case (op[46:45])
@@ -71,10 +72,10 @@ module product_engine #(
         endcase
         b = read_b;
         if (op[38])
-            b = op[37] ? {one_minus, 26'h2000000} : 27'd0;
-        if (op[38] && !op[37] && ROOTS != 0)
+            b = op[37] ? {op[34], 26'h2000000} : 27'd0;
+        if (op[38] && !op[37] && !op[34] && ROOTS != 0)
             case (op[33:32])
-                2'd0: b = {7'd0, slope};
+                2'd0: b = {7'd0, slope} ^ {27{turned}};
                 2'd1: b = {1'b0, power};
                 2'd2: b = {1'b0, four};
                 default: b = {13'd0, twice};

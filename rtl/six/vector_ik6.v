@@ -3,7 +3,7 @@
 // spherical wrist. Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_c*,
 // out_n* cos and sin of a joint, s2.U, nearest; cfg_*: six.config.
 //   in_branch[0]: the shoulder looks back; [1]: sin(q3 + psi) < 0; [2]: sin q5 < 0
-// Error: page. Latency, II: 95.
+// Error: page. Latency, II: 91.
 // Status: unreachable (nearest answer), singular (joint 1, 2 or 4 has no direction: its last one is held, (1, 0) after
 // a reset; the others take the rest), bit 3: the matrix is no rotation, by 16 units of 2^-U.
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6

@@ -19,6 +19,8 @@ from quadrance.truth_six import Six
 Params = dict[str, int]
 # Relative error of the word 1 / (2 sqrt(q)), its argument truncated to 2^-18: over all arguments, by a test
 ROOT = 0.7 * 2.0**-16
+# The same where the slope's complement, a unit more, makes it negative: arguments below 1, as in roots; up to 2
+MINUS, MINUS_TO_2 = 0.9 * 2.0**-16, 2.1 * 2.0**-16
 ROUNDED = math.sqrt(0.5)  # both coordinates of a vector rounded to nearest turn or lengthen it by this, in 2^-U
 
 
@@ -49,12 +51,13 @@ def orientation(p: Params, singular: ArrayLike = False) -> Floats:
     """Angle between the matrix words and the exact rotation of the joints that vector_ik6 answers.
 
     Six rounded vectors; the matrix words, each half a unit off, 1.5 units as a norm, which `turned` sees as 1.07; the
-    lengths of the vectors of joints 1, 2 and 4, off by ROOT each, and of (ce, ne), off by ROOT too: one that is 1 + e
-    long turns a vector of which it multiplies one coordinate by at most e / 2, and joint 4's does so twice. A straight
-    wrist neglects (M13, M23) of less than eight units in both coordinates.
+    lengths of the vectors of joints 1 and 2, off by ROOT each, of (ce, ne), off by MINUS, and of joint 4, off by
+    MINUS_TO_2: one that is 1 + e long turns a vector of which it multiplies one coordinate by at most e / 2, and joint
+    4's does so twice. A straight wrist neglects (M13, M23) of less than eight units in both coordinates.
     """
     unit = 2.0 ** -p["U"]
-    return (6 * ROUNDED + 1.07 + floats(singular) * 8 * math.sqrt(2)) * unit * 1.001 + 2.5 * ROOT + 2.0**-20
+    roots = ROOT + MINUS / 2 + MINUS_TO_2
+    return (6 * ROUNDED + 1.07 + floats(singular) * 8 * math.sqrt(2)) * unit * 1.001 + roots + 2.0**-20
 
 
 def position(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: ArrayLike) -> Floats:
@@ -65,11 +68,11 @@ def position(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: Arr
 
     - words: a rounded vector moves the tip by ROUNDED units of its distance from that axis: the tip from axes 1 and 2,
       k + c4 from axis 3, c4 from axes 4 and 5; the orientation moves the flange.
-    - x1: its square is off by A, its root by ROOT; that moves the wrist along the direction of p.
+    - x1: its square is off by A, its root by MINUS; that moves the wrist along the direction of p.
     - joint 1: two sums, off by 3/4 A each, of a vector of px^2 + py^2; joint 2: the same, of r^2.
     - gap: off by A, by A when it has been multiplied, and by 1/cfg_r, A at most; it is a change of r^2. The sine of the
-      elbow is off by ROOT: that changes r^2 by 2 c2 k ROOT sin^2 cos, at most 0.77 c2 k ROOT, and the direction of
-      the forearm's end by ROOT of k.
+      elbow is off by MINUS: that changes r^2 by 2 c2 k MINUS sin^2 cos, at most 0.77 c2 k MINUS, and the direction
+      of the forearm's end by MINUS of k.
     """
     rotation, tip = floats(rotation), floats(tip)
     area, unit = 2.0 ** (2 * p["W"] - six.H), 2.0 ** -p["U"]
@@ -79,8 +82,8 @@ def position(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: Arr
     r = np.maximum(np.hypot(np.where(back, -x1, x1) - arm.a1, pz - arm.c1), 1e-9)
     far, flange = np.hypot(tip[..., 0], tip[..., 1]), abs(arm.c4)
     words = ROUNDED * 1.001 * unit * (far + r + arm.k + 4 * flange) + flange * orientation(p)
-    shoulder = np.minimum(area / x1, np.sqrt(area)) + ROOT * x1
+    shoulder = np.minimum(area / x1, np.sqrt(area)) + MINUS * x1
     turn1 = far * 0.75 * math.sqrt(2) * area / np.maximum(plane, 1e-9)
-    elbow = (3 * area + 0.77 * arm.c2 * arm.k * ROOT) / (2 * r) + ROOT * arm.k
+    elbow = (3 * area + 0.77 * arm.c2 * arm.k * MINUS) / (2 * r) + MINUS * arm.k
     turn2 = (r + flange) * 0.75 * math.sqrt(2) * area / r**2
     return words + shoulder + turn1 + elbow + turn2 + 2 * _config(arm)
