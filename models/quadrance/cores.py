@@ -217,14 +217,17 @@ def expand(family: str, function: str, shared: dict, name: str, own: dict,
     """
     where = f"cores.toml: {name}"
     _check_keys(where, shared, FUNCTION_KEYS, {"model", "in", "out"})
-    _check_keys(where, own, CORE_KEYS, {"architecture", "latency", "sets"})
+    _check_keys(where, own, CORE_KEYS, {"architecture", "latency"})
+    sets = own.get("sets", {})
+    if not (every := sets | own.get("checks", {})):
+        raise ValueError(f"{where}: 'sets' is missing")
     if family not in FAMILIES:
         raise ValueError(f"{where}: family '{family}' is not one of {', '.join(FAMILIES)}")
     status = shared.get("status")
     if unknown := set(status or ()) - set(STATUS_BITS):
         raise ValueError(f"{where}: status: unknown bit {sorted(unknown)[0]}")
     cores = []
-    for set_id, params in (own["sets"] | own.get("checks", {})).items():
+    for set_id, params in every.items():
         ports = {kind: tuple(port for key, spec in shared.get(kind, {}).items()
                              for port in _ports(kind, key, spec, params, where)) for kind in PORTS}
         if status is not None:
@@ -235,7 +238,7 @@ def expand(family: str, function: str, shared: dict, name: str, own: dict,
             latency=latency, ii=formula(own["ii"], params, f"{where}: ii") if "ii" in own else latency,
             sources=sources, cfg=ports["cfg"], inputs=ports["in"], outputs=ports["out"],
             status=None if status is None else tuple(status), model_name=shared["model"], first_set=not cores,
-            illegal=tuple(own.get("illegal", ())), reported=set_id in own["sets"]))
+            illegal=tuple(own.get("illegal", ())), reported=set_id in sets))
     return tuple(cores)
 
 
