@@ -15,7 +15,7 @@ import numpy as np
 
 from quadrance import vector_solve
 from quadrance.arms import Arm, ArmError
-from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, to_fixed, wrap
+from quadrance.fixed import Ints, hold_last, ints, saturate, to_fixed, wrap
 from quadrance.vector import GUARD
 from quadrance.vector_solve import SUM
 
@@ -99,8 +99,8 @@ def fk3(p: Params, *, in_c1: Ints, in_n1: Ints, in_c2: Ints, in_n2: Ints, in_c3:
         rho, z = turned(a, b, in_c1, in_n1, shoulder, base)
     x, y = turned(rho, lateral, in_c3, in_n3, ints(0), ints(0))
     answer, overflow = {}, ints(0)
-    for axis, word in zip("xyz", (x, y, z)):
-        answer[f"out_{axis}"], over = saturate(round_shift(word, GUARD), p["W"])
+    for axis, word in zip("xyz", (x, y, z)):  # the half can make it wrap
+        answer[f"out_{axis}"], over = saturate(wrap(word + (1 << GUARD - 1), bits) >> GUARD, p["W"])
         overflow = overflow | over
     return answer | {"out_status": 4 * overflow}
 

@@ -65,6 +65,8 @@ module arm_keep3 #(
         end
     endgenerate
     localparam N = U + 2;
+    wire signed [15:0] base = {cfg_base, {(16-W){1'b0}}}, lateral = {cfg_lateral, {(16-W){1'b0}}};
+    wire signed [13:0] shoulder = {cfg_shoulder, {(16-W){1'b0}}};
     wire           take, go, done, next, ready, flat, negative, none, to_c, to_n, by1;
     wire [1:0]     number;
     wire [2:0]     cosine, sine;
@@ -80,8 +82,8 @@ module arm_keep3 #(
         end
     arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
-        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_base({cfg_base, {(16-W){1'b0}}}),
-        .cfg_shoulder({cfg_shoulder, {(16-W){1'b0}}}), .cfg_lateral({cfg_lateral, {(16-W){1'b0}}}), .cfg_bb(cfg_bb),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_base(base),
+        .cfg_shoulder(shoulder), .cfg_lateral(lateral), .cfg_bb(cfg_bb),
         .in_valid(go), .in_ready(ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(number[0]), .in_back(number[1]),
         .out_valid(done), .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat),
         .out_negative(negative), .out_none(none), .out_to_c(to_c), .out_to_n(to_n), .out_by1(by1),
