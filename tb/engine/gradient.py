@@ -24,6 +24,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
             words(high, high, 64, 12), words(half, half, 0, 5), words(half, half, 1600, 0),
             {"cfg_l1": 0, "cfg_l2": 0, "cfg_tol": 9, "cfg_limit": 3} | wild, words(half, 0, 50, 30),
             words(0, half, 50, 30), words(half, half, (1 << 22) - 1, 1) | wild, words(high, half, 1000, 15) | wild,
+            words(half, high, 1000, 15),
             words(half, half // 2, 8, 60, 0.5)]
 
 
