@@ -6,6 +6,8 @@ to it at every parameter set. Targets and tips are (axes, N), lengths and errors
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+
 import numpy as np
 from quadrance import bounds, codecs
 from quadrance.cores import Core, joints
@@ -13,7 +15,7 @@ from quadrance.fixed import Ints
 from quadrance.truth import Floats
 
 
-class Claim:
+class Claim(ABC):
     """A core at one pair of links."""
 
     symmetric = False  # saturates at +-(2^(W-1) - 1)
@@ -37,9 +39,9 @@ class Claim:
 
     # Bounds
 
+    @abstractmethod
     def coordinate(self) -> float:
         """Error of a forward core in one coordinate."""
-        raise NotImplementedError
 
     def overflow(self, tip: Floats) -> tuple[Ints, Ints]:
         """Where the flag must be, and where it may be: the rounded coordinate is off by what is not rounding."""
@@ -48,17 +50,17 @@ class Claim:
         beyond = np.max(np.maximum(tip - (high + 0.5), low - 0.5 - tip), axis=0)
         return beyond > band, beyond >= -band
 
+    @abstractmethod
     def direction(self, r: Floats) -> Floats:
         """Angle of ik1 at distance r, rad."""
-        raise NotImplementedError
 
+    @abstractmethod
     def reached(self, target: Ints) -> Floats:
         """Tip of ik2 and ik3 in reach."""
-        raise NotImplementedError
 
+    @abstractmethod
     def nearest(self, target: Ints) -> Floats:
         """Tip from the nearest point, where flagged."""
-        raise NotImplementedError
 
     def folded(self) -> float:
         """Joint 2 of a target out of reach, LSB from straight or folded."""

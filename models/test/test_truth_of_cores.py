@@ -264,7 +264,7 @@ def test_paper_singular_is_per_coordinate(core: Core) -> None:
 def test_paper_overflow_is_a_link_out_of_range(core: Core) -> None:
     half = 1 << core.params["W"] - 1
     for l1, l2, flag in ((half - 1, half - 1, 0), (half, 5, 4), (5, half, 4), (2 * half - 1, 0, 4)):
-        claim = Claim(core, l1, l2)
+        claim = CLAIMS[core.family](core, l1, l2)
         target, elbow = targets(claim, 50)
         assert np.all(run(claim, **named(target), in_elbow=elbow)["out_status"] & OVERFLOW == flag)
 

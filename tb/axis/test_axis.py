@@ -8,12 +8,11 @@ from quadrance import cores
 from quadrance.cli import axis
 from quadrance.cli.catalogue import Refused
 
-from ci.packages import AXIS
 from tb.lib.simulate import available, simulate
 from tb.lib.suite import SEED
 
 SHOWN = "rational_ik2-S24"  # in the regression; the others in the long run
-SETS = [core for core in cores.all_cores() if core.name in AXIS]
+SETS = [core for core in cores.all_cores() if core.name in axis.CHECKED_IN]
 
 
 def wrapped(core, folder=cores.RTL / "axis"):
@@ -30,7 +29,8 @@ def test_wrapper(core):
 
 @pytest.mark.slow
 def test_wrapper_in_verilator():
-    simulate(wrapped(cores.find(AXIS[0])), "verilator", module="tb.axis.bench", seed=SEED, waves=True, label="-axis")
+    core = wrapped(cores.find(axis.CHECKED_IN[0]))
+    simulate(core, "verilator", module="tb.axis.bench", seed=SEED, waves=True, label="-axis")
 
 
 @pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is not installed")
