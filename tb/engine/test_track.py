@@ -1,0 +1,31 @@
+"""The haptic circle in cocotb: some samples of every engine that can follow it every day, a turn in the long run."""
+
+import pytest
+from quadrance.cores import all_cores
+from quadrance.iterative import engines, track
+
+from tb.lib.simulate import simulate
+from tb.lib.suite import SEED, simulators
+
+CORES = [core for core in all_cores() if core.name in engines.EXAMPLES]
+EACH = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
+TURN = round(2 * track.np.pi / track.OMEGA / track.PERIOD)
+
+
+def run(core, simulator: str, counts, samples: int) -> None:
+    simulate(core, simulator, module="tb.engine.track", seed=SEED,
+             plusargs=[f"+counts={','.join(map(str, counts))}", f"+samples={samples}"])
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("simulator", simulators())
+@EACH
+def test_some_samples(core, simulator):
+    run(core, simulator, track.COUNTS, 8)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("count", track.COUNTS)
+@EACH
+def test_a_turn(core, count):
+    run(core, "verilator", [count], TURN)
