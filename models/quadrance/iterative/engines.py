@@ -24,8 +24,8 @@ class Example:
     """An arm for an engine whose ports are in_x.., in_j1.., in_warm, cfg_l1, cfg_l2, alpha, shift, tol and limit.
 
     arm : float64 kinematics, metres. lengths : its links, metres. gain : the paper's alpha times the longer squared.
-    clocks : of a pass. passes : the bit-true model, and how many passes every sample takes. origin : of the engine's
-    coordinates, metres.
+    clocks : of a pass. passes : the bit-true model, and how many passes every sample takes. target : the paper's,
+    metres. origin : of the engine's coordinates, metres.
     """
 
     arm: gradient.Kinematics
@@ -33,6 +33,7 @@ class Example:
     gain: float
     clocks: int
     passes: Callable[..., tuple[Answer, Ints]]
+    target: tuple[float, ...]
     origin: tuple[float, ...]
 
     @property
@@ -71,4 +72,4 @@ def joints(answer: Answer) -> Ints:
 
 
 EXAMPLES = {"engine_quaternion_gd": Example(gradient.planar(0.1, 0.1), (0.1, 0.1), 0.33, 12, fixed.gd_passes,
-                                            (0.0, 0.0))}
+                                            (0.0292, 0.1267), (0.0, 0.0))}
