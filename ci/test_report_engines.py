@@ -9,7 +9,7 @@ from ci.report import documents, engines
 from ci.report.terminal import show
 
 FOUND = {"task": "2 joints", "closed": ["rational_ik1", "none"], "pass": 12, "starts": 400, "converged": 399,
-         "iterations": [58, 80, 142], "clocks": [719, 983, 1727]}
+         "iterations": [58, 80, 142], "cycles": [719, 983, 1727]}
 
 
 @pytest.fixture
@@ -47,14 +47,14 @@ def test_what_makes_them_stale(made):
     found["sources"]["models/quadrance/iterative/fixed.py"] = "other"
     assert engines.check(report, listed) == ["engines: models/quadrance/iterative/fixed.py changed"]
     found["sources"] = engines.sources(listed)
-    found["rows"]["engine_quaternion_gd"]["clocks"] = [1, 2, 3]
+    found["rows"]["engine_quaternion_gd"]["cycles"] = [1, 2, 3]
     assert engines.check(report, listed) == ["engines: a figure was changed by hand"]
 
 
 @pytest.mark.parametrize("core", engines.chosen(cores.all_cores()), ids=lambda core: core.id)
-def test_what_the_models_say(core):
-    found = convergence.found(core)
-    median, late, most = found["clocks"]
-    assert 0 < median <= late <= most and found["converged"] > 0.99 * found["starts"] >= 0.99 * 8000
+def test_what_is_measured(core):
+    found = engines.found(core)
+    median, late, most = found["cycles"]
+    assert 0 < median <= late <= most and found["converged"] > 0.99 * found["starts"] > 1000
     assert median >= found["pass"] * found["iterations"][0] and found["iterations"][2] <= convergence.LIMIT
-    assert {core.name for core in cores.all_cores()} >= set(found["closed"])
+    assert {one.name for one in cores.all_cores()} >= set(found["closed"])

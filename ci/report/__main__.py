@@ -39,8 +39,8 @@ def report(arm: str, fresh: bool, verdict: bool = False, out: str | None = None)
     if folder == REPORTS and (problems := blocks.wrong(README, cores.RTL, listed)):
         raise ValueError("\n".join(problems))  # before minutes of measuring, not after
     made, maps, kept = run.put_together(arm, listed, committed, fresh)
-    made["engines"] = engines.put_together(listed)
     if folder == REPORTS:
+        made["engines"] = engines.put_together(listed)
         made |= {"verdict": search.put_together(arm, committed, fresh)} if verdict else search.standing(arm, committed)
     run.write(made, maps, folder, README, cores.RTL)
     show(made)

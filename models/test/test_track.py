@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from quadrance import cores
-from quadrance.iterative import engines, fixed, track
+from quadrance.iterative import engines, track
 
 ALL = track.followers()
 
@@ -61,17 +61,3 @@ def test_the_servo_holds_a_point() -> None:
         servo = track.advance(servo, np.array([0.1, -0.2]) - servo.theta, np.zeros(2), (0.1, 0.1))
     assert np.abs(servo.theta - (0.1, -0.2)).max() < 1e-3 and np.abs(servo.rate).max() < 1e-3
 
-
-def test_passes_are_the_iterations_and_the_changes_of_range() -> None:
-    core = cores.find("engine_quaternion_gd")
-    example = engines.EXAMPLES[core.name]
-    lsb = example.lsb(core, 3)
-    rng = np.random.default_rng(2)
-    start = rng.integers(0, 1 << core.params["A"], (200, 2))
-    goal = np.broadcast_to(example.goals((0.0292, 0.1267), lsb), (200, 2))
-    words = engines.inputs(core, goal, start) | example.config(core, lsb) | {"cfg_tol": 256, "cfg_limit": 500}
-    answer, passes = fixed.gd_passes(core.params, **words)
-    assert np.all(passes > answer["out_iters"]) and np.all(passes <= 2 * answer["out_iters"] + 2)
-    assert np.any(passes > answer["out_iters"] + 1)
-    same = core.model(core.params, **words)
-    assert all(np.array_equal(answer[port], same[port]) for port in answer)

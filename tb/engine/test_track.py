@@ -1,6 +1,6 @@
 """The haptic circle in cocotb: some samples of every engine that can follow it every day, a turn in the long run.
 
-And the clocks that the report counts, by passes of the model, against the Verilog.
+And the clocks of a pass, which `quadrance track` and the report name, against the Verilog.
 """
 
 import numpy as np
@@ -38,12 +38,13 @@ def test_a_turn(core, count):
 
 @pytest.mark.full
 @EACH
-def test_clocks_of_the_report(core):
-    """From starts of the whole grid, changes of range included."""
+def test_clocks_of_a_pass(core):
+    """From starts of the whole grid: some of them change the range of the error, so they take passes more."""
     pick = np.random.default_rng(1).choice(8100, 60)
-    inputs, cfg = convergence.samples(core)
+    inputs, cfg = convergence.by_example(core)
     inputs = {port: words[pick] for port, words in inputs.items()}
-    _, clocks, done = (column[pick] for column in convergence.by_example(core))
     result = bulk.stream(core, inputs, cfg)
     bulk.compare(core, inputs, cfg, result)
-    assert np.array_equal(result.latency, clocks) and done.any()
+    passes, rest = np.divmod(result.latency + 1, engines.EXAMPLES[core.name].clocks)
+    more = passes - result.outputs["out_iters"] - 1
+    assert not rest.any() and np.all(more >= 0) and np.any(more == 0) and np.any(more > 0)

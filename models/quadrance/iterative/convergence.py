@@ -1,4 +1,4 @@
-"""How long an engine takes to its answer: iterations and clocks over a grid of starts, by its bit-true model.
+"""How long an engine takes to its answer: the grid of starts on which the report measures it.
 
 A new engine enters `ENTRIES`; the report's table of engines takes it from there.
 """
@@ -9,7 +9,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadrance import truth
 from quadrance.cores import Core
@@ -20,21 +19,21 @@ STEP = 4  # degrees between the starts of joints 1 and 2, as of the 8100 starts 
 LIMIT = 1000  # iterations
 ANSWER = 256  # square of the tolerance in 1/256 LSB^2: one LSB
 
-Run = tuple[Ints, Ints, NDArray[np.bool_]]  # iterations, clocks, converged of every start
-
 
 @dataclass(frozen=True)
 class Entry:
     """An engine in the report.
 
-    task : what it solves, to which tolerance. run : all starts of the grid. clocks : of an iteration.
-    closed : cores that answer the same in one pass.
+    task : what it solves, to which tolerance. samples : input words of the whole grid and configuration words, for the
+    bit-true model and the Verilog. clocks : of an iteration. closed : cores that answer the same in one pass.
+    solves : which of the samples solve, where others load or read; all by default.
     """
 
     task: str
-    run: Callable[[Core], Run]
+    samples: Callable[[Core], tuple[dict[str, Ints], dict[str, int]]]
     clocks: int
     closed: tuple[str, ...]
+    solves: Callable[[dict[str, Ints]], Ints] = lambda inputs: np.arange(next(iter(inputs.values())).size)
 
 
 def grid(count: int) -> truth.Floats:
@@ -44,30 +43,13 @@ def grid(count: int) -> truth.Floats:
     return np.stack([one.ravel(), two.ravel(), *[np.zeros(one.size)] * (count - 2)], axis=-1)
 
 
-def samples(core: Core) -> tuple[engines.Answer, dict[str, int]]:
-    """The grid for an engine of `engines.EXAMPLES`, its paper's target; the first errors fill a word of 8 links."""
-    example = engines.EXAMPLES[core.name]
+def by_example(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
+    """An engine of `engines.EXAMPLES` with its paper's target; a link is an eighth of its word, as the errors need."""
+    example, a = engines.EXAMPLES[core.name], core.params["A"]
     lsb, target = example.lsb(core, 3), np.asarray(example.target)
-    start = truth.angle_to_binary_word(grid(target.size), core.params["A"]) & (1 << core.params["A"]) - 1
-    goal = np.broadcast_to(example.goals(target, lsb), (len(start), target.size))
+    start = truth.angle_to_binary_word(grid(target.size), a) & (1 << a) - 1
+    goal = np.broadcast_to(example.goals(target, lsb), start.shape[:1] + target.shape)
     return engines.inputs(core, goal, start), example.config(core, lsb) | {"cfg_tol": ANSWER, "cfg_limit": LIMIT}
-
-
-def by_example(core: Core) -> Run:
-    """An engine of `engines.EXAMPLES`: each pass has its clocks, the last one less."""
-    example, (inputs, cfg) = engines.EXAMPLES[core.name], samples(core)
-    answer, passes = example.passes(core.params, **inputs, **cfg)
-    return answer["out_iters"], example.clocks * passes - 1, answer["out_status"] == 0
-
-
-def found(core: Core) -> dict:
-    """What the report says of an engine: the median, 95th percentile and greatest of those that converged."""
-    entry = ENTRIES[core.name]
-    iterations, clocks, done = entry.run(core)
-    spread = {name: [int(value) for value in np.percentile(column[done], [50, 95, 100], method="higher")]
-              for name, column in (("iterations", iterations), ("clocks", clocks))}
-    return {"task": entry.task, "closed": list(entry.closed), "pass": entry.clocks, "starts": int(done.size),
-            "converged": int(done.sum())} | spread
 
 
 ENTRIES = {"engine_quaternion_gd": Entry("2 joints in the plane, to 1 LSB (12 um)", by_example,

@@ -5,7 +5,6 @@ An engine of rtl/engine that answers a target with joints enters `EXAMPLES` with
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,15 +23,13 @@ class Example:
     """An arm for an engine whose ports are in_x.., in_j1.., in_warm, cfg_l1, cfg_l2, alpha, shift, tol and limit.
 
     arm : float64 kinematics, metres. lengths : its links, metres. gain : the paper's alpha times the longer squared.
-    clocks : of a pass. passes : the bit-true model, and how many passes every sample takes. target : the paper's,
-    metres. origin : of the engine's coordinates, metres.
+    clocks : of a pass. target : the paper's, metres. origin : of the engine's coordinates, metres.
     """
 
     arm: gradient.Kinematics
     lengths: tuple[float, float]
     gain: float
     clocks: int
-    passes: Callable[..., tuple[Answer, Ints]]
     target: tuple[float, ...]
     origin: tuple[float, ...]
 
@@ -71,5 +68,5 @@ def joints(answer: Answer) -> Ints:
     return np.stack([answer[port] for port in sorted(answer) if port[:5] == "out_j"], axis=-1)
 
 
-EXAMPLES = {"engine_quaternion_gd": Example(gradient.planar(0.1, 0.1), (0.1, 0.1), 0.33, 12, fixed.gd_passes,
-                                            (0.0292, 0.1267), (0.0, 0.0))}
+EXAMPLES = {"engine_quaternion_gd": Example(gradient.planar(0.1, 0.1), (0.1, 0.1), 0.33, 12, (0.0292, 0.1267),
+                                            (0.0, 0.0))}

@@ -50,20 +50,14 @@ def _pass(p: Params, fine: Ints, th1: Ints, th2: Ints, x: Ints, y: Ints, l1: Int
     return square, *steps
 
 
-def gd(p: Params, **words: Ints) -> dict[str, Ints]:
+def gd(p: Params, *, in_x: Ints, in_y: Ints, in_j1: Ints, in_j2: Ints, in_warm: Ints, cfg_l1: Ints, cfg_l2: Ints,
+       cfg_alpha: Ints, cfg_shift: Ints, cfg_tol: Ints, cfg_limit: Ints) -> dict[str, Ints]:
     """Gradient descent of the planar arm of two joints: every sample by itself, or from the one before it if warm."""
-    return gd_passes(p, **words)[0]
-
-
-def gd_passes(p: Params, *, in_x: Ints, in_y: Ints, in_j1: Ints, in_j2: Ints, in_warm: Ints, cfg_l1: Ints, cfg_l2: Ints,
-              cfg_alpha: Ints, cfg_shift: Ints, cfg_tol: Ints, cfg_limit: Ints) -> tuple[dict[str, Ints], Ints]:
-    """What `gd` answers, and the passes of each sample: the first, one an iteration, one a change of range."""
     columns = np.broadcast_arrays(*map(ints, (in_x, in_y, in_j1, in_j2, in_warm, cfg_l1, cfg_l2, cfg_alpha, cfg_shift,
                                               cfg_tol, cfg_limit)))
     x, y, j1, j2, warm, l1, l2, step, shift, tol, limit = (np.atleast_1d(column) for column in columns)
     size, mask = x.size, (1 << p["A"]) - 1
     joints, out = np.zeros((2, size), dtype=np.int64), np.zeros((6, size), dtype=np.int64)
-    passes = np.zeros(size, dtype=np.int64)
     # samples that start by themselves at once; then those behind them that start from their answers, and so on
     index = np.arange(size)
     depth = index - np.maximum.accumulate(np.where(warm == 0, index, -1))
@@ -75,7 +69,6 @@ def gd_passes(p: Params, *, in_x: Ints, in_y: Ints, in_j1: Ints, in_j2: Ints, in
         fine, count = np.ones(at.size, dtype=np.int64), np.zeros(at.size, dtype=np.int64)
         last = np.zeros((2, at.size), dtype=np.int64)
         while at.size:
-            passes[at] += 1
             square, e1, e2 = _pass(p, fine, th1, th2, *(column[at] for column in (x, y, l1, l2, step, shift)))
             wide = (fine == 1) & (square >> 2 * p["W"] - 3 != 0)
             done = (fine == 1) & (square < tol[at])
@@ -93,7 +86,7 @@ def gd_passes(p: Params, *, in_x: Ints, in_y: Ints, in_j1: Ints, in_j2: Ints, in
             at, th1, th2, fine, count = at[~stop], th1[~stop], th2[~stop], fine[~stop], count[~stop]
     shape = columns[0].shape
     names = ("j1", "j2", "iters", "error", "coarse", "status", "d1", "d2")
-    return {f"out_{name}": row.reshape(shape) for name, row in zip(names, (*joints, *out))}, passes.reshape(shape)
+    return {f"out_{name}": row.reshape(shape) for name, row in zip(names, (*joints, *out))}
 
 
 def degrees(p: Params, word: Ints) -> np.ndarray:
