@@ -12,8 +12,9 @@ from tb.lib import bulk
 from tb.lib.simulate import simulate
 from tb.lib.suite import SEED, simulators
 
-CORES = [core for core in all_cores() if core.name in engines.EXAMPLES]
-EACH = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
+EACH = pytest.mark.parametrize("core", [
+    pytest.param(core, id=core.id, marks=pytest.mark.full if core.first_set else pytest.mark.slow)
+    for core in all_cores() if core.name in engines.EXAMPLES])
 TURN = round(2 * np.pi / track.OMEGA / track.PERIOD)
 
 
@@ -22,7 +23,6 @@ def run(core, simulator: str, counts, samples: int) -> None:
              plusargs=[f"+counts={','.join(map(str, counts))}", f"+samples={samples}"])
 
 
-@pytest.mark.full
 @pytest.mark.parametrize("simulator", simulators())
 @EACH
 def test_some_samples(core, simulator):
@@ -36,7 +36,6 @@ def test_a_turn(core, count):
     run(core, "verilator", [count], TURN)
 
 
-@pytest.mark.full
 @EACH
 def test_clocks_of_a_pass(core):
     """From starts of the whole grid: some of them change the range of the error, so they take passes more."""

@@ -150,7 +150,7 @@ def summary(follower: Follower, counts: Sequence[int] = COUNTS) -> list[dict]:
         trace.goal, trace.seen, follower.arm(trace.asked)[0], follower.arm(trace.reached)[0]))
     pairs = {"lag_um": (seen, asked), "words_um": (goal, seen), "servo_um": (asked, reached), "tip_um": (goal, reached)}
     rms = {key: np.sqrt(((a - b) ** 2).sum(axis=-1).mean(axis=(0, 1))) * 1e6 for key, (a, b) in pairs.items()}
-    golden = GOLDEN if follower.name == "touch" else {}
+    golden = GOLDEN if follower.lengths == TOUCH else {}
     return [{"solver": follower.name, "iterations": count, "golden_um": golden.get(count),
              **{key: float(values[i]) for key, values in rms.items()},
              "clocks": follower.clocks * (count + 1) or None} for i, count in enumerate(counts)]
