@@ -49,7 +49,7 @@ report: setup ## latency, area, clock and accuracy of every core on ARM (another
 accuracy: setup ## errors of one CORE on ARM, by its bit-true model, in seconds
 	@$(PY) -m ci.accuracy "$(ARM)" $(CORE)
 
-figures: setup ## the pictures of the parallel robot's paper, and its claims beside ours
+figures: setup ## the pictures of the papers from our models, and their claims beside ours
 	@$(PY) -m ci.figures
 
 verdict: setup ## the report, and who wins at equal accuracy: the shortest words of every core (half an hour)
