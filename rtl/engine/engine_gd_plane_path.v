@@ -62,7 +62,7 @@ module engine_gd_plane_path #(
     reg [I-1:0]   to;
     reg [O-1:0]   y;
 
-    // error
+    // error: every other link loses a unit more, so that truncation costs nothing on average
     reg  signed [N_E-1:0] e, other;
     wire [W-1:0]          goal = in_store ? in_x : in_y;
     wire [N_E-1:0]        from = in_first ? {{(N_E-W-6){goal[W-1]}}, goal, 6'd0} : other;
@@ -117,7 +117,7 @@ module engine_gd_plane_path #(
             ay <= a[W+1+:O];
 
         if (tip) begin
-            e     <= from - {{MORE{b[2*O-1]}}, b[2*O-1:W-5]};
+            e     <= from + ~{{MORE{b[2*O-1]}}, b[2*O-1:W-5]} + {{(N_E-1){1'b0}}, !to[0]};
             other <= e;
         end
         y <= b[W+:O];
@@ -132,7 +132,8 @@ module engine_gd_plane_path #(
         else if (add)
             out_square <= out_square + {1'b0, b[4+:2*W-1]};
         if (clear || in_still)
-            lever <= {S{1'b0}};
+            lever <= {{(S-10){1'b0}}, in_shift == 2'd3, 1'b0, in_shift == 2'd2, 1'b0, in_shift == 2'd1, 1'b0,
+                      in_shift == 2'd0, 3'd0};  // half of a step's unit in the fine range
         else if (plus || minus)
             lever <= lever + (plus ? left : ~right) + {{(S-1){1'b0}}, !plus};
     end

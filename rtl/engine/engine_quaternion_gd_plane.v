@@ -164,7 +164,7 @@ module engine_quaternion_gd_plane #(
             link <= {I{1'b0}};
         else if (next || go || begins)
             link <= link + 1'b1;
-        if (check && ok && load && more)
+        if (check && load && more)
             loaded <= loaded + 1'b1;
         if (check)
             no_link <= !ok;

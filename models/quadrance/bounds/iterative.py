@@ -26,13 +26,15 @@ def _root(w: int) -> float:
     return float(max(error.max(), 1 - error.min())) / 2**k
 
 
-def tip(p: Params, *links: float, square: ArrayLike) -> Floats:
+def tip(p: Params, *links: float, square: ArrayLike, cut: int | None = None) -> Floats:
     """Distance in LSB of the tip of the answered joints from the target, where out_error is `square`, not coarse.
 
-    Both squares are truncated by up to 1/256 LSB^2. Each axis of E lacks what the products of all links lose, 1/64 LSB
-    each, and errs by a root for each link.
+    Both squares are truncated by up to 1/256 LSB^2. Each axis of E lacks what the products of `cut` links lose, 1/64
+    LSB each, and errs by a root for each link. All links are cut the same way, but in engine_quaternion_gd_plane every
+    other one: there `cut` is half of them, rounded up.
     """
-    return np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * (len(links) / 64 + _root(p["W"]) * sum(links))
+    cut = len(links) if cut is None else cut
+    return np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * (cut / 64 + _root(p["W"]) * sum(links))
 
 
 def _each(p: Params, links: Sequence[float], word: int, unit: float) -> float:
@@ -64,15 +66,16 @@ def plane_step(p: Params, links: Sequence[float], cfg: dict[str, int], error: Fl
     Joint i moves by (target - links before it) x (alpha E + d), which is the float step where both are exact, since
     E x alpha E is 0. Each axis of d is alpha times `_each`; the lever is that of the links from i on, and E long at
     most; it errs by half an LSB for the target and for every link before it, and by their roots. The product of the
-    target and those of the links lose a unit of 2^-(2 cfg_shift, and 4 where the unit is fine) each way, and the step a
-    whole one.
+    target and those of the links lose a unit of 2^-(2 cfg_shift, and 4 where the unit is fine) each way. The step loses
+    half a unit of a joint word; where the unit is not fine a whole one, less the 8 that are there for the fine one.
     """
     alpha, longest = fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"]), np.linalg.norm(error)
     count, links = np.arange(1, len(links) + 1), floats(links)
     behind = links[::-1].cumsum()[::-1]
     off = alpha * _each(p, links, cfg["cfg_alpha"], unit)
     lever = count / 2 + _root(p["W"]) * (links.sum() - behind)
-    cut = 1 + 2 * count / 4.0 ** (cfg["cfg_shift"] + 2 * (unit < 1 / 4))
+    fine = unit < 1 / 4
+    cut = (0.5 if fine else 8) + 2 * count / 4.0 ** (cfg["cfg_shift"] + 2 * fine)
     return np.sqrt(2) * (behind + longest) * off + lever * (np.sqrt(2) * alpha * longest + 2 * off) \
         + cut * TURN / 2 ** p["A"]
 

@@ -63,15 +63,16 @@ def _places(p: Params, joints: list[int], lengths: list[int]) -> list[tuple[int,
     return found
 
 
-def _moves(p: Params, links: list[tuple[int, int]], goal: tuple[int, int], ax: int, ay: int, down: int) -> list[int]:
-    """What the joints move by: (target - links before it) x alpha E, divided by 2^down."""
+def _moves(p: Params, links: list[tuple[int, int]], goal: tuple[int, int], ax: int, ay: int, shift: int,
+           fine: bool) -> list[int]:
+    """What the joints move by: (target - links before it) x alpha E, nearest in the fine range."""
     cut, bits = 2 * p["W"] - p["A"], p["A"] + 6
     half = 1 << bits - 1
-    lever, moves = 0, []
+    lever, moves = 8 << 2 * shift, []
     for x, y in [(~(2 * goal[0]), ~(2 * goal[1])), *((x >> p["W"], y >> p["W"]) for x, y in links[:-1])]:
         lever += (y * ax >> cut) - (x * ay >> cut)
         lever = (lever + half & 2 * half - 1) - half
-        moves.append(lever >> down)
+        moves.append(lever >> 2 * shift + 4 * fine)
     return moves
 
 
@@ -83,7 +84,9 @@ def descend(p: Params, joints: list[int], lengths: list[int], goal: tuple[int, i
     fine, count = True, 0
     while True:
         links = _places(p, joints, lengths)
-        error = [(end << 6) - sum(link[axis] >> w - 5 for link in links) for axis, end in enumerate(goal)]
+        # every other link is truncated towards its next unit, so that what they lose is nothing on average
+        error = [(end << 6) - sum((link[axis] >> w - 5) + i % 2 for i, link in enumerate(links))
+                 for axis, end in enumerate(goal)]
         seen = [min(max(e if fine else e >> 4, -top), top - 1) for e in error]
         square = sum(e * e >> 4 for e in seen)
         fits = all(-top <= e < top for e in error)
@@ -91,7 +94,7 @@ def descend(p: Params, joints: list[int], lengths: list[int], goal: tuple[int, i
         if done or (count == limit and not wide):
             return count, square, int(not fine), 0 if done else NOT_CONVERGED
         if not wide:
-            moves = _moves(p, links, goal, *(alpha * e >> w + 1 for e in seen), 2 * shift + 4 * fine)
+            moves = _moves(p, links, goal, *(alpha * e >> w + 1 for e in seen), shift, fine)
             joints[:] = [joint + move & mask for joint, move in zip(joints, moves)]
             count += 1
         fine = fits
