@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Datapath of engine_rus_leg, whose table says what happens when: in_op is its lines, column by column.
-// Lengths x, z, y, e, f, h, G, S have 4 fraction bits below the position word of 18 bits; sums have 6, squares of
-// lengths 16 less. Out of reach the root is that of e^2 + f^2 and (cos, sin) = +-(e, f) R / R^2, the sign that of G.
+// Lengths e, f, h, G, S have 4 fraction bits below the position word of 18 bits; x, z, y and sums 6, squares of
+// lengths 16 less than those. Out of reach the root is that of e^2 + f^2 and (cos, sin) = +-(e, f) R / R^2, the sign that of G.
 // Operands come through gates: registers that are 0 but in the clock for which they open, so that an OR selects.
 // Formats: engine_rus_ik, engine_rus_leg. in_tag goes with the leg. Error: engine_rus_root, and what is truncated.
 // Model: engine_rus.leg
@@ -34,14 +34,14 @@ module engine_rus_path (
         = in_op[16:0];
 
     // Products, and the sum behind them: A + B + C
-    reg  signed [21:0] al, bl;
+    reg  signed [23:0] al, bl;
     reg  signed [22:0] ar, br;
     reg  signed [26:0] cl, cr, dl, dr;
-    reg  signed [44:0] pa, pb;
+    reg  signed [46:0] pa, pb;
     /* verilator lint_off UNUSEDSIGNAL */
     reg  signed [53:0] pc, pd;
     reg  signed [29:0] add;
-    wire signed [45:0] ab = pa + pb;
+    wire signed [47:0] ab = pa + pb;
     wire signed [29:0] sum = ab[45:16] + (pc[45:16] + add);
     /* verilator lint_on UNUSEDSIGNAL */
     wire        [21:0] length = sum[23:2];
@@ -50,17 +50,21 @@ module engine_rus_path (
     reg  signed [18:0] away;
 
     // Registers of a leg, and those that outlive the next one's
-    reg  [21:0] x, y, e, f, e2, f2, e3, f3;
+    reg  [23:0] x, y;
+    reg  [21:0] e, f, e2, f2, e3, f3;
     reg  [22:0] g, g2;
     reg  [26:0] t, reciprocal;
     reg         wide, minus, minus2, beyond2, elbow, over1;
     reg  [4:0]  tag2, tag3, tag4;
-    wire [22:0] f_sum = {y[21], y} + pd[40:18];
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [24:0] f_sum = {y[23], y} + pd[40:16];
+    /* verilator lint_on UNUSEDSIGNAL */
 
     // Gates
     reg  [71:0] row;
     reg  [17:0] word1, word2, word3, open_cb, open_nb;
-    reg  [21:0] open_x, open_z, open_e, open_f, e_a, f_a, e_b, f_b, open_s;
+    reg  [23:0] open_x, open_z;
+    reg  [21:0] open_e, open_f, e_a, f_a, e_b, f_b, open_s;
     reg  [22:0] open_g, g_a;
     reg  [26:0] open_t;
     reg  [25:0] open_c;
@@ -71,7 +75,7 @@ module engine_rus_path (
     wire [19:0] slope;
     wire        beyond, none;
     engine_rus_root roots (.clk(clk), .in_op({num, divisor, to_s, copy, root, fine, find, gate, disc, to_q}),
-        .in_ab(ab), .in_square(pc[45:0]), .in_wide(wide), .in_product(pd[48:27]), .out_word(word), .out_w(w),
+        .in_ab(ab[45:0]), .in_square(pc[45:0]), .in_wide(wide), .in_product(pd[48:27]), .out_word(word), .out_w(w),
         .out_slope(slope), .out_beyond(beyond), .out_none(none), .out_root(out_root));
 
     assign out_word = pd[50:33] + {17'd0, pd[32]};
@@ -85,9 +89,9 @@ module engine_rus_path (
         away    <= $signed(row[17:0]) + $signed(foot);
         open_cb <= link ? in_cb : 18'd0;
         open_nb <= link ? in_nb : 18'd0;
-        open_x  <= turn ? x : 22'd0;
+        open_x  <= turn ? x : 24'd0;
         open_e  <= to_e ? length : 22'd0;
-        open_f  <= to_e ? f_sum[21:0] : 22'd0;
+        open_f  <= to_e ? f_sum[23:2] : 22'd0;
         open_t  <= gain ? t : 27'd0;
         open_c  <= gain ? cfg_c : 26'd0;
         open_g  <= to_g ? pc[47:25] : 23'd0;
@@ -99,16 +103,16 @@ module engine_rus_path (
         open_s  <= cosine || sine ? out_root : 22'd0;
         invert  <= (cosine || sine) && (beyond2 ? minus2 : tag4[1] ^ cosine);
         if (to_z)
-            open_z <= length;
+            open_z <= sum[23:0];
         else if (!turn)
-            open_z <= 22'd0;
+            open_z <= 24'd0;
 
-        al <= {row[71:54], 4'd0} | open_x | open_e | e_a | f_a;
-        bl <= {row[53:36], 4'd0} | open_z | open_f | e_b | f_b;
+        al <= {row[71:54], 6'd0} | open_x | {{2{open_e[21] | e_a[21] | f_a[21]}}, open_e | e_a | f_a};
+        bl <= {row[53:36], 6'd0} | open_z | {{2{open_f[21] | e_b[21] | f_b[21]}}, open_f | e_b | f_b};
         cl <= {{5{row[35] | open_cb[17]}}, row[35:18] | open_cb, 4'd0} | h | open_t | {{4{open_g[22]}}, open_g};
         if (!y_row && !to_x) begin  // the joint's coordinates stay for three rows
-            ar <= {{3{word1[17]}}, word1, 2'd0} | {open_e[21], open_e} | g_a;
-            br <= {{3{word2[17]}}, word2, 2'd0} | {open_f[21], open_f} | ({1'b0, open_s} ^ {23{invert}});
+            ar <= {{5{word1[17]}}, word1} | {open_e[21], open_e} | g_a;
+            br <= {{5{word2[17]}}, word2} | {open_f[21], open_f} | ({1'b0, open_s} ^ {23{invert}});
             cr <= {{7{word3[17]}}, word3, 2'd0} | h | {1'b0, open_c} | {{4{open_g[22]}}, open_g};
         end
         dl <= (next_d ? word : 27'd0) | (table_d ? {1'b0, w, 4'd8} : 27'd0) | {{5{open_nb[17]}}, open_nb, 4'd0};
@@ -119,21 +123,21 @@ module engine_rus_path (
         pb <= bl * br;
         pc <= cl * cr;
         pd <= dl * dr;
-        // half, and what two truncations lose
-        add <= with_k ? {{3{cfg_k[26]}}, cfg_k} : place ? {{5{away[18]}}, away, 6'd3} : 30'd3;
+        // what two truncations lose, and half
+        add <= with_k ? {{3{cfg_k[26]}}, cfg_k} : place ? {{5{away[18]}}, away, 4'd0, to_z, 1'b1} : 30'd3;
 
         if (to_x)
-            x <= length;
+            x <= sum[23:0];
         if (to_y) begin
-            y     <= length;
+            y     <= sum[23:0];
             elbow <= in_words[18];
         end
         if (to_e) begin
             e <= length;
-            f <= f_sum[21:0];
+            f <= f_sum[23:2];
         end
         if (to_x || to_z || to_y || to_e || height)
-            over1 <= over || (to_e && f_sum[22] != f_sum[21]) || (over1 && !to_x);
+            over1 <= over || (to_e && f_sum[24] != f_sum[23]) || (over1 && !to_x);
         if (to_q) begin
             t    <= sum[28:2];
             tag2 <= {in_tag, elbow, over1};
