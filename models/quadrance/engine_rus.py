@@ -11,8 +11,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quadrance.conversion import vector_to_angle
 from quadrance.fixed import Ints, ints, round_shift, wrap
-from quadrance.parallel.geometry import Floats, PoseError, Robot
+from quadrance.parallel.geometry import Floats, PoseError, Robot, check_pose
 from quadrance.vector_solve import _slopes
 
 Params = dict[str, int]
@@ -124,6 +125,14 @@ def ik(p: Params, *, in_load: Ints, in_leg: Ints, cfg_k: Ints, cfg_c: Ints, cfg_
     return answer | {"out_far": mask, "out_status": ints(some["far"]) + 2 * some["near"] + 4 * some["over"]}
 
 
+def ik_angle(p: Params, **columns: Ints) -> dict[str, Ints]:
+    """`ik` with binary angles of A bits; one codec takes the legs in their order."""
+    answer = ik(p, **columns)
+    c, n = (np.stack([answer.pop(f"out_{what}{leg + 1}") for leg in range(LEGS)], axis=-1) for what in "cn")
+    angles = vector_to_angle({"U": 16, "A": p["A"]}, in_c=c.ravel(), in_n=n.ravel())["out_j"].reshape(c.shape)
+    return {f"out_j{leg + 1}": angles[:, leg] for leg in range(LEGS)} | answer
+
+
 # Words for a robot
 
 
@@ -184,8 +193,15 @@ def geometry(p: Params, robot: Robot, mm_per_lsb: float) -> list[dict[str, int]]
 
 def poses(p: Params, robot: Robot, mm_per_lsb: float, rotation: ArrayLike, position: ArrayLike,
           beta: ArrayLike = 0.0) -> dict[str, Ints]:
-    """Pose samples (N) as columns by port name, from rotations (N, 3, 3), positions (N, 3) in mm and beta (N)."""
+    """Pose samples (N) as columns by port name, from rotations (N, 3, 3), positions (N, 3) in mm and beta (N).
+
+    Raises
+    ------
+    PoseError
+        For a matrix that is no rotation, or a word that does not fit.
+    """
     turn = _frame(robot)
+    rotation, position = check_pose(rotation, position)
     position, beta = np.broadcast_arrays(position, np.asarray(beta, dtype=np.float64)[..., None])
     rotation = np.broadcast_to(rotation, (*position.shape[:-1], 3, 3))
     words = _check(turn @ rotation @ turn.T * ONE, 18, "rotation")

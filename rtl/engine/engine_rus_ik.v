@@ -36,86 +36,25 @@ module engine_rus_ik #(
             engine_rus_ik_needs_W_from_14_to_18 rule ();
         end
     endgenerate
-    // A leg begins every 8 clocks and takes 37. While legs are inside, the next pose begins such a time behind them too
-    localparam [0:0]
-        WAIT  = 1'b0,
-        AGAIN = 1'b1;  // - <- -: the next leg begins, of this pose or of the next one
-    localparam [8-1:0] EIGHT = {
-        /* a leg */ {7{WAIT}},
-        /* next  */ AGAIN};
-    reg        busy;  // legs are inside
-    wire       idle, again, more;
-    wire       accept = in_valid && in_ready;
-    wire       next = again && more;
-    schedule #(.LINES(8), .BITS(1), .TABLE(EIGHT)) beat (
-        .clk(clk), .rst(rst), .in_start(accept || again && (busy || more)), .out_idle(idle), .out_op(again));
-
-    // The pose, and its rows as the legs want them: x, z, y
-    reg                load, first;  // first: the first three clocks of the first leg, which read all rows
-    reg  [2:0]         to, leg, tag;
-    reg  [5:0]         known;
-    reg  [71:0]        row1, row2, row3;
-    reg  signed [17:0] cb, nb;
-    wire               x_row, z_row, y_row, turn, read;
-    wire [71:0]        row = x_row ? row1 : z_row ? row3 : row2;
-
-    // Geometry, three words a leg: {c1, c2, c3, -Fx}, {st, -ct, elbow, -Fz}, {ct, st, -link, -Fy}
-    reg  [71:0]        geometry[0:31];
-    reg  [71:0]        words;
-    wire [1:0]         part = {z_row || y_row || turn, x_row || read};
-    always @(posedge clk) begin
-        if (load && first)
-            geometry[{to, y_row, z_row}] <= row;
-        words <= geometry[{leg, part}];
-    end
-
-    wire signed [17:0] word;
+    wire               free = !out_valid || out_ready;
+    wire               flags, sine, last, far, near, over;
+    wire signed [17:0] c, word;
     wire [21:0]        root;
-    wire               flags, cosine, sine, far, none, near, over, last, dead, unreached;
-    engine_rus_leg path (
-        .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_start(accept || next),
-        .in_row(row), .in_words(words), .in_cb(cb), .in_nb(nb), .in_tag(tag), .out_x(x_row), .out_z(z_row),
-        .out_y(y_row), .out_turn(turn), .out_last(read), .out_flags(flags), .out_cosine(cosine), .out_sine(sine),
-        .out_word(word), .out_root(root), .out_far(far), .out_none(none), .out_near(near), .out_over(over),
-        .out_tag({last, dead, unreached}));
-    engine_rus_results results (
-        .clk(clk), .rst(rst), .in_flags(flags), .in_cosine(cosine), .in_sine(sine), .in_last(last), .in_dead(dead),
-        .in_none(none), .in_far(far), .in_unreached(unreached), .in_near(near), .in_over(over), .in_word(word),
-        .in_root(root), .out_valid(out_valid), .out_ready(out_ready),
-        .out_c({out_c6, out_c5, out_c4, out_c3, out_c2, out_c1}),
-        .out_n({out_n6, out_n5, out_n4, out_n3, out_n2, out_n1}),
+    engine_rus_poses #(.W(W)) poses (
+        .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_valid(in_valid),
+        .in_ready(in_ready), .in_free(free), .in_load(in_load), .in_leg(in_leg), .in_r11(in_r11), .in_r12(in_r12),
+        .in_r13(in_r13), .in_r21(in_r21), .in_r22(in_r22), .in_r23(in_r23), .in_r31(in_r31), .in_r32(in_r32),
+        .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb), .out_flags(flags),
+        .out_sine(sine), .out_last(last), .out_c(c), .out_word(word), .out_root(root), .out_far(far), .out_near(near),
+        .out_over(over));
+    reg  [35:0] leg6;
+    always @(posedge clk)
+        if (sine)
+            leg6 <= {word, c};
+    engine_rus_results #(.BITS(36)) results (
+        .clk(clk), .rst(rst), .in_flags(flags), .in_root(root), .in_far(far), .in_near(near), .in_over(over),
+        .in_move(sine), .in_last(last), .in_leg6(leg6), .out_valid(out_valid), .out_ready(out_ready),
+        .out_words({out_n6, out_c6, out_n5, out_c5, out_n4, out_c4, out_n3, out_c3, out_n2, out_c2, out_n1, out_c1}),
         .out_s({out_s6, out_s5, out_s4, out_s3, out_s2, out_s1}), .out_far(out_far), .out_status(out_status));
-
-    assign more = leg != 3'd0;
-    assign in_ready = (idle || again && !more) && (!out_valid || out_ready);
-    localparam PAD = 18 - W;
-    always @(posedge clk) begin
-        if (accept) begin
-            load <= in_load;
-            to   <= in_leg;
-            row1 <= {in_r11, in_r12, in_r13, in_px, {PAD{1'b0}}};
-            row2 <= {in_r21, in_r22, in_r23, in_py, {PAD{1'b0}}};
-            row3 <= {in_r31, in_r32, in_r33, in_pz, {PAD{1'b0}}};
-            cb   <= in_cb;
-            nb   <= in_nb;
-        end
-        first <= accept || (first && !y_row);
-        if (read) begin  // the geometry has been read for the last time
-            leg <= leg == 3'd5 ? 3'd0 : leg + 3'd1;
-            tag <= {leg == 3'd5, load || !known[leg], !load && !known[leg]};
-        end
-        if (sine && last)
-            busy <= 1'b0;
-        if (read)
-            busy <= 1'b1;
-        if (load && first && x_row && to < 3'd6)
-            known[to] <= 1'b1;
-        if (rst) begin
-            known <= 6'd0;
-            leg   <= 3'd0;
-            first <= 1'b0;
-            busy <= 1'b0;
-        end
-    end
 endmodule
 `default_nettype wire

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Control of one leg of engine_rus_ik: 37 clocks, of which eight pass before the next one may begin.
 //   in_start: in the next clock out_x asks for row x of the pose and the first words of the leg are there; then z, y
-//   out_first, out_last: read the leg's first words for the clock after the next one; they have been read
-// Formats: engine_rus_ik, engine_rus_path. out_root with far (out of reach), none (no direction at all), near (to a
-// singular leg), over and the leg's tag when out_flags; out_word is the cosine when out_cosine, the sine when out_sine.
+//   out_turn, out_last: the words that turn it are read next; all have been read
+// Formats: engine_rus_ik, engine_rus_path. in_tag {leg 6, dead: no answer, ..} goes with the leg. When out_flags the
+// root stands with far (out of reach), none (no direction, or dead), near (to a singular leg) and over. out_word is the
+// cosine when out_cosine, the sine when out_sine.
 // Latency 37; II 8.
 // Model: engine_rus.leg
 `default_nettype none
@@ -33,7 +34,7 @@ module engine_rus_leg (
     output wire               out_none,
     output wire               out_near,
     output wire               out_over,
-    output wire [2:0]         out_tag
+    output reg  [2:0]         out_tag
 );
     // Schedule. start: pose words <- in_row in_words
     localparam [6:0]             // gates of multipliers A and B: what they load in the next clock
@@ -62,7 +63,7 @@ module engine_rus_leg (
         NONE    = 19'h00000,     // - <- -: nothing
         X       = 19'h00001,     // x over <- a b c add: the sum is x
         Z       = 19'h00002,     // z over <- a b c add: z
-        Y       = 19'h00004,     // y over tag <- a b c add words: y
+        Y       = 19'h00004,     // y over <- a b c add words: y
         E       = 19'h00008,     // e f a b over <- a b c d add y: e, and f less the link's share
         Q       = 19'h00010,     // q t tag <- a b c add over: e^2 + f^2, and with h^2 and k
         G       = 19'h00020,     // g c <- c: G, and its square begins
@@ -72,7 +73,7 @@ module engine_rus_leg (
         FIND    = 19'h00200,     // n shift <- open_n: its spare bytes
         FINE    = 19'h00400,     // shift <- n shift: its spare pairs of bits
         ROOT    = 19'h00800,     // w slope shift_s <- n shift: read the root's table
-        COPY    = 19'h01000,     // e3 f3 g2 beyond2 tag open_n <- e2 f2 g beyond q2 tag: for the next leg comes; divisor
+        COPY    = 19'h01000,     // e3 f3 g2 beyond2 tag open_n <- e2 f2 g beyond q2 tag: the next leg comes; divisor
         S       = 19'h02000,     // s <- d shift_s: the root
         DIVISOR = 19'h04000,     // w slope kept none <- n shift: read the reciprocal's table
         NUM     = 19'h08000,     // n shift <- a b kept: a numerator
@@ -122,10 +123,11 @@ module engine_rus_leg (
     wire        idle;
     schedule #(.LINES(37), .BITS(34), .TABLE(LEG)) control (
         .clk(clk), .rst(rst), .in_start(in_start), .out_idle(idle), .out_op(op));
+    reg  [2:0]  tag2, tag3, tag4;
     engine_rus_path path (
         .clk(clk), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_op(op), .in_row(in_row), .in_words(in_words),
-        .in_cb(in_cb), .in_nb(in_nb), .in_tag(in_tag), .out_word(out_word), .out_root(out_root), .out_far(out_far),
-        .out_none(out_none), .out_near(out_near), .out_over(out_over), .out_tag(out_tag));
+        .in_cb(in_cb), .in_nb(in_nb), .in_dead(tag4[1]), .out_word(out_word), .out_root(out_root), .out_far(out_far),
+        .out_none(out_none), .out_near(out_near), .out_over(out_over));
     // which words of the leg are read: by the line that is played
     assign out_x = op[27];
     assign out_z = op[28];
@@ -135,6 +137,17 @@ module engine_rus_leg (
     assign out_flags = op[22];
     assign out_cosine = op[17];
     assign out_sine = op[18];
+    // the tag goes with its leg, in four registers that the next leg's follows through
+    always @(posedge clk) begin
+        if (op[4])
+            tag2 <= in_tag;
+        if (op[7])
+            tag3 <= tag2;
+        if (op[12])
+            tag4 <= tag3;
+        if (op[16])
+            out_tag <= tag4;
+    end
     wire   unused = &{1'b0, idle};
 endmodule
 `default_nettype wire

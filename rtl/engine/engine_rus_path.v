@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Datapath of engine_rus_leg, whose table says what happens when: in_op is its lines, column by column.
 // Lengths e, f, h, G, S have 4 fraction bits below the position word of 18 bits; x, z, y and sums 6, squares of
-// lengths 16 less than those. Out of reach the root is that of e^2 + f^2 and (cos, sin) = +-(e, f) R / R^2, the sign that of G.
+// lengths 16 less than those. Out of reach the root is that of e^2 + f^2 and (cos, sin) = +-(e, f) R / R^2, the sign
+// that of G.
 // Operands come through gates: registers that are 0 but in the clock for which they open, so that an OR selects.
-// Formats: engine_rus_ik, engine_rus_leg. in_tag goes with the leg. Error: engine_rus_root, and what is truncated.
+// Formats: engine_rus_ik, engine_rus_leg. Error: engine_rus_root, and what is truncated.
 // Model: engine_rus.leg
 `default_nettype none
 module engine_rus_path (
@@ -16,18 +17,17 @@ module engine_rus_path (
     input  wire [71:0]        in_words,
     input  wire signed [17:0] in_cb,
     input  wire signed [17:0] in_nb,
-    input  wire [2:0]         in_tag,
+    input  wire               in_dead,
     output wire signed [17:0] out_word,
-    output wire [21:0]        out_root,
+    output reg  [21:0]        out_root,
     output reg                out_far,
     output reg                out_none,
     output reg                out_near,
-    output reg                out_over,
-    output reg  [2:0]         out_tag
+    output reg                out_over
 );
     wire sine, cosine, turn, words, y_row, z_row, x_row, gain, height, link, next_d, divide, table_d, with_k, place;
     wire rec, num, divisor, to_s, copy, root, fine, find, gate, disc, keep, to_g, to_q, to_e, to_y, to_z, to_x;
-    wire unused = &{1'b0, in_op[18:17], in_tag};
+    wire unused = &{1'b0, in_op[18:17]};
     assign {sine, cosine, turn, words, y_row, z_row, x_row, gain, height, link, next_d, divide, table_d, with_k, place}
         = in_op[33:19];
     assign {rec, num, divisor, to_s, copy, root, fine, find, gate, disc, keep, to_g, to_q, to_e, to_y, to_z, to_x}
@@ -54,8 +54,7 @@ module engine_rus_path (
     reg  [21:0] e, f, e2, f2, e3, f3;
     reg  [22:0] g, g2;
     reg  [26:0] t, reciprocal;
-    reg         wide, minus, minus2, beyond2, elbow, over1;
-    reg  [4:0]  tag2, tag3, tag4;
+    reg         wide, minus, minus2, beyond2, elbow, elbow2, elbow3, elbow4, over1, over2, over3, over4;
     /* verilator lint_off UNUSEDSIGNAL */
     wire [24:0] f_sum = {y[23], y} + pd[40:16];
     /* verilator lint_on UNUSEDSIGNAL */
@@ -71,12 +70,12 @@ module engine_rus_path (
     reg         invert;
 
     wire [26:0] word;
-    wire [21:0] w;
+    wire [21:0] w, s;
     wire [19:0] slope;
     wire        beyond, none;
     engine_rus_root roots (.clk(clk), .in_op({num, divisor, to_s, copy, root, fine, find, gate, disc, to_q}),
         .in_ab(ab[45:0]), .in_square(pc[45:0]), .in_wide(wide), .in_product(pd[48:27]), .out_word(word), .out_w(w),
-        .out_slope(slope), .out_beyond(beyond), .out_none(none), .out_root(out_root));
+        .out_slope(slope), .out_beyond(beyond), .out_none(none), .out_root(s));
 
     assign out_word = pd[50:33] + {17'd0, pd[32]};
     wire [26:0] h = {{5{sum[23]}}, length} & {27{height}};
@@ -100,8 +99,8 @@ module engine_rus_path (
         e_b     <= cosine && beyond2 || sine && !beyond2 ? e3 : 22'd0;
         f_b     <= cosine && !beyond2 || sine && beyond2 ? f3 : 22'd0;
         g_a     <= (cosine || sine) && !beyond2 ? g2 : 23'd0;
-        open_s  <= cosine || sine ? out_root : 22'd0;
-        invert  <= (cosine || sine) && (beyond2 ? minus2 : tag4[1] ^ cosine);
+        open_s  <= cosine || sine ? s : 22'd0;
+        invert  <= (cosine || sine) && (beyond2 ? minus2 : elbow4 ^ cosine);
         if (to_z)
             open_z <= sum[23:0];
         else if (!turn)
@@ -139,8 +138,9 @@ module engine_rus_path (
         if (to_x || to_z || to_y || to_e || height)
             over1 <= over || (to_e && f_sum[24] != f_sum[23]) || (over1 && !to_x);
         if (to_q) begin
-            t    <= sum[28:2];
-            tag2 <= {in_tag, elbow, over1};
+            t      <= sum[28:2];
+            elbow2 <= elbow;
+            over2  <= over1;
         end
         if (to_g) begin
             g     <= pc[47:25];
@@ -151,23 +151,26 @@ module engine_rus_path (
             e2 <= e;
             f2 <= f;
         end
-        if (disc)
-            tag3 <= tag2;
+        if (disc) begin
+            elbow3 <= elbow2;
+            over3  <= over2;
+        end
         if (copy) begin
             e3      <= e2;
             f3      <= f2;
             g2      <= g;
             minus2  <= minus;
             beyond2 <= beyond;
-            tag4    <= tag3;
+            elbow4  <= elbow3;
+            over4   <= over3;
         end
         if (rec) begin
-            reciprocal <= pd[49:23];
+            reciprocal <= none || in_dead ? 27'd0 : pd[49:23];
             out_far    <= beyond2 || none;
-            out_none   <= none;
-            out_near   <= !beyond2 && out_root[21:10] < cfg_near;
-            out_over   <= tag4[0];
-            out_tag    <= tag4[4:2];
+            out_none   <= none || in_dead;
+            out_near   <= !beyond2 && s[21:10] < cfg_near;
+            out_root   <= beyond2 || none || in_dead ? 22'd0 : s;
+            out_over   <= over4;
         end
     end
 endmodule
