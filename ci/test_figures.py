@@ -1,8 +1,10 @@
-"""The claims on the pages are what the models give; a block that is not there is an error."""
+"""What pages and pictures claim is what the models give; a block that is not there is an error."""
 
+import numpy as np
 import pytest
+from quadrance import accuracy, arms, truth
 
-from ci.figures import fill, gradient, newton
+from ci.figures import fill, front, gradient, newton
 
 
 def test_claims_of_newton():
@@ -26,3 +28,11 @@ def test_a_block_is_filled_and_a_missing_one_named(tmp_path):
     assert page.read_text() == "a\n<!-- b -->\nnew\n<!-- /b -->\nz\n"
     with pytest.raises(ValueError, match="page.md: no block c"):
         fill(page, "c", "")
+
+
+def test_the_words_of_the_front_page_reach_the_target():
+    arm = arms.load(front.ARM)
+    for core, words, theta in front.answers():
+        assert words["out_status"] == 0
+        tip = np.array(truth.fk2(*theta, *(link * arm.mm_per_unit for link in arm.links))).ravel()
+        assert np.hypot(*(tip - front.TARGET)) < 4 * accuracy.mm_per_lsb(core, arm), core.id

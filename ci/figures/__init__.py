@@ -1,4 +1,4 @@
-"""`make figures`: the pictures of the papers from our models, and their claims beside ours.
+"""`make figures`: the picture of the front page, and those of the papers from our models, their claims beside ours.
 
 A module a paper or two; what they write: reports/figures, and the claims on the pages of their models.
 """

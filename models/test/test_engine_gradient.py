@@ -65,7 +65,7 @@ def test_ends_within_the_bound_of_its_own_error(core: cores.Core) -> None:
         goal = reachable(p, cfg, 300, 1)
         answer = run(p, goal, np.tile(words(p, (-100, 30)), (300, 1)), cfg)
         done = answer["out_status"] == 0
-        bound = bounds.tip(p, cfg["cfg_l1"], cfg["cfg_l2"], answer["out_error"])
+        bound = bounds.tip(p, cfg["cfg_l1"], cfg["cfg_l2"], square=answer["out_error"])
         assert done.mean() > 0.97 and not answer["out_coarse"][done].any() and np.all(answer["out_error"][done] < tol)
         assert np.all(off_target(p, answer, goal, cfg)[done] <= bound[done])
 

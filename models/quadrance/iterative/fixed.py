@@ -16,14 +16,23 @@ def config(p: Params, *, cfg_l1: int, cfg_l2: int, gain: float = 1.0) -> dict[st
     Stable in reach below a gain of 2 / (1 + (1 + L2 / L1)^2) at full stretch with L1 >= L2: 0.4 with equal links.
     Raises ValueError where the arm is too short for its word: its longer link is to be 2^(W-3) LSB at gain 0.78.
     """
-    w, longest = p["W"], max(cfg_l1, cfg_l2)
+    longest = max(cfg_l1, cfg_l2)
     if longest <= 0 or gain <= 0:
         raise ValueError("a step needs a link and a gain above 0")
-    for shift in (1, 0):
-        word = round(gain / longest**2 * 2.0 ** (3 * w - 2 + 2 * shift) / (2 * np.pi))
-        if word < 1 << w + 1:
+    return step_words(p, gain / longest**2, shifts=2)
+
+
+def step_words(p: Params, alpha: float, shifts: int) -> dict[str, int]:
+    """cfg_alpha and cfg_shift of `alpha` in 1 / LSB^2, with the greatest of so many shifts that fits.
+
+    Raises ValueError where none does, or where less than one unit of the word is left.
+    """
+    for shift in range(shifts)[::-1]:
+        word = round(alpha * 2.0 ** (3 * p["W"] - 2 + 2 * shift) / (2 * np.pi))
+        if 0 < word < 1 << p["W"] + 1:
             return {"cfg_alpha": word, "cfg_shift": shift}
-    raise ValueError(f"links of at most {longest} LSB at a gain of {gain:g}: take a finer unit of length")
+    raise ValueError(f"no word for a step of {alpha:g} / LSB^2: take a finer unit of length where it is too long, "
+                     "a coarser one where it is too short")
 
 
 def alpha(p: Params, cfg_alpha: int, cfg_shift: int) -> float:
