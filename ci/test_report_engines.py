@@ -37,7 +37,8 @@ def test_the_section_is_on_the_page_and_the_terminal(made, iterated, capsys):
     assert "Engines that iterate" in capsys.readouterr().out
 
 
-def test_what_makes_them_stale(made):
+def test_what_makes_them_stale(made, monkeypatch):
+    monkeypatch.setattr(engines, "found", lambda core: dict(FOUND))
     listed = cores.all_cores()
     report = made | {"engines": engines.put_together(listed)}
     found = report["engines"]

@@ -25,10 +25,11 @@ HEAD = ("task", "core", "ALUT", "DSP", "mem", "MHz", "cycles an iteration", "ite
         "max", f"us at {MHZ} MHz: median", "95 %", "max", "converged, %")
 NOTE = f"""\
 Iterations are those of the bit-true models, cycles are measured on the Verilog, over a grid of starts: joints 1 and 2
-all round in steps of {convergence.STEP}°, others at 0, one target, the examples of the papers; of the starts that
-converge within {convergence.LIMIT} iterations. Cycles have every pass: the iterations, the one that finds the answer,
-and those that only change the range of a word. Under each engine stand the cores that answer the same in one pass,
-which need no start. Area, and the clock in MHz, are those of the tables above; the times are at {MHZ} MHz."""
+all round in steps of {convergence.STEP}° (twice that where the model takes long), others at 0; one target, the
+examples of the papers; of the starts that converge within {convergence.LIMIT} iterations. Cycles have every pass: the
+iterations, the one that finds the answer, and those that only change the range of a word. Under each engine stand the
+cores that answer the same in one pass, which need no start. Area, and the clock in MHz, are those of the tables above;
+the times are at {MHZ} MHz."""
 
 
 def found(core: Core) -> dict:

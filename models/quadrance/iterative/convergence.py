@@ -13,7 +13,7 @@ import numpy as np
 from quadrance import truth
 from quadrance.cores import Core
 from quadrance.fixed import Ints
-from quadrance.iterative import engines
+from quadrance.iterative import engines, plane
 
 STEP = 4  # degrees between the starts of joints 1 and 2, as of the 8100 starts of the Newton paper's arm
 LIMIT = 1000  # iterations
@@ -36,9 +36,9 @@ class Entry:
     solves: Callable[[dict[str, Ints]], Ints] = lambda inputs: np.arange(next(iter(inputs.values())).size)
 
 
-def grid(count: int) -> truth.Floats:
-    """Starts of `count` joints, radians, (starts, count): joints 1 and 2 all round in steps of `STEP`, others at 0."""
-    axis = np.radians(np.arange(0, 360, STEP))
+def grid(count: int, step: int = STEP) -> truth.Floats:
+    """Starts of `count` joints, radians, (starts, count): joints 1 and 2 all round in steps of degrees, others at 0."""
+    axis = np.radians(np.arange(0, 360, step))
     one, two = np.meshgrid(axis, axis, indexing="ij")
     return np.stack([one.ravel(), two.ravel(), *[np.zeros(one.size)] * (count - 2)], axis=-1)
 
@@ -52,6 +52,21 @@ def by_example(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
     return engines.inputs(core, goal, start), example.config(core, lsb) | {"cfg_tol": ANSWER, "cfg_limit": LIMIT}
 
 
-ENTRIES = {"engine_quaternion_gd": Entry("2 joints in the plane, to 1 LSB (12 um)", by_example,
-                                         engines.EXAMPLES["engine_quaternion_gd"].clocks,
-                                         ("vector_ik2", "table_ik2"))}
+def by_plane(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
+    """engine_quaternion_gd_plane with two links and the example of engine_quaternion_gd; a fourth of the starts."""
+    example, a = engines.EXAMPLES["engine_quaternion_gd"], core.params["A"]
+    lsb = example.lsb(core, 3)
+    loads = plane.loads(core.params, [round(length / lsb) for length in example.lengths], [0, 0])
+    goal = plane.solve(2, *example.goals(example.target, lsb))[0]
+    starts = truth.angle_to_binary_word(grid(2, 2 * STEP), a) & (1 << a) - 1
+    rows = loads + [row for start in starts for row in (*plane.sets(start), goal)]
+    return {port.name: np.array([row[port.name] for row in rows]) for port in core.inputs}, \
+        plane.config(core.params, example.alpha * lsb**2) | {"cfg_tol": ANSWER, "cfg_limit": LIMIT}
+
+
+TWO = ("vector_ik2", "table_ik2")
+ENTRIES = {
+    "engine_quaternion_gd": Entry("2 joints in the plane, to 1 LSB (12 um)", by_example,
+                                  engines.EXAMPLES["engine_quaternion_gd"].clocks, TWO),
+    "engine_quaternion_gd_plane": Entry("n joints in the plane, 2 of them, to 1 LSB (12 um)", by_plane, 12, TWO,
+                                        lambda inputs: np.flatnonzero(inputs["in_op"] == plane.SOLVE))}
