@@ -115,6 +115,7 @@ def test_legs_answer_from_their_last_geometry(core):
 
 
 def test_words_that_do_not_fit():
+    """... and matrices that are no rotation."""
     p, robot = CORES[0].params, geometry.load("rus_2x3")
     for scale, reason in ((1.0, "4097 LSB and more"), (1 / 512, "less than 2.17")):
         with pytest.raises(PoseError, match=reason):
@@ -123,3 +124,23 @@ def test_words_that_do_not_fit():
         engine_rus.poses(p, robot, 1 / 128, np.eye(3), np.array([[0, -1100.0, 0]]))
     with pytest.raises(PoseError, match="leg 4: does not fit|position: does not fit"):
         engine_rus.geometry(p, robot, 1 / 400)
+    for matrix, reason in ((1.01 * np.eye(3), "no rotation"), (-np.eye(3), "reflection")):
+        with pytest.raises(PoseError, match=reason):
+            engine_rus.poses(p, robot, 1 / 128, matrix, np.array([[0, -320.0, 0]]))
+
+
+def test_angles_are_those_of_the_vectors():
+    """Within 0.89 LSB, the bound of vector_to_angle, and what a vector costs whose length is not 1."""
+    found = {}
+    for core in (CORES[0], cores.find("engine_rus_ik_angle")):
+        robot, scale = geometry.load("rus_2x3"), SCALE["rus_2x3"]
+        columns = engine_rus.stream(engine_rus.geometry(core.params, robot, scale), engine_rus.poses(
+            core.params, robot, scale, *workspace("rus_2x3", 1000, np.random.default_rng(9))))
+        cfg = engine_rus.config(core.params, robot, scale)
+        found[core.name] = core.model(core.params, **columns, **cfg)
+    vector, angle = found["engine_rus_ik"], found["engine_rus_ik_angle"]
+    for leg in range(1, 7):
+        c, n = vector[f"out_c{leg}"], vector[f"out_n{leg}"]
+        long = np.abs(np.hypot(c, n) / engine_rus.ONE - 1)
+        off = apart(angle[f"out_j{leg}"] * 2 * np.pi / 2**18, np.arctan2(n, c))
+        assert np.all(off < 2 * np.pi * 0.89 / 2**18 + 1.06 * long) and long.max() < 1e-4
