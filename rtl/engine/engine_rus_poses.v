@@ -96,7 +96,7 @@ module engine_rus_poses #(
         if (cosine)  // (1, 0) where there is no answer: the word is 0
             out_c <= {out_word[17], out_word[16] || none, out_word[15:0]};
         if (out_sine && out_last)
-            busy <= 1'b0;
+            busy  <= 1'b0;
         if (read)
             busy <= 1'b1;
         if (load && first && x_row && to < 3'd6)
@@ -105,7 +105,7 @@ module engine_rus_poses #(
             known <= 6'd0;
             leg   <= 3'd0;
             first <= 1'b0;
-            busy <= 1'b0;
+            busy  <= 1'b0;
         end
     end
 endmodule
