@@ -23,7 +23,7 @@ def words_of(core: Core, name: str) -> dict[str, int]:
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Each robot with its own words, then extremes and some at random; of a gradient engine those of gradient.py."""
-    if core.model_name == "iterative.fixed.gd":
+    if core.model_name in gradient.MODELS:
         return gradient.configs(core, rng)
     robots = [words_of(core, name) for name in SCALE]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
@@ -64,7 +64,7 @@ def _mixed(loads: list[dict[str, int]], samples: Vectors, rng: np.random.Generat
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Poses of a robot behind its geometry; then joints on their axes, and geometry and poses at the ends of words."""
-    if core.model_name == "iterative.fixed.gd":
+    if core.model_name in gradient.MODELS:
         return gradient.corners(core, cfg)
     rng = np.random.default_rng(1)
     name = next((one for one in SCALE

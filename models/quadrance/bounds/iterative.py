@@ -34,9 +34,40 @@ def tip(p: Params, l1: float, l2: float, square: ArrayLike) -> Floats:
     return np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * (2 / 64 + _root(p["W"]) * (l1 + l2))
 
 
-def drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
-    """Float64 joints (steps + 1, 2) of the recursion, and how far the engine's can be from them, radians (steps + 1).
+def tip_vector(square: ArrayLike) -> Floats:
+    """As `tip`, from the tip of the answered directions as they are: a product of a word and a length is exact.
 
+    `length` bounds how far they are from length 1.
+    """
+    return np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * 2 / 64
+
+
+def length(p: Params, step: ArrayLike) -> Floats:
+    """How far the length of a direction is from 1 after a step of at most 1/2, in 1.
+
+    The Newton step leaves 3/8 d^4 + d^6 / 4, and what it does not know: half a unit of each word under the squares,
+    twice two truncations of a square, those of the products (a unit of 2^-(W+4) four times), and the answer's rounding.
+    """
+    d = np.abs(floats(step))
+    unit = 2.0 ** -p["W"]
+    return 0.375 * d**4 + d**6 / 4 + unit * (np.sqrt(2) * (1 / 2 + 1 / 2) + 6 / 16) * (1 + d)
+
+
+def tip_touch(p: Params, l1: float, l2: float, target: ArrayLike, square: ArrayLike) -> Floats:
+    """As `tip`, of the Geomagic Touch: v lacks what four products lose, u and w two; the yaw errs by two roots.
+
+    `target` (..., 3) in LSB.
+    """
+    lost, root, goal = 1 / 64, _root(p["W"]), floats(target)
+    flat = np.abs(goal[..., 0]) + np.abs(goal[..., 2])
+    along, across, up = 4 * lost + root * (l1 + l2 + flat), 2 * lost + root * flat, 2 * lost + root * (l1 + l2)
+    return np.sqrt(16 * (floats(square) + 3)) / 64 + np.sqrt(along**2 + across**2 + up**2)
+
+
+def drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
+    """Float64 joints (steps + 1, n) of the recursion, and how far the engine's can be from them, radians (steps + 1).
+
+    Of the planar arm, or of the Geomagic Touch where `target` has three coordinates.
     Beyond the float step, alpha (E + dE) x (link + dL): dE is what `tip` counts on each axis, a unit of the range's
     word where that is coarse, and a unit of alpha E; dL is a root and half an LSB; a step is cut by up to two units of
     a joint word. An error d before a step is |1 - alpha H| d + M d^2 / 2 after it, H the Hessian of E^2 / 2 by
@@ -44,7 +75,10 @@ def drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int)
     """
     l1, l2 = cfg["cfg_l1"], cfg["cfg_l2"]
     reach, alpha = l1 + l2, fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"])
-    arm, goal = gradient.planar(l1, l2), floats(target)
+    goal, space = floats(target), len(target) == 3
+    arm = (gradient.touch if space else gradient.planar)(l1, l2)
+    yaw = np.abs(goal[[0, 2]]).sum() if space else 0.0
+    links, parts = ((reach, l1, l2), (2, 1, 1)) if space else ((reach, l2), (2, 1))
     share, root = cfg["cfg_alpha"] / 2 ** (p["W"] + 1), _root(p["W"])
     path = gradient.path(arm, floats(start) * TURN / 2 ** p["A"], goal, alpha, steps)
     off = np.zeros(steps + 1)
@@ -53,14 +87,51 @@ def drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int)
         # the finer range is sure where the pass before it was, by this bound, in the finer range or below its border
         size = np.linalg.norm(error) + 2 * reach * off[h]
         unit = 1 / 64 if h and size < 2 ** (p["W"] - 7) else 1 / 4
-        each = 2 / 64 + root * reach + unit * (1 + 1 / share)
-        links = (l1 + l2, l2)
-        made = [alpha * (2 * each * length + np.abs(error).sum() * (n / 2 + root * length)) + 2 * n * TURN / 2 ** p["A"]
-                for length, n in zip(links, (2, 1))]
+        each = (4 if space else 2) / 64 + root * (reach + yaw) + unit * (1 + 1 / share)
+        size = np.abs(error).sum() * (np.sqrt(2) if space else 1)  # its axes are turned by the yaw
+        made = [alpha * (2 * each * length + size * (n / 2 + root * length)) + 2 * n * TURN / 2 ** p["A"]
+                for length, n in zip(links, parts)]
         small = 1e-6
         turn = np.stack([(gradient.step(arm, theta + small * way, goal, alpha)[0]
                           - gradient.step(arm, theta - small * way, goal, alpha)[0]) / (2 * small)
-                         for way in np.eye(2)], axis=-1)
+                         for way in np.eye(theta.size)], axis=-1)
         third = alpha * 2 * np.sqrt(2) * reach * (3 * reach + np.linalg.norm(error))
-        off[h + 1] = np.linalg.norm(np.eye(2) + turn, ord=2) * off[h] + third * off[h] ** 2 / 2 + np.linalg.norm(made)
+        off[h + 1] = np.linalg.norm(np.eye(theta.size) + turn, ord=2) * off[h] + third * off[h] ** 2 / 2 \
+            + np.linalg.norm(made)
+    return path, off
+
+
+def drift_vector(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
+    """As `drift`, of the engine of unit vectors: directions (steps + 1, 2, 2), and their distance as vectors of four.
+
+    dE has no root; its words lose half a unit of 2^-W a coordinate, and so has the link. A step d is cut by a unit of
+    2^-(W+4) for each link's share, a turn and a scaling by two each, and the scale knows the length to 2^-W. The
+    matrix is that of the float step by differences, which a step cut at 1/2 follows too; of its second derivative we
+    take twice the differences.
+    """
+    lengths = floats([cfg["cfg_l1"], cfg["cfg_l2"]])
+    reach, alpha = lengths.sum(), fixed.alpha_vector(p, cfg["cfg_alpha"], cfg["cfg_shift"])
+    share, word = cfg["cfg_alpha"] / 2 ** (p["W"] + 1), 2.0 ** -p["W"]
+    path = gradient.vector_path(tuple(lengths), floats(start).reshape(2, 2) * word, target, alpha, steps)
+    off = np.zeros(steps + 1)
+
+    def map_of(links: Floats) -> Floats:
+        return gradient.vector_step(tuple(lengths), links.reshape(-1, 2, 2), target, alpha)[0].reshape(links.shape)
+
+    def matrix(links: Floats, small: float = 1e-6) -> Floats:
+        ways = small * np.eye(4)
+        return (map_of(links + ways) - map_of(links - ways)).T / (2 * small)
+
+    for h, links in enumerate(path[:-1].reshape(-1, 4)):
+        error = gradient.vector_step(tuple(lengths), links.reshape(2, 2), target, alpha)[1]
+        size = np.linalg.norm(error) + 2 * reach * off[h]
+        unit = 1 / 64 if h and size < 2 ** (p["W"] - 7) else 1 / 4
+        each = 2 / 64 + word / 2 * reach + unit * (1 + 1 / share)
+        # of d: link 1 turns by both shares, link 2 by its own once more
+        made = [alpha * (2 * each * link + np.abs(error).sum() * (n / 2 + word / 2 * link)) + 2 * n * word / 16
+                for link, n in ((reach, 2), (reach + lengths[1], 3))]
+        here = matrix(links)
+        bend = 2 * max(np.linalg.norm(matrix(links + 1e-3 * way) - here, ord=2) / 1e-3 for way in np.eye(4))
+        grown = np.linalg.norm(here, ord=2) * off[h] + bend * off[h] ** 2
+        off[h + 1] = grown + np.linalg.norm(made) + 2 * (word * np.sqrt(2) + 4 * word / 16)
     return path, off
