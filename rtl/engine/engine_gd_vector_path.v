@@ -16,7 +16,6 @@ module engine_gd_vector_path #(
     input  wire [W:0]          cfg_alpha,
     input  wire                in_shift,    // steps are a fourth
     input  wire                in_fine,     // the range of E
-    input  wire                in_idle,     // clears the operands
     input  wire                in_keep,     // the directions do not turn
     input  wire                in_load,     // the start
     input  wire                in_clear,    // no step was taken yet
@@ -109,16 +108,12 @@ module engine_gd_vector_path #(
     always @(posedge clk) begin
         al <= lefta;
         bl <= leftb;
-        if (in_idle) begin
-            ar <= {D{1'b0}};
-            br <= {D{1'b0}};
-        end else if (right_op != 2'b10 || k_op[0]) begin
+        if (right_op != 2'b10 || k_op[0])
             case (right_op)
                 2'b11: {ar, br} <= {{(D-O){lefta[O-1]}}, lefta, {(D-O){leftb[O-1]}}, leftb};
                 2'b01: {ar, br} <= {{(D-O){a[W+O]}}, a[W+1+:O], {(D-O){b[W+O]}}, b[W+1+:O]};
                 default: {ar, br} <= {k, k};
             endcase
-        end
         if (tip) begin
             ex <= fromx - a[W-6+:N];
             ey <= fromy - b[W-6+:N];
@@ -152,8 +147,8 @@ module engine_gd_vector_path #(
                 out_d1 <= ar;
             if (second)
                 out_d12 <= ar;
-            second <= stop && !in_keep;
         end
+        second <= stop && !in_keep;
     end
 endmodule
 `default_nettype wire

@@ -92,13 +92,16 @@ module engine_quaternion_gd_vector #(
     wire [13:0] op;
     wire        idle, fine, wide, halt, failed;
     reg         again;  // the same pass, in the other range
+    reg         fresh;  // line 1, and no link was turned in a pass before
     wire        accept = in_valid && in_ready, stop = op[6];
     wire        keep = stop && wide || halt;
     assign      in_ready = idle && !again && (!out_valid || out_ready);
     schedule #(.LINES(13), .BITS(14), .TABLE(PASS)) control (.clk(clk), .rst(rst || keep),
         .in_start(accept || again || op[7]), .out_idle(idle), .out_op(op));
-    always @(posedge clk)
+    always @(posedge clk) begin
         again <= !rst && keep && !halt;
+        fresh <= accept || again;
+    end
 
     // start
     reg  [W-1:0] x, y;
@@ -125,7 +128,7 @@ module engine_quaternion_gd_vector #(
 
     // work, end
     engine_gd_vector_path #(.W(W)) path (.clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha),
-        .in_shift(cfg_shift), .in_fine(fine), .in_idle(idle), .in_keep(keep), .in_load(accept && !in_warm),
+        .in_shift(cfg_shift), .in_fine(fine), .in_keep(keep || fresh), .in_load(accept && !in_warm),
         .in_clear(accept), .in_op(op), .in_c1(in_c1), .in_n1(in_n1), .in_c12(in_c12), .in_n12(in_n12), .in_x(x),
         .in_y(y), .out_c1(out_c1), .out_n1(out_n1), .out_c12(out_c12), .out_n12(out_n12), .out_d1(out_d1),
         .out_d12(out_d12), .out_square(out_error));
