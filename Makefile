@@ -24,7 +24,7 @@ export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
-	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FARM=tcp://host:8786|local  FRESH=1"
+	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FARM=tcp://host:8786  FRESH=1"
 
 setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
 	@( mkdir -p build && : > build/.writable ) 2> /dev/null || { \
@@ -49,7 +49,7 @@ report: setup ## latency, area, clock and accuracy of every core on ARM (another
 accuracy: setup ## errors of one CORE on ARM, by its bit-true model, in seconds
 	@$(PY) -m ci.accuracy "$(ARM)" $(CORE)
 
-figures: setup ## the pictures of the parallel robot's paper, and its claims beside ours
+figures: setup ## the pictures of the papers from our models, and their claims beside ours
 	@$(PY) -m ci.figures
 
 verdict: setup ## the report, and who wins at equal accuracy: the shortest words of every core (half an hour)
@@ -82,7 +82,7 @@ exhaustive: setup ## the long run, a new seed every day: 10^6 vectors a core, pa
 
 worker: setup ## a Dask worker for the scheduler FARM=tcp://host:8786, whose runs carry the same FARM=
 	@test -n "$(FARM)" || { echo "make worker: give FARM=tcp://host:8786, the address of a dask scheduler" >&2; exit 1; }
-	@$(PY) -m distributed.cli.dask_worker $(FARM) --nthreads 1 --nworkers $(if $(filter auto,$(N)),auto,$(N)) --no-dashboard
+	@DASK_DISTRIBUTED__WORKER__DAEMON=False $(PY) -m distributed.cli.dask_worker $(FARM) --nthreads 1 --nworkers $(if $(filter auto,$(N)),auto,$(N)) --no-dashboard
 
 clean: ## remove what the tools made; .venv stays
 	rm -rf build

@@ -1,8 +1,8 @@
-"""Jobs on Dask workers: a scheduler's (FARM=tcp://host:8786), or a cluster on this machine (FARM=local).
+"""Jobs on Dask workers: processes of this machine, or those of a scheduler (FARM=tcp://host:8786).
 
 A job is a function of the house and plain arguments; its answer follows from these and the checkout alone, so it may
-run anywhere, twice as well. A worker that dies gives its jobs to the others. Workers have the same checkout and the
-same tools, or the run is refused before it begins. To start some:
+run anywhere, twice as well. A worker that dies gives its jobs to the others. Workers of a scheduler have the same
+checkout and the same tools, or the run is refused before it begins. To start some:
 
     dask scheduler                                        on one machine
     make worker FARM=tcp://scheduler:8786                 on the others, in a checkout each; N=4: four processes
@@ -10,14 +10,28 @@ same tools, or the run is refused before it begins. To start some:
 
 from __future__ import annotations
 
+import contextlib
+import functools
+import logging
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+import time
 import uuid
 from collections.abc import Callable, Hashable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from importlib import import_module
+from pathlib import Path
 
 from ci import cache
 from tb.lib import tools
 
 CONNECT = 15  # seconds to find a scheduler, and for its first worker to appear
-RETRIES = 5  # workers that may die under one job before it counts as failed (of FARM=local; 3 by Dask's default)
+WATCH = 0.5  # seconds between two looks of a job's process for its worker
+RETRIES = 5  # workers of this machine that may die under one job before it counts as failed
 PLACES = {"rtl": ("*.v", "cores.toml"), "models": ("*.py", "*.toml"), "ci": ("*.py", "*.toml"),
           "tb": ("*.py", "*.cpp", "*.v", "*.sv")}
 
@@ -29,34 +43,80 @@ def fingerprint() -> str:
     return cache.digest([tools.versions(), [(tools.local(path), path.read_text()) for path in files]])
 
 
-def call(work: Callable, job: tuple, since: float) -> object:
-    """A job on a worker, whose kept results are taken where they are not older than `since`."""
+def _end(*_: object) -> None:
+    os.killpg(0, signal.SIGKILL)
+
+
+def _bind() -> None:
+    """Begin the process of a worker's jobs, which dies with the worker; what it starts (Yosys) dies with it."""
+    def watch(parent: int) -> None:
+        while os.getppid() == parent:
+            time.sleep(WATCH)
+        _end()
+
+    os.setpgid(0, 0)
+    signal.signal(signal.SIGTERM, _end)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=watch, args=(os.getppid(),), daemon=True).start()
+
+
+@functools.cache
+def _process() -> ProcessPoolExecutor:
+    """The process of this worker's jobs: a worker runs them on a thread, and cocotb-test wants to be on the first."""
+    return ProcessPoolExecutor(1, multiprocessing.get_context("spawn"), _bind)
+
+
+def _done(work: Callable, job: tuple, since: float) -> object:
     cache.SINCE = since
     return work(*job)
 
 
-def _odd(client) -> list[str]:
-    """Workers whose checkout or tools are not those of here."""
-    mine = fingerprint()
-    return sorted(worker for worker, theirs in client.run(fingerprint).items() if theirs != mine)
+def call(work: Callable, job: tuple, since: float) -> object:
+    """A job on a worker, whose kept results are taken where they are not older than `since`."""
+    try:
+        return _process().submit(_done, work, job, since).result()
+    except SystemExit as missing:  # a tool: the reason is the job's, the worker goes on
+        raise RuntimeError(str(missing)) from None
+    except BrokenProcessPool:  # killed: so is the worker, and Dask gives the job to another
+        os.kill(os.getpid(), signal.SIGKILL)
 
 
-def run(where: str, work: Callable, jobs: list[tuple[Hashable, ...]],
-        since: float = 0.0) -> Iterator[tuple[tuple, object, BaseException | None]]:
-    """(job, answer, error) as they end on the farm; the jobs that are left are cancelled with the generator.
+def _begin(log: Path) -> None:
+    """Begin a worker of this machine: what it prints goes to `log`; Ctrl-C is for the parent, which ends it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    file = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
+    os.dup2(file, 1)
+    os.dup2(file, 2)
 
-    Raises
-    ------
-    RuntimeError
-        Where there is no scheduler, no worker, or a worker with another checkout or other tools.
-    """
-    import dask  # seconds: not for those who have no farm
+
+@contextlib.contextmanager
+def _here(log: Path) -> Iterator:
+    """A client of workers on this machine, which end with it at once, whatever they are at."""
     import distributed
 
-    dask.config.set({"distributed.scheduler.allowed-failures": RETRIES})
+    log.parent.mkdir(parents=True, exist_ok=True)
+    with distributed.LocalCluster(
+            n_workers=min(8, os.cpu_count() or 1), threads_per_worker=1, host="127.0.0.1", dashboard_address=None,
+            memory_limit=0, local_directory=str(tools.BUILD / "dask"), silence_logs=logging.CRITICAL) as cluster, \
+            distributed.Client(cluster) as client:
+        client.register_worker_callbacks(functools.partial(_begin, log))  # of those that replace a dead one too
+        workers = list(client.run(os.getpid).values())
+        try:
+            yield client
+        except BaseException:
+            for pid in workers:
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
+            raise
+
+
+@contextlib.contextmanager
+def _there(where: str) -> Iterator:
+    """A client of a scheduler, whose workers are as they should be."""
+    import distributed
+
     try:
-        client = distributed.Client(timeout=CONNECT, processes=True, threads_per_worker=1, dashboard_address=None) \
-            if where == "local" else distributed.Client(where, timeout=CONNECT)
+        client = distributed.Client(where, timeout=CONNECT)
     except (OSError, ValueError, TimeoutError) as error:
         raise RuntimeError(f"FARM={where}: no scheduler answers ({type(error).__name__}); start one with "
                            "`dask scheduler`, or leave FARM out") from None
@@ -68,8 +128,35 @@ def run(where: str, work: Callable, jobs: list[tuple[Hashable, ...]],
                                f"`make worker FARM={where}`") from None
         if odd := _odd(client):
             raise RuntimeError(f"FARM={where}: another checkout or other tools on {', '.join(odd)}")
+        yield client
+
+
+def _odd(client) -> list[str]:
+    """Workers whose checkout or tools are not those of here."""
+    mine = fingerprint()
+    return sorted(worker for worker, theirs in client.run(fingerprint).items() if theirs != mine)
+
+
+def run(where: str | None, work: Callable, jobs: list[tuple[Hashable, ...]], log: Path,
+        since: float = 0.0) -> Iterator[tuple[tuple, object, BaseException | None]]:
+    """(job, answer, error) as they end; the jobs that are left are cancelled with the generator.
+
+    where : address of a scheduler; None: workers of this machine, which print to `log`.
+
+    Raises
+    ------
+    RuntimeError
+        Where there is no scheduler, no worker, or a worker with another checkout or other tools.
+    """
+    import dask  # half a second: not for those who only look at what is kept
+    import distributed
+
+    dask.config.set({"distributed.scheduler.allowed-failures": RETRIES, "distributed.worker.daemon": False})
+    if work.__module__ == "__main__":  # under the name that a worker can import
+        work = getattr(import_module(sys.modules["__main__"].__spec__.name), work.__name__)
+    with _there(where) if where else _here(log) as client:
         name = uuid.uuid4().hex[:8]  # a scheduler that lives long gives no answer of an older checkout
-        running = {client.submit(call, work, job, since, key=f"{work.__name__}-{name}-{i}"): job
+        running = {client.submit(call, work, job, since, key=f"{work.__name__}-{name}-{i}", priority=-i): job
                    for i, job in enumerate(jobs)}
         try:
             for done in distributed.as_completed(list(running)):

@@ -24,6 +24,18 @@ for tool in make perl git; do
     command -v $tool > /dev/null || fail "$tool is missing; install it from your system's packages"
 done
 
+icarus() {  # from the system's packages, where one may
+    case ${SIM:-} in verilator) return ;; esac
+    command -v iverilog > /dev/null && return
+    sudo=
+    [ "$(id -u)" = 0 ] || sudo="sudo -n"
+    if command -v apt-get > /dev/null && $sudo true 2> /dev/null; then
+        echo "setup: installing Icarus Verilog from the system's packages"
+        $sudo apt-get -qq update > /dev/null 2>&1 || true
+        DEBIAN_FRONTEND=noninteractive $sudo apt-get -qq install -y iverilog > /dev/null 2>&1 || true
+    fi
+}
+
 # an interrupted run leaves an environment without pip: begin again
 "$venv/bin/python" -m pip --version > /dev/null 2>&1 || {
     rm -rf "$venv"
@@ -32,7 +44,8 @@ done
 }
 pip() { "$venv/bin/python" -m pip --quiet --disable-pip-version-check "$@"; }
 mkdir -p build
-pip install -r requirements.lock 2> build/setup.log || {
+icarus &  # while the packages come
+pip install --no-compile -r requirements.lock 2> build/setup.log || {
     tail -n 2 build/setup.log >&2
     fail "packages of requirements.lock could not be installed (build/setup.log); the first time needs the network"
 }
@@ -40,15 +53,6 @@ pip install --no-deps --no-build-isolation --editable . 2> build/setup.log || {
     tail -n 2 build/setup.log >&2
     fail "the package itself could not be installed (build/setup.log)"
 }
-case ${SIM:-} in verilator) exit 0 ;; esac
-if ! command -v iverilog > /dev/null; then
-    sudo=
-    [ "$(id -u)" = 0 ] || sudo="sudo -n"
-    if command -v apt-get > /dev/null && $sudo true 2> /dev/null; then
-        echo "setup: installing Icarus Verilog from the system's packages"
-        $sudo apt-get -qq update > /dev/null 2>&1 || true
-        DEBIAN_FRONTEND=noninteractive $sudo apt-get -qq install -y iverilog > /dev/null 2>&1 || true
-    fi
-    command -v iverilog > /dev/null ||
-        echo "setup: Icarus Verilog is not installed and cannot be from here; the benches run on Verilator alone"
-fi
+wait
+[ "${SIM:-}" = verilator ] || command -v iverilog > /dev/null ||
+    echo "setup: Icarus Verilog is not installed and cannot be from here; the benches run on Verilator alone"

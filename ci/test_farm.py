@@ -16,9 +16,9 @@ JOBS = [(f"job{i}", i) for i in range(12)]
 
 
 def work(name, number, folder=None):
-    """A job that takes a while and says which process does it."""
+    """A job that takes a while and says which worker does it."""
     folder = Path(os.environ["FARM_TEST"])
-    (folder / f"{name}.{os.getpid()}").touch()
+    (folder / f"{name}.{os.getppid()}").touch()
     time.sleep(0.3)
     return {"name": name, "value": number ** 3}
 

@@ -8,7 +8,7 @@ import pytest
 
 from tb.lib import tools
 
-NEEDED = ("sh", "make", "perl", "git", "rm", "tail", "mkdir", "touch", "grep", "sed", "expand", "date")
+NEEDED = ("sh", "make", "perl", "git", "rm", "tail", "mkdir", "touch", "grep", "sed", "expand", "date", "id")
 
 
 @pytest.fixture

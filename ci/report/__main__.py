@@ -16,7 +16,7 @@ import time
 
 from quadrance import arms, cores
 
-from ci.report import DEFAULT_ARM, README, REPORTS, blocks, freshness, run, search
+from ci.report import DEFAULT_ARM, README, REPORTS, blocks, engines, freshness, run, search
 from ci.report.terminal import show
 from tb.lib import tools
 
@@ -25,7 +25,7 @@ REFRESH = "run `make report` and commit reports/, README.md and the pages below 
 
 def check() -> None:
     """Exit with the reasons where the committed report is stale."""
-    if problems := [*freshness.check(), *search.check()]:
+    if problems := [*freshness.check(), *search.check(), *engines.check(freshness.committed(), cores.reported())]:
         raise SystemExit("\n".join(["The committed report no longer follows from the sources:",
                                     *(f"  {problem}" for problem in problems), f"To refresh: {REFRESH}."]))
     print("The committed report follows from the sources.")
@@ -40,6 +40,7 @@ def report(arm: str, fresh: bool, verdict: bool = False, out: str | None = None)
         raise ValueError("\n".join(problems))  # before minutes of measuring, not after
     made, maps, kept = run.put_together(arm, listed, committed, fresh)
     if folder == REPORTS:
+        made["engines"] = engines.put_together(listed)
         made |= {"verdict": search.put_together(arm, committed, fresh)} if verdict else search.standing(arm, committed)
     run.write(made, maps, folder, README, cores.RTL)
     show(made)

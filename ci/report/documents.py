@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ci.report import chains, designs, judgement, verdict
+from ci.report import chains, designs, engines, judgement, verdict
 from ci.report.comparison import cordic_wins, pareto, smaller
 from ci.report.paper import paper_tables
 from ci.report.rows import KINEMATIC, number, pick, primitives
@@ -119,7 +119,7 @@ def markdown(report: dict) -> str:
         table = primitive_table(others)
         if table.rows:
             parts += [f"{table.title}:", table.markdown()]
-    parts += chains.section(report)
+    parts += chains.section(report) + engines.section(report)
     parts += ["## Beside the paper", PAPER_NOTE]
     for table in paper_tables(report):
         parts += [f"### {table.title}", table.markdown()]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from quadrance.cli.tables import Column, console, grid
 from rich.table import Table as Grid
 
-from ci.report import judgement
+from ci.report import engines, judgement
 from ci.report.comparison import cordic_wins, pareto, smaller
 from ci.report.documents import trajectory_note
 from ci.report.paper import paper_tables
@@ -25,7 +25,8 @@ def show(report: dict) -> None:
     out = console()
     kinematic, others = pick(report, KINEMATIC), primitives(report)
     tables = [cost_table("Kinematic cores", kinematic), accuracy_table("Accuracy at the tip", kinematic),
-              cost_table("Primitives", others), primitive_table(others), *paper_tables(report), headline_table(report)]
+              cost_table("Primitives", others), primitive_table(others), engines.table(report), *paper_tables(report),
+              headline_table(report)]
     out.print(trajectory_note(report))
     for table in tables:
         if table.rows:

@@ -11,14 +11,15 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quadrance.conversion import vector_to_angle
 from quadrance.fixed import Ints, ints, round_shift, wrap
-from quadrance.parallel.geometry import Floats, PoseError, Robot
+from quadrance.parallel.geometry import Floats, PoseError, Robot, check_pose
 from quadrance.vector_solve import _slopes
 
 Params = dict[str, int]
 LEGS = 6
 ONE = 1 << 16  # 1.0 of rotations, link vectors and answers
-FINE = 4  # fraction bits of lengths inside
+FINE = 4  # fraction bits of lengths inside; x, y, z have two more
 ROWS = "132"  # rows of the pose as a leg takes them: x, z, y
 SHORTEST = 1 << 12  # LSB, of a crank: below it cfg_c does not fit
 
@@ -60,19 +61,22 @@ def leg(row: dict[str, Ints], words: dict[str, Ints], cb: Ints, nb: Ints, cfg_k:
     """
     over: list[Ints] = []
 
-    def length(total: Ints) -> Ints:
+    def place(total: Ints) -> Ints:
         total = wrap(total, 30)
         over.append(total != wrap(total, 24))
-        return wrap(total >> 2, 22)
+        return wrap(total, 24)
 
-    joint, across, turn = ([words[f"{i}{j}"] << 2 for j in (1, 2, 3)] for i in ROWS)
-    x, z, y = (length(((row[f"{i}1"] << 4) * joint[0] + (row[f"{i}2"] << 4) * joint[1] >> 16)
-                      + ((row[f"{i}3"] << 4) * joint[2] >> 16) + (row[i] + words[i]) * 64 + 3) for i in ROWS)
-    e = length((x * turn[0] + z * turn[1] >> 16) + ((cb << 4) * turn[2] >> 16) + 3)
-    f = y + wrap((nb << 4) * turn[2] >> 18, 23)
-    over.append(wrap(f, 23) != wrap(f, 22))
-    f = wrap(f, 22)
-    h = length((x * across[0] + z * across[1] >> 16) + 3)
+    def length(total: Ints) -> Ints:
+        return wrap(place(total + 3) >> 2, 22)
+
+    joint, across, turn = ([words[f"{i}{j}"] for j in (1, 2, 3)] for i in ROWS)
+    x, z, y = (place((row[f"{i}1"] * joint[0] + row[f"{i}2"] * joint[1] >> 10) + (row[f"{i}3"] * joint[2] >> 10)
+                     + (row[i] + words[i]) * 64 + more) for i, more in zip(ROWS, (1, 1, 3)))
+    e = length((x * turn[0] + z * turn[1] >> 16) + (cb * turn[2] >> 10))
+    f = wrap(y + wrap(nb * turn[2] >> 10, 25), 25)
+    over.append(f != wrap(f, 24))
+    f = wrap(f >> 2, 22)
+    h = length(x * across[0] + z * across[1] >> 16)
     square = e * e + f * f
     q = wrap(square, 44, signed=False)
     product = wrap((square >> 16) + (h * h >> 16) + cfg_k >> 2, 27) * cfg_c
@@ -119,6 +123,14 @@ def ik(p: Params, *, in_load: Ints, in_leg: Ints, cfg_k: Ints, cfg_c: Ints, cfg_
         some = {"far": some["far"] | far, "near": some["near"] | ~dead & found["near"],
                 "over": some["over"] | ~dead & found["over"]}
     return answer | {"out_far": mask, "out_status": ints(some["far"]) + 2 * some["near"] + 4 * some["over"]}
+
+
+def ik_angle(p: Params, **columns: Ints) -> dict[str, Ints]:
+    """`ik` with binary angles of A bits; one codec takes the legs in their order."""
+    answer = ik(p, **columns)
+    c, n = (np.stack([answer.pop(f"out_{what}{leg + 1}") for leg in range(LEGS)], axis=-1) for what in "cn")
+    angles = vector_to_angle({"U": 16, "A": p["A"]}, in_c=c.ravel(), in_n=n.ravel())["out_j"].reshape(c.shape)
+    return {f"out_j{leg + 1}": angles[:, leg] for leg in range(LEGS)} | answer
 
 
 # Words for a robot
@@ -181,8 +193,15 @@ def geometry(p: Params, robot: Robot, mm_per_lsb: float) -> list[dict[str, int]]
 
 def poses(p: Params, robot: Robot, mm_per_lsb: float, rotation: ArrayLike, position: ArrayLike,
           beta: ArrayLike = 0.0) -> dict[str, Ints]:
-    """Pose samples (N) as columns by port name, from rotations (N, 3, 3), positions (N, 3) in mm and beta (N)."""
+    """Pose samples (N) as columns by port name, from rotations (N, 3, 3), positions (N, 3) in mm and beta (N).
+
+    Raises
+    ------
+    PoseError
+        For a matrix that is no rotation, or a word that does not fit.
+    """
     turn = _frame(robot)
+    rotation, position = check_pose(rotation, position)
     position, beta = np.broadcast_arrays(position, np.asarray(beta, dtype=np.float64)[..., None])
     rotation = np.broadcast_to(rotation, (*position.shape[:-1], 3, 3))
     words = _check(turn @ rotation @ turn.T * ONE, 18, "rotation")

@@ -185,6 +185,8 @@ def test_encoder_counts_are_exact(quadrance):
     (("decode", "vector", "0,0"), "is no direction"),
     (("decode", "angle:8", "256"), "256 does not fit the 8 bits"),
     (("decode", "angle", "12z"), "is no integer"),
+    (("track", "tuch"), "no solver 'tuch'; did you mean touch?"),
+    (("track", "touch", "--iterations", "0"), "a sample has 1 to 1023"),
     (("check", "none.toml"), "cannot be read")])
 def test_what_cannot_be_answered_is_refused_in_one_line(quadrance, arguments, reason):
     assert reason in quadrance(*arguments, code=2)
@@ -202,6 +204,12 @@ def test_an_arm_is_checked_and_its_scale_judged(quadrance, tmp_path):
         best = check.scale(arm)
         assert (arm.l1 + arm.l2) / best <= arms.REACH < 2 * (arm.l1 + arm.l2) / best
     assert [one["arm"] for one in json.loads(quadrance("arms", "--json"))] == arms.known()
+
+
+def test_the_circle_of_an_engine(quadrance):
+    row = json.loads(quadrance("track", "engine_quaternion_gd", "--iterations", "2", "--json"))[0]
+    assert row["iterations"] == 2 and row["clocks"] == 36 and row["golden_um"] is None
+    assert f"{row['lag_um']:.3g}" in quadrance("track", "engine_quaternion_gd", "--iterations", "2").splitlines()[2]
 
 
 def test_figures_are_those_of_the_report():

@@ -94,7 +94,7 @@ def tip_bound(core: Core, answer: dict, goal: np.ndarray, cfg: dict[str, int]) -
         return bounds.tip_vector(answer["out_error"])
     if touch(core):
         return bounds.tip_touch(core.params, cfg["cfg_l1"], cfg["cfg_l2"], goal, answer["out_error"])
-    return bounds.tip(core.params, cfg["cfg_l1"], cfg["cfg_l2"], answer["out_error"])
+    return bounds.tip(core.params, cfg["cfg_l1"], cfg["cfg_l2"], square=answer["out_error"])
 
 
 def reachable(core: Core, cfg: dict[str, int], count: int, seed: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
@@ -121,7 +121,7 @@ def test_golden_iterates(core: Core, start: tuple[int, int] | None) -> None:
     words = joint_words(core, np.radians(first if start is None else start))
     goal = np.rint(np.array(target) / length * cfg["cfg_l1"]).astype(np.int64)
     far, last = [], 30 if p["W"] >= 16 else 10
-    law = bounds.drift_vector if vector(core) else bounds.drift
+    law = bounds.vector_drift if vector(core) else bounds.touch_drift if touch(core) else bounds.drift
     path, off = law(p, np.array([*words.values()]), goal, cfg, last)
     for limit in (*range(1, 11), 20, 30)[:None if last == 30 else -2]:
         answer = run(core, goal, words, cfg | {"cfg_tol": 0, "cfg_limit": limit})

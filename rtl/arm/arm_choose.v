@@ -82,7 +82,7 @@ module arm_choose #(
     assign out_take = in_valid && in_ready;
     assign out_next = better;
     assign out_go = begun || better && !last_one;
-    assign out_number = begun ? 2'd0 : number + 2'd1;
+    assign out_number = number + {1'b0, better};
 
     // One cosine a clock: of joint i with the middle of its limits, or with the last answer
     reg  [JOINTS*N-1:0] last_c, last_n;
@@ -119,8 +119,8 @@ module arm_choose #(
             best_reach  <= reach;
             best_score  <= score;
         end
-        if (out_go)
-            number <= out_number;
+        if (out_take || better)
+            number <= out_take ? 2'd0 : out_number;
         begun     <= !rst && out_take;
         busy      <= !rst && (out_take || busy && !(better && last_one));
         out_valid <= !rst && (better && last_one || out_valid && !out_ready);

@@ -41,74 +41,81 @@ module arm_inverse #(
 );
     localparam D = (2*W + 7 + R - 1) / R;        // clocks of a quotient
 
-    // Schedule. start: x y z c1 n1 c2 n2 c3 n3 singular <- in_c1 in_n1 in_c2 in_n2 in_c3 in_n3 in_x in_y in_z
-    //            left1 left2 right1 right2 - -  t xy p q a b  start of    s 1 3
-    localparam [25:0]
-        ACROSS = 26'b010_010_001_001_0_1_100000_0_00_000,  // t <- x y c3 n3: velocity about the yaw axis
-        ALONG  = 26'b010_010_000_000_0_0_010000_0_00_000,  // x y <- x y z c3 n3: velocity in the plane
-        H      = 26'b000_000_000_000_0_0_001000_0_00_000,  // p <- x y c1 n1: v'x
-        TO_G   = 26'b000_000_001_001_0_1_000100_0_00_000,  // q <- x y c1 n1: v'y
-        LINKS  = 26'b001_001_010_010_0_0_000011_0_00_000,  // a b <- c2 n2: e, and |f| with the least sine
-        DIV_S  = 26'b000_000_000_000_0_0_000000_1_00_000,  // digits <- p b n2: s = -v'x / f begins
-        OFF    = 26'b000_011_000_010_0_0_000001_0_00_000,  // b <- n2: f as it is
-        RHO    = 26'b000_100_100_100_0_0_001000_0_00_000,  // p <- a c1: L1 c1 + e c1
-        RHO2   = 26'b100_000_101_101_0_1_001000_0_00_000,  // p <- p b n1: less f n1, rho
-        WAIT   = 26'b000_000_000_000_0_0_000000_0_00_000,  // - <- -: digits
-        GET_S  = 26'b000_000_000_000_0_0_000000_0_00_100,  // s singular <- digits: s
-        REST   = 26'b011_101_011_011_1_0_000100_0_00_000,  // q <- a q s: v'y - e s
-        DIV_1  = 26'b000_000_000_000_0_0_000000_1_01_000,  // digits <- q: w1 begins
-        GET_1  = 26'b000_000_000_000_0_0_000000_0_00_010,  // w1 singular <- digits: w1
-        DIV_3  = 26'b000_000_000_000_0_0_000000_1_10_010,  // digits w1 singular <- t p digits: w1; w3 begins
-        GET_3  = 26'b000_000_000_000_0_0_000000_0_00_001;  // w3 singular <- digits: w3
-    localparam [26*(2*D+6)-1:0] PLANE = {
-        /* v'x       */ {H},
-        /* v'y       */ {TO_G},
-        /* e, |f|    */ {LINKS},
-        /* v'x / f   */ {DIV_S},
-        /* digits    */ {(D-1){WAIT}},
-        /* s         */ {GET_S},
-        /* v'y - e s */ {REST},
-        /* w1        */ {DIV_1},
-        /* digits w1 */ {(D-1){WAIT}},
-        /* w1, w2    */ {GET_1}};
-    localparam [26*(3*D+8)-1:0] SPACE = {
-        /* v_t       */ {ACROSS},
-        /* v_rho     */ {ALONG},
-        /* v'x       */ {H},
-        /* v'y       */ {TO_G},
-        /* e, |f|    */ {LINKS},
-        /* v'x / f   */ {DIV_S},
-        /* f         */ {OFF},
-        /* rho       */ {RHO},
-        /* less f n1 */ {RHO2},
-        /* digits    */ {(D-4){WAIT}},
-        /* s         */ {GET_S},
-        /* v'y - e s */ {REST},
-        /* w1        */ {DIV_1},
-        /* digits w1 */ {(D-1){WAIT}},
-        /* w1, w2    */ {DIV_3},
-        /* digits w3 */ {(D-1){WAIT}},
-        /* w3        */ {GET_3}};
-    wire [25:0] op;
+    // Schedule. start: x y z c1 n1 c2 n2 left right singular <- in_c1 in_n1 in_c2 in_n2 in_c3 in_n3 in_x in_y in_z
+    // The operands of the first line are y, -x and joint 1, or 3 in space: no other choice is 0
+    localparam [12:0]                           // operands of the next clock
+        DOT   = 13'b1_00_000_001_001_1,         // right <- -: (x, y) with the same left ones, x c + y n
+        CROSS = 13'b1_00_000_000_000_0,         // right <- -: y c - x n
+        DOT1  = 13'b0_10_010_001_001_1,         // left right <- c1 n1: x c1 + y n1
+        LINK2 = 13'b0_00_000_010_010_1,         // left right <- c2 n2: L2 c2 and L2 |n2| with the least sine
+        OFF   = 13'b0_00_011_010_010_1,         // left right <- n2: L2 n2
+        RHO   = 13'b0_10_100_100_011_1,         // left right <- c1: L1 c1 + e c1
+        RHO2  = 13'b0_01_010_101_100_0,         // left right <- n1: p less f n1
+        REST  = 13'b0_01_001_011_011_0,         // left right <- digits: q - e s
+        NONE  = 13'b0_00_000_000_000_0;         // - <- -: no product
+    localparam [11:0]                           // where the sum goes, and quotients
+        TO_T  = 12'b100000_0_00_000,            // t <- x y left right: to t
+        TO_XY = 12'b010000_0_00_000,            // x y <- x y z left right: x is the sum, y is z
+        TO_P  = 12'b001000_0_00_000,            // p <- left right: to p
+        TO_Q  = 12'b000100_0_00_000,            // q <- left right: to q
+        TO_AB = 12'b000011_0_00_000,            // a b <- left right: each product alone
+        TO_B  = 12'b000001_0_00_000,            // b <- left right: the second product
+        DIV_S = 12'b000000_1_00_000,            // digits <- p b n2: s = -v'x / f begins
+        WAIT  = 12'b000000_0_00_000,            // - <- -: digits
+        GET_S = 12'b000000_0_00_100,            // s singular <- digits: s
+        DIV_1 = 12'b000000_1_01_000,            // digits <- q: w1 begins
+        GET_1 = 12'b000000_0_00_010,            // w1 singular <- digits: w1
+        DIV_3 = 12'b000000_1_10_010,            // digits w1 singular <- t p digits: w1; w3 begins
+        GET_3 = 12'b000000_0_00_001;            // w3 singular <- digits: w3
+    localparam [25*(2*D+6)-1:0] PLANE = {
+        /* v'y       */ {DOT,   TO_Q},
+        /* v'x       */ {LINK2, TO_P},
+        /* e, |f|    */ {NONE,  TO_AB},
+        /* v'x / f   */ {NONE,  DIV_S},
+        /* digits    */ {(D-1){NONE, WAIT}},
+        /* s         */ {REST,  GET_S},
+        /* v'y - e s */ {NONE,  TO_Q},
+        /* w1        */ {NONE,  DIV_1},
+        /* digits w1 */ {(D-1){NONE, WAIT}},
+        /* w1, w2    */ {NONE,  GET_1}};
+    localparam [25*(3*D+8)-1:0] SPACE = {
+        /* v_t       */ {DOT,   TO_T},
+        /* v_rho     */ {DOT1,  TO_XY},
+        /* v'x       */ {CROSS, TO_P},
+        /* v'y       */ {LINK2, TO_Q},
+        /* e, |f|    */ {NONE,  TO_AB},
+        /* v'x / f   */ {OFF,   DIV_S},
+        /* f         */ {RHO,   TO_B},
+        /* rho       */ {RHO2,  TO_P},
+        /* less f n1 */ {NONE,  TO_P},
+        /* digits    */ {(D-4){NONE, WAIT}},
+        /* s         */ {REST,  GET_S},
+        /* v'y - e s */ {NONE,  TO_Q},
+        /* w1        */ {NONE,  DIV_1},
+        /* digits w1 */ {(D-1){NONE, WAIT}},
+        /* w1, w2    */ {NONE,  DIV_3},
+        /* digits w3 */ {(D-1){NONE, WAIT}},
+        /* w3        */ {NONE,  GET_3}};
+    wire [24:0] op;
     wire        idle;
     wire        accept = in_valid && in_ready;
     assign      in_ready = idle && (!out_valid || out_ready);
     generate
         if (JOINTS == 2) begin : g_two
-            schedule #(.LINES(2*D + 6), .BITS(26), .TABLE(PLANE)) control (
+            schedule #(.LINES(2*D + 6), .BITS(25), .TABLE(PLANE)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end else begin : g_three
-            schedule #(.LINES(3*D + 8), .BITS(26), .TABLE(SPACE)) control (
+            schedule #(.LINES(3*D + 8), .BITS(25), .TABLE(SPACE)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
     endgenerate
     reg  signed [W+1:0] s, w1, w3;
     wire signed [W+1:0] q;
     wire                zero, near;
-    arm_inverse_path #(.W(W), .U(U), .V(V), .R(R)) path (
+    arm_inverse_path #(.JOINTS(JOINTS), .W(W), .U(U), .V(V), .R(R)) path (
         .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_sine(cfg_sine), .cfg_radius(cfg_radius),
-        .in_start(accept), .in_op(op[25:3]), .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2),
-        .in_c3(in_c3), .in_n3(in_n3), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_s(s), .out_q(q), .out_zero(zero),
+        .in_start(accept), .in_op(op[24:3]), .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2),
+        .in_c3(in_c3), .in_n3(in_n3), .in_x(in_x), .in_y(in_y), .in_z(in_z), .out_q(q), .out_zero(zero),
         .out_near(near));
 
     // Every rate is saturated on its way out

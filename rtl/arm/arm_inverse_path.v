@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Datapath of arm_inverse, whose table says what happens when: in_op is one line of it.
-// Ports, formats and models as in arm_inverse; in_start: in_c1 ... in_z are taken at the end of the clock. in_s: s as
-// it was answered; out_q, out_zero: the quotient and whether its divisor was 0; out_near: |n2| is below cfg_sine, or
-// the last divisor was cfg_radius. Combinational in registers. Model: arm_velocity._rates
+// Ports, formats and models as in arm_inverse; in_start: in_c1 ... in_z are taken at the end of the clock. out_q,
+// out_zero: the quotient and whether its divisor was 0; out_near: |n2| is below cfg_sine, or the last divisor was
+// cfg_radius. Combinational in registers. Model: arm_velocity._rates
 `default_nettype none
 module arm_inverse_path #(
+    parameter JOINTS = 2,  // 2 or 3: 2, in the plane
     parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18: 16
     parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16
     parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1, U at most: 12
@@ -17,7 +18,7 @@ module arm_inverse_path #(
     input  wire [U:0]          cfg_sine,
     input  wire [W-1:0]        cfg_radius,
     input  wire                in_start,
-    input  wire [22:0]         in_op,
+    input  wire [21:0]         in_op,
     input  wire signed [U+1:0] in_c1,
     input  wire signed [U+1:0] in_n1,
     input  wire signed [U+1:0] in_c2,
@@ -27,59 +28,55 @@ module arm_inverse_path #(
     input  wire signed [W-1:0] in_x,
     input  wire signed [W-1:0] in_y,
     input  wire signed [W-1:0] in_z,
-    input  wire signed [W+1:0] in_s,
     output wire signed [W+1:0] out_q,
     output wire                out_zero,
     output wire                out_near
 );
     localparam G = 4, N = 2*W - V + 3 + G, M = W + 2 + U - V, X = W - V, L = W + 4 + G;  // L: bits of a divisor
-    wire [2:0] left1_from, left2_from, right1_from, right2_from;
-    wire       minus1, minus2, to_t, to_xy, to_p, to_q, to_a, to_b, start;
-    wire [1:0] what;
-    assign {left1_from, left2_from, right1_from, right2_from, minus1, minus2, to_t, to_xy, to_p, to_q, to_a, to_b,
-            start, what} = in_op;
+    wire       keep, to_t, to_xy, to_p, to_q, to_a, to_b, start;
+    wire [1:0] left1_from, what;
+    wire [2:0] left2_from;
+    wire [6:0] right_from;
+    assign {keep, left1_from, left2_from, right_from, to_t, to_xy, to_p, to_q, to_a, to_b, start, what} = in_op;
 
-    // |n2|, or the least that is divided by
-    reg  signed [M-1:0] c1, n1, c2, n2, c3, n3, left1, left2;
+    // Operands are chosen a clock before their product, which so begins at registers: the left ones themselves, the
+    // choice of the right ones. left2 may be |n2|, or the least that is divided by
+    reg  signed [M-1:0] c1, n1, c2, n2, left1, left2, next1, next2;
     reg  signed [N-1:0] x, y, z, t, p, q, a, b, right1, right2;
+    reg  [6:0]    right;
     wire [N-1:0]  l1 = {{(N-W-G){1'b0}}, cfg_l1, {G{1'b0}}}, l2 = {{(N-W-G){1'b0}}, cfg_l2, {G{1'b0}}};
+    wire [M-1:0]  one = {{(M-U-1){1'b0}}, 1'b1, {U{1'b0}}};
     wire [U+1:0]  sine = n2[U+1] ? -n2[U+1:0] : n2[U+1:0];
     wire          flat = sine < {1'b0, cfg_sine};
-    wire [M-1:0]  least = {{(M-U-2){1'b0}}, flat ? {1'b0, cfg_sine} : sine};
     always @* begin
         case (left1_from)
-            3'd1: left1 = c2;
-            3'd2: left1 = c3;
-            3'd3: left1 = {in_s, {(U-V){1'b0}}};
-            3'd4: left1 = {{(M-U-1){1'b0}}, 1'b1, {U{1'b0}}};
-            default: left1 = c1;
+            2'd1: next1 = one;
+            2'd2: next1 = c1;
+            default: next1 = c2;
         endcase
         case (left2_from)
-            3'd1: left2 = least;
-            3'd2: left2 = n3;
-            3'd3: left2 = n2;
-            3'd4: left2 = c1;
-            3'd5: left2 = {{(M-U-1){1'b0}}, 1'b1, {U{1'b0}}};
-            default: left2 = n1;
+            3'd1: next2 = {out_q, {(U-V){1'b0}}};
+            3'd2: next2 = n1;
+            3'd3: next2 = n2;
+            3'd4: next2 = c1;
+            default: next2 = {{(M-U-2){1'b0}}, flat ? {1'b0, cfg_sine} : sine};
         endcase
-        case (right1_from)
-            3'd1: right1 = y;
+        case (right[6:4])
+            3'd1: right1 = x;
             3'd2: right1 = l2;
-            3'd3: right1 = a;
+            3'd3: right1 = q;
             3'd4: right1 = l1;
             3'd5: right1 = p;
-            default: right1 = x;
+            default: right1 = y;
         endcase
-        case (right2_from)
-            3'd1: right2 = x;
+        case (right[3:1])
+            3'd1: right2 = y;
             3'd2: right2 = l2;
-            3'd3: right2 = q;
-            3'd4: right2 = a;
-            3'd5: right2 = b;
-            default: right2 = y;
+            3'd3: right2 = a;
+            3'd4: right2 = b;
+            default: right2 = x;
         endcase
-        right1 = right1 ^ {N{minus1}};
-        right2 = right2 ^ {N{minus2}};
+        right2 = right2 ^ {N{!right[0]}};
     end
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [M+N-1:0] product1 = left1 * right1, product2 = left2 * right2;
@@ -102,10 +99,13 @@ module arm_inverse_path #(
             n1 <= {{X{in_n1[U+1]}}, in_n1};
             c2 <= {{X{in_c2[U+1]}}, in_c2};
             n2 <= {{X{in_n2[U+1]}}, in_n2};
-            c3 <= {{X{in_c3[U+1]}}, in_c3};
-            n3 <= {{X{in_n3[U+1]}}, in_n3};
             z  <= {{(N-W-G){in_z[W-1]}}, in_z, {G{1'b0}}};
         end
+        if (!keep) begin
+            left1 <= !in_start ? next1 : JOINTS == 3 ? {{X{in_c3[U+1]}}, in_c3} : {{X{in_c1[U+1]}}, in_c1};
+            left2 <= !in_start ? next2 : JOINTS == 3 ? {{X{in_n3[U+1]}}, in_n3} : {{X{in_n1[U+1]}}, in_n1};
+        end
+        right <= right_from;
         if (in_start || to_xy) begin
             x <= in_start ? {{(N-W-G){in_x[W-1]}}, in_x, {G{1'b0}}} : sum;
             y <= in_start ? {{(N-W-G){in_y[W-1]}}, in_y, {G{1'b0}}} : z;

@@ -37,44 +37,49 @@ module arm_jacobian #(
     localparam G = 4, N = 2*W - V + 3 + G;  // guard bits; bits of a velocity inside
     localparam M = W + 1 + U - V, X = W - 1 - V;  // bits of a left operand, those that it has before a cosine
 
-    // Schedule. start: c1 n1 c2 n2 c3 n3 s w2 w3 <- in_c1 in_n1 in_c2 in_n2 in_c3 in_n3 in_w1 in_w2 in_w3
-    //            left1 left2 right1 right2 - add  a b p q  z x last
-    localparam [18:0]
-        LINKS = 19'b001_001_00_00_0_1_1100_000,  // a b <- c2 n2: L2 (c2, n2), and L1 to a
-        ALONG = 19'b010_010_01_01_1_0_0010_000,  // p <- a s w2: velocity across link 1, (L1 + e) s - L1 w2
-        DOWN  = 19'b000_011_01_10_1_0_0001_000,  // q <- b s: velocity along link 1, -f s
-        RHO   = 19'b011_100_01_10_1_0_1000_000,  // a <- a b c1 n1: distance from the yaw axis
-        YAW   = 19'b101_000_01_00_0_0_0100_000,  // b <- a w3: velocity of the plane there
-        UP    = 19'b100_101_10_11_0_0_1000_000,  // a <- p q c1 n1: the second coordinate of v' turned by joint 1
-        FIRST = 19'b011_100_10_11_1_0_1000_000,  // a <- p q c1 n1: the first
-        OUT_Z = 19'b011_100_10_11_1_0_0010_100,  // p z <- a p q c1 n1: a is z; p is the velocity in the plane
-        TURN3 = 19'b110_110_11_10_1_0_1000_000,  // a <- p b c3 n3: (p, b) turned by joint 3, the first coordinate
-        OUT_3 = 19'b111_111_11_10_0_0_1000_011,  // a x <- a p b c3 n3: a is x; the second coordinate, y
-        OUT_2 = 19'b100_101_10_11_0_0_1000_011;  // a x <- a p q c1 n1: a is x; v' turned by joint 1, y
+    // Schedule. start: c1 n1 c3 n3 s w2 w3 left right <- in_c1 in_n1 in_c2 in_n2 in_c3 in_n3 in_w1 in_w2 in_w3
+    // The operands of the first line are L2 and (c2, n2): the choice of right ones that is 0, and what a start loads
+    localparam [10:0]                  // operands of the next clock
+        ALONG = 11'b001_001_01_01_1,   // left right <- s w2: velocity across link 1, a s - L1 w2
+        DOWN  = 11'b000_010_01_10_1,   // left right <- s: velocity along link 1, -b s
+        RHO   = 11'b010_011_01_10_1,   // left right <- c1 n1: distance from the yaw axis, a c1 - b n1
+        YAW   = 11'b100_000_01_00_0,   // left right <- w3: velocity of the plane there, a w3
+        LEVEL = 11'b010_011_10_11_1,   // left right <- c1 n1: v' turned by joint 1, the first coordinate, q c1 - p n1
+        UP    = 11'b011_100_10_11_0,   // left right <- c1 n1: the second, q n1 + p c1
+        TURN3 = 11'b101_101_11_10_1,   // left right <- c3 n3: (p, b) turned by joint 3, the first coordinate
+        LAST3 = 11'b110_110_11_10_0,   // left right <- c3 n3: the second
+        NONE  = 11'b000_000_00_00_0;   // - <- -: the table ends
+    localparam [7:0]                   // where the sum goes
+        TO_AB = 8'b1_1100_000,         // a b <- left right: each product alone, and L1 to a
+        TO_A  = 8'b0_1000_000,         // a <- left right: to a
+        TO_B  = 8'b0_0100_000,         // b <- left right: to b
+        TO_P  = 8'b0_0010_000,         // p <- left right: to p
+        TO_Q  = 8'b0_0001_000,         // q <- left right: to q
+        OUT_Z = 8'b0_0010_100,         // p z <- a left right: a is z, the sum goes to p
+        OUT_X = 8'b0_1000_011;         // a x <- a left right: a is x, the sum is y
     localparam [5*19-1:0] PLANE = {
-        /* L1 + e, f */ {LINKS},
-        /* v' across */ {ALONG},
-        /* v' along  */ {DOWN},
-        /* x         */ {FIRST},
-        /* y         */ {OUT_2}};
+        /* L1 + e, f */ {ALONG, TO_AB},
+        /* v' across */ {DOWN,  TO_P},
+        /* v' along  */ {LEVEL, TO_Q},
+        /* x         */ {UP,    TO_A},
+        /* y         */ {NONE,  OUT_X}};
     localparam [9*19-1:0] SPACE = {
-        /* L1 + e, f */ {LINKS},
-        /* v' across */ {ALONG},
-        /* v' along  */ {DOWN},
-        /* rho       */ {RHO},
-        /* rho w3    */ {YAW},
-        /* z         */ {UP},
-        /* v_rho     */ {OUT_Z},
-        /* x         */ {TURN3},
-        /* y         */ {OUT_3}};
+        /* L1 + e, f */ {ALONG, TO_AB},
+        /* v' across */ {DOWN,  TO_P},
+        /* v' along  */ {RHO,   TO_Q},
+        /* rho       */ {YAW,   TO_A},
+        /* rho w3    */ {UP,    TO_B},
+        /* z         */ {LEVEL, TO_A},
+        /* v_rho     */ {TURN3, OUT_Z},
+        /* x         */ {LAST3, TO_A},
+        /* y         */ {NONE,  OUT_X}};
     wire [2:0] left1_from, left2_from;
-    wire [1:0] right1_from, right2_from;
-    wire       minus, add, to_a, to_b, to_p, to_q, to_z, to_x, last, idle;
+    wire [4:0] right_from;
+    wire       add, to_a, to_b, to_p, to_q, to_z, to_x, last, idle;
     wire       accept = in_valid && in_ready;
     assign     in_ready = idle && (!out_valid || out_ready);
     wire [18:0] op;
-    assign     {left1_from, left2_from, right1_from, right2_from, minus, add, to_a, to_b, to_p, to_q, to_z, to_x,
-                last} = op;
+    assign     {left1_from, left2_from, right_from, add, to_a, to_b, to_p, to_q, to_z, to_x, last} = op;
     generate
         if (JOINTS == 2) begin : g_two
             schedule #(.LINES(5), .BITS(19), .TABLE(PLANE)) control (
@@ -85,45 +90,45 @@ module arm_jacobian #(
         end
     endgenerate
 
-    // Left: c, n and rates, the latter aligned to U fraction bits. Right: lengths and velocities
-    reg  signed [M-1:0] c1, n1, c2, n2, c3, n3, s, w2, w3, left1, left2;
+    // Left: c, n and rates, the latter aligned to U fraction bits. Right: lengths and velocities. Both are chosen a
+    // clock before the product, which so begins at registers: the left one itself, the choice of the right one
+    reg  signed [M-1:0] c1, n1, c3, n3, s, w2, w3, left1, left2, next1, next2;
     reg  signed [N-1:0] a, b, p, q, right1, right2;
+    reg         [4:0]   right;
     wire        [N-1:0] l1 = {{(N-W-G){1'b0}}, cfg_l1, {G{1'b0}}}, l2 = {{(N-W-G){1'b0}}, cfg_l2, {G{1'b0}}};
     wire        [W:0]   both = {in_w1[W-1], in_w1} + {in_w2[W-1], in_w2};
     always @* begin
         case (left1_from)
-            3'd1: left1 = c2;
-            3'd2: left1 = s;
-            3'd3: left1 = c1;
-            3'd4: left1 = n1;
-            3'd5: left1 = w3;
-            3'd6: left1 = c3;
-            3'd7: left1 = n3;
-            default: left1 = {M{1'b0}};
+            3'd1: next1 = s;
+            3'd2: next1 = c1;
+            3'd3: next1 = n1;
+            3'd4: next1 = w3;
+            3'd5: next1 = c3;
+            3'd6: next1 = n3;
+            default: next1 = {M{1'b0}};
         endcase
         case (left2_from)
-            3'd1: left2 = n2;
-            3'd2: left2 = w2;
-            3'd3: left2 = s;
-            3'd4: left2 = n1;
-            3'd5: left2 = c1;
-            3'd6: left2 = n3;
-            3'd7: left2 = c3;
-            default: left2 = {M{1'b0}};
+            3'd1: next2 = w2;
+            3'd2: next2 = s;
+            3'd3: next2 = n1;
+            3'd4: next2 = c1;
+            3'd5: next2 = n3;
+            3'd6: next2 = c3;
+            default: next2 = {M{1'b0}};
         endcase
-        case (right1_from)
+        case (right[4:3])
             2'd1: right1 = a;
             2'd2: right1 = q;
             2'd3: right1 = p;
             default: right1 = l2;
         endcase
-        case (right2_from)
+        case (right[2:1])
             2'd1: right2 = l1;
             2'd2: right2 = b;
             2'd3: right2 = p;
             default: right2 = l2;
         endcase
-        right2 = right2 ^ {N{minus}};
+        right2 = right2 ^ {N{right[0]}};
     end
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [M+N-1:0] product1 = left1 * right1, product2 = left2 * right2;
@@ -142,14 +147,15 @@ module arm_jacobian #(
         if (accept) begin
             c1 <= {{X{in_c1[U+1]}}, in_c1};
             n1 <= {{X{in_n1[U+1]}}, in_n1};
-            c2 <= {{X{in_c2[U+1]}}, in_c2};
-            n2 <= {{X{in_n2[U+1]}}, in_n2};
             c3 <= {{X{in_c3[U+1]}}, in_c3};
             n3 <= {{X{in_n3[U+1]}}, in_n3};
             s  <= {both, {(U-V){1'b0}}};
             w2 <= {in_w2[W-1], in_w2, {(U-V){1'b0}}};
             w3 <= {in_w3[W-1], in_w3, {(U-V){1'b0}}};
         end
+        left1 <= accept ? {{X{in_c2[U+1]}}, in_c2} : next1;
+        left2 <= accept ? {{X{in_n2[U+1]}}, in_n2} : next2;
+        right <= right_from;
         if (to_a)
             a <= sum;
         if (to_b)

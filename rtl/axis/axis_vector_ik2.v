@@ -6,9 +6,10 @@
 // Formats, error, latency, II, status, source, model: vector_ik2.v; cfg_* stable while a sample is inside.
 `default_nettype none
 module axis_vector_ik2 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16   // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
+    parameter W = 16,       // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
+    parameter F = 8,        // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16,       // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
+    parameter PRODUCTS = 3  // multipliers, 2 or 3; the same results: 3, two clocks faster
 ) (
     input  wire aclk,
     input  wire aresetn,
@@ -46,7 +47,7 @@ module axis_vector_ik2 #(
         n1_extended,
         c2_extended,
         n2_extended};
-    vector_ik2 #(.W(W), .F(F), .U(U)) core (
+    vector_ik2 #(.W(W), .F(F), .U(U), .PRODUCTS(PRODUCTS)) core (
         .clk(aclk),
         .rst(!aresetn),
         .cfg_l1(cfg_l1),

@@ -2,7 +2,7 @@
 // Turn-spread of a binary angle: the axis next to it, and the square of the sine between them, up or down from there.
 // Formats: in_j angle of A bits; out_j turn-spread u2.S modulo 4, nearest; exact on the axes.
 // Error: the angle whose spread is rounded is within 0.39 * 2^-16 rad of the word's; rounding 0.69 LSB at S = 24.
-// Latency 2, II 1: a chord of the sine is read, then completed and squared.
+// Latency 3, II 1: a chord of the sine is read, completed, squared.
 // Status: none. Source: paper eq. 3, spread = square of the sine. Model: conversion.angle_to_spread
 `default_nettype none
 module angle_to_spread #(
@@ -58,14 +58,14 @@ module angle_to_spread #(
     wire [2:0]     near = in_j[A-1:A-3] + 3'd1;  // the axis, and not the sign of the angle from it
     reg  [2*K-8:0] chord;
     reg  [B-1:0]   place;
-    reg  [1:0]     axis;
-    reg  [1:0]     stages;  // which of them hold a sample
+    reg  [1:0]     read_axis, axis;
+    reg  [2:0]     stages;  // which of them hold a sample
     wire [K:0]     start;
     wire [K-9:0]   step, rise;
     wire [B-1:0]   cut;
     assign         {start, step} = chord;
     assign         {rise, cut} = step * place;
-    wire signed [K:0]  sine = start + {9'd0, rise};
+    reg signed [K:0] sine;
     // sine |sine|, s1.(K+26); the absolute value of a negative sine is the one's complement with 26 - K ones behind
     wire signed [26:0] size = {sine, {(26-K){1'b0}}} ^ {27{sine[K]}};
     wire signed [K+27:0] square = sine * size;
@@ -76,18 +76,20 @@ module angle_to_spread #(
     wire [S+1:0]       floor = {axis[1] ^ (back && !axis[0]), axis[0] ^ back, part};
     wire               unused = &{1'b0, near[0], square[K+27], rest, cut};
 
-    assign out_valid = stages[1];
+    assign out_valid = stages[2];
     assign in_ready = !out_valid || out_ready;
     always @(posedge clk) begin
         if (in_ready) begin
             chord     <= chords[in_j[A-3 -: 9]];
             place     <= in_j[B-1:0];
-            axis      <= near[2:1];
-            stages    <= {stages[0], in_valid};
+            read_axis <= near[2:1];
+            sine      <= start + {9'd0, rise};
+            axis      <= read_axis;
+            stages    <= {stages[1:0], in_valid};
             out_j     <= floor + {{(S+1){1'b0}}, half};
         end
         if (rst)
-            stages <= 2'b00;
+            stages <= 3'b000;
     end
 endmodule
 `default_nettype wire

@@ -25,8 +25,8 @@ module engine_quaternion_gd #(
     input  wire [9:0]     cfg_limit,
     input  wire           in_valid,
     output wire           in_ready,
-    input  wire [W-1:0]   in_x,
-    input  wire [W-1:0]   in_y,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
     input  wire [A-1:0]   in_j1,
     input  wire [A-1:0]   in_j2,
     input  wire           in_warm,
@@ -37,8 +37,8 @@ module engine_quaternion_gd #(
     output wire [9:0]     out_iters,
     output wire [2*W-1:0] out_error,
     output wire           out_coarse,
-    output reg  [A-1:0]   out_d1,
-    output reg  [A-1:0]   out_d2,
+    output reg  signed [A-1:0] out_d1,
+    output reg  signed [A-1:0] out_d2,
     output wire [3:0]     out_status
 );
     generate

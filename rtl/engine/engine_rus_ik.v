@@ -4,7 +4,7 @@
 //   S = sqrt(e^2 + f^2 - G^2), (e, f, h) = R c + p - F - link (cos beta, sin beta, 0) in the frame of the leg
 // Formats: rotation, vectors s2.16; p sW; platform lengths s18, 2^(W - 18) LSB of p; out_s 2^(W - 22), root of the leg.
 // in_load: no pose but the geometry of leg in_leg (page); answered by (1, 0), S = 0. Legs not loaded since reset answer
-// (1, 0) and count as unreachable. Error: page. Latency, II: 60.
+// (1, 0) and count as unreachable. Error: page. Latency 79, II 48.
 // Status: unreachable (out_far says which; nearest crank angle), singular (S below cfg_near), overflow (words wrap).
 // Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik
 `default_nettype none
@@ -23,12 +23,12 @@ module engine_rus_ik #(
     input  wire signed [17:0]  in_r11, in_r12, in_r13, in_r21, in_r22, in_r23, in_r31, in_r32, in_r33,
     input  wire signed [W-1:0] in_px, in_py, in_pz,
     input  wire signed [17:0]  in_cb, in_nb,
-    output reg                 out_valid,
+    output wire                out_valid,
     input  wire                out_ready,
     output wire signed [17:0]  out_c1, out_n1, out_c2, out_n2, out_c3, out_n3,
     output wire signed [17:0]  out_c4, out_n4, out_c5, out_n5, out_c6, out_n6,
     output wire [21:0]         out_s1, out_s2, out_s3, out_s4, out_s5, out_s6,
-    output reg  [5:0]          out_far,
+    output wire [5:0]          out_far,
     output wire [3:0]          out_status
 );
     generate
@@ -36,108 +36,25 @@ module engine_rus_ik #(
             engine_rus_ik_needs_W_from_14_to_18 rule ();
         end
     endgenerate
-    // A leg begins every 8 clocks, and takes 19: up to three of them are played at a time
-    localparam [1:0]
-        WAIT = 2'b00,
-        LEG  = 2'b01,  // - <- -: the next leg begins
-        LAST = 2'b10;  // - <- -: all words stand in the next clock
-    localparam [59*2-1:0] POSE = {
-        /* leg 1       */ {7{WAIT}}, LEG,
-        /* leg 2       */ {7{WAIT}}, LEG,
-        /* leg 3       */ {7{WAIT}}, LEG,
-        /* leg 4       */ {7{WAIT}}, LEG,
-        /* leg 5       */ {7{WAIT}}, LEG,
-        /* leg 6       */ {18{WAIT}}, LAST};
-    wire       idle, next, last;
-    wire       accept = in_valid && in_ready;
-    schedule #(.LINES(59), .BITS(2), .TABLE(POSE)) pose (
-        .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op({last, next}));
-
-    // The pose, and its rows as the legs want them: x, z, y
-    reg                load, first;  // first: the first three clocks of the first leg, which read all rows
-    reg  [2:0]         to, leg;
-    reg  [5:0]         known;
-    reg  [71:0]        row1, row2, row3;
-    reg  signed [17:0] cb, nb;
-    wire               x_row, z_row, y_row, again;
-    wire [71:0]        row = x_row ? row1 : z_row ? row3 : row2;
-
-    // Geometry, three words a leg: {c1, c2, c3, -Fx}, {st, -ct, elbow, -Fz}, {ct, st, -link, -Fy}
-    reg  [71:0]        geometry[0:31];
-    reg  [71:0]        words;
-    wire [1:0]         part = {z_row || y_row, x_row || again};
-    always @(posedge clk) begin
-        if (load && first)
-            geometry[{to, y_row, z_row}] <= row;
-        words <= geometry[{leg, part}];
-    end
-
-    wire signed [17:0] word;
+    wire               free = !out_valid || out_ready;
+    wire               flags, sine, last, far, near, over;
+    wire signed [17:0] c, word;
     wire [21:0]        root;
-    wire               cosine, sine, far, none, near, over, done_leg;
-    engine_rus_leg path (
-        .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_start(accept || next),
-        .in_row(row), .in_words(words), .in_cb(cb), .in_nb(nb), .out_x(x_row), .out_z(z_row), .out_y(y_row),
-        .out_again(again), .out_next(done_leg), .out_cosine(cosine), .out_sine(sine), .out_word(word), .out_root(root),
-        .out_far(far), .out_none(none), .out_near(near), .out_over(over));
-
-    // Results move in at leg 6 and on towards leg 1
-    reg  [107:0] c, n;
-    reg  [131:0] s;
-    reg          some_near, some_over, there, known_leg;
-    wire         dead = load || !there;
-    assign {out_c1, out_c2, out_c3, out_c4, out_c5, out_c6} = {c[17:0], c[35:18], c[53:36], c[71:54], c[89:72],
-                                                               c[107:90]};
-    assign {out_n1, out_n2, out_n3, out_n4, out_n5, out_n6} = {n[17:0], n[35:18], n[53:36], n[71:54], n[89:72],
-                                                               n[107:90]};
-    assign {out_s1, out_s2, out_s3, out_s4, out_s5, out_s6} = {s[21:0], s[43:22], s[65:44], s[87:66], s[109:88],
-                                                               s[131:110]};
-    assign out_status = {1'b0, some_over, some_near, out_far != 0};
-    assign in_ready = idle && (!out_valid || out_ready);
-    localparam PAD = 18 - W;
-    always @(posedge clk) begin
-        if (accept) begin
-            load <= in_load;
-            to   <= in_leg;
-            row1 <= {in_r11, in_r12, in_r13, in_px, {PAD{1'b0}}};
-            row2 <= {in_r21, in_r22, in_r23, in_py, {PAD{1'b0}}};
-            row3 <= {in_r31, in_r32, in_r33, in_pz, {PAD{1'b0}}};
-            cb   <= in_cb;
-            nb   <= in_nb;
-        end
-        first <= accept || (first && !y_row);
-        if (again) begin  // the table has been read for the last time
-            leg       <= leg == 3'd5 ? 3'd0 : leg + 3'd1;
-            known_leg <= known[leg];
-        end
-        if (done_leg)
-            there <= known_leg;
-        if (cosine) begin
-            c <= c >> 18;
-            c[107:90] <= dead || none ? 18'h10000 : word;
-        end
-        if (sine) begin
-            n <= n >> 18;
-            s <= s >> 22;
-            n[107:90]  <= dead || none ? 18'd0 : word;
-            s[131:110] <= dead || far ? 22'd0 : root;
-            out_far    <= {!load && (!there || far), out_far[5:1]};
-            some_near  <= some_near || (!dead && near);
-            some_over  <= some_over || (!dead && over);
-        end
-        if (accept) begin
-            some_near <= 1'b0;
-            some_over <= 1'b0;
-        end
-        if (load && first && x_row && to < 3'd6)
-            known[to] <= 1'b1;
-        out_valid <= last || (out_valid && !out_ready);
-        if (rst) begin
-            known     <= 6'd0;
-            leg       <= 3'd0;
-            out_valid <= 1'b0;
-            first     <= 1'b0;
-        end
-    end
+    engine_rus_poses #(.W(W)) poses (
+        .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_valid(in_valid),
+        .in_ready(in_ready), .in_free(free), .in_load(in_load), .in_leg(in_leg), .in_r11(in_r11), .in_r12(in_r12),
+        .in_r13(in_r13), .in_r21(in_r21), .in_r22(in_r22), .in_r23(in_r23), .in_r31(in_r31), .in_r32(in_r32),
+        .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb), .out_flags(flags),
+        .out_sine(sine), .out_last(last), .out_c(c), .out_word(word), .out_root(root), .out_far(far), .out_near(near),
+        .out_over(over));
+    reg  [35:0] leg6;
+    always @(posedge clk)
+        if (sine)
+            leg6 <= {word, c};
+    engine_rus_results #(.BITS(36)) results (
+        .clk(clk), .rst(rst), .in_flags(flags), .in_root(root), .in_far(far), .in_near(near), .in_over(over),
+        .in_move(sine), .in_last(last), .in_leg6(leg6), .out_valid(out_valid), .out_ready(out_ready),
+        .out_words({out_n6, out_c6, out_n5, out_c5, out_n4, out_c4, out_n3, out_c3, out_n2, out_c2, out_n1, out_c1}),
+        .out_s({out_s6, out_s5, out_s4, out_s3, out_s2, out_s1}), .out_far(out_far), .out_status(out_status));
 endmodule
 `default_nettype wire

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control of one leg of engine_rus_ik: 19 clocks, of which eight pass before the next one may begin.
-//   in_start: the row x of the pose and the first words of the leg are there in the next clock (out_x), then z, y
-// Formats: engine_rus_ik, engine_rus_path. out_cosine, out_sine: out_word is that; out_root and the flags, in the clock
-// of out_sine and the one before it: far (out of reach), none (no direction at all), near (to a singular leg), over.
-// out_next: copies of the words that outlive the next leg's are made. Latency 18, 19; II 8.
+// Control of one leg of engine_rus_ik: 37 clocks, of which eight pass before the next one may begin.
+//   in_start: in the next clock out_x asks for row x of the pose and the first words of the leg are there; then z, y
+//   out_turn, out_last: the words that turn it are read next; all have been read
+// Formats: engine_rus_ik, engine_rus_path. in_tag {leg 6, dead: no answer, ..} goes with the leg. When out_flags the
+// root stands with far (out of reach), none (no direction, or dead), near (to a singular leg) and over. out_word is the
+// cosine when out_cosine, the sine when out_sine.
+// Latency 37; II 8.
 // Model: engine_rus.leg
 `default_nettype none
 module engine_rus_leg (
@@ -17,11 +19,13 @@ module engine_rus_leg (
     input  wire [71:0]        in_words,
     input  wire signed [17:0] in_cb,
     input  wire signed [17:0] in_nb,
+    input  wire [2:0]         in_tag,
     output wire               out_x,
     output wire               out_z,
     output wire               out_y,
-    output wire               out_again,
-    output wire               out_next,
+    output wire               out_turn,
+    output wire               out_last,
+    output wire               out_flags,
     output wire               out_cosine,
     output wire               out_sine,
     output wire signed [17:0] out_word,
@@ -29,89 +33,121 @@ module engine_rus_leg (
     output wire               out_far,
     output wire               out_none,
     output wire               out_near,
-    output wire               out_over
+    output wire               out_over,
+    output reg  [2:0]         out_tag
 );
-    // Schedule. start: row words <- in_row in_words
-    localparam [5:0]             // operands of multipliers A and B, whose products are added
-        IDLE_AB = 6'd0,          // - <- -: anything
-        ROW     = 6'b000001,     // a b <- row: two elements of a row
-        FIRST   = 6'b000011,     // a b turn <- row words: two elements of a row and the joint's coordinates
-        TURN    = 6'b000110,     // a b turn <- x z words: into the plane of the leg
-        SQUARE  = 6'b001000,     // a b <- e f: squares
-        COSINE  = 6'b010000,     // a b <- e2 f2 g s beyond: e G - f S
-        SINE    = 6'b100000;     // a b <- e2 f2 g s beyond: f G + e S
-    localparam [3:0]             // operands of multiplier C
-        IDLE_C  = 4'd0,         // c <- -: an element of a row and what was there
-        ROW_C   = 4'b0001,      // c <- row words: the third element
-        LINK    = 4'b0011,      // c <- words: the link's share of e
-        ZERO    = 4'b0010,      // c <- -: nothing
-        HEIGHT  = 4'b0100,      // c <- a b: the square of h, which is just there
-        GAIN    = 4'b1000,      // c <- a b c add: the sum times 1 / 2 LA
-        GAP     = 4'b1100;      // c <- c: the square of G, which is just there
-    localparam [2:0]             // operands of multiplier D
-        IDLE_D  = 3'd0,         // - <- -: anything
-        LINK_D  = 3'b001,       // d <- words: the link's share of f
-        TABLE   = 3'b010,       // d <- w slope: a root or a reciprocal
-        DIVIDE  = 3'b110,       // d <- d n shift: the numerator times the reciprocal that is just there
-        NEXT_D  = 3'b100;       // d <- n shift: the other numerator
+    // Schedule. start: pose words <- in_row in_words
+    localparam [6:0]             // gates of multipliers A and B: what they load in the next clock
+        SHUT   = 7'd0,           // - <- -: nothing of a leg
+        ROW_X  = 7'b0001001,     // a b c <- pose words: row x and the joint's coordinates
+        ROW_Z  = 7'b0000010,     // a b c <- pose: row z
+        ROW_Y  = 7'b0000100,     // a b c <- pose: row y
+        TURN   = 7'b0011000,     // a b <- x words: into the plane of the leg
+        COSINE = 7'b0100000,     // a b <- e3 f3 g2 s tag beyond2: e G - f S
+        SINE   = 7'b1000000;     // a b <- e3 f3 g2 s tag beyond2: f G + e S
+    localparam [2:0]             // multiplier C
+        IDLE_C = 3'd0,           // - <- -: what the rows leave
+        LINK   = 3'b001,         // c d <- pose words: the link's shares of e (C) and f (D), in the next clock
+        HEIGHT = 3'b010,         // c over <- a b c add: the square of h, which is just there
+        GAIN   = 3'b100;         // c <- t: the sum times 1 / 2 LA, in the next clock
+    localparam [2:0]             // multiplier D
+        IDLE_D = 3'd0,           // - <- -: anything
+        TABLE  = 3'b001,         // d <- slope w: a root or a reciprocal
+        DIVIDE = 3'b110,         // d <- n shift reciprocal: the cosine's numerator times the reciprocal
+        NEXT_D = 3'b100;         // d <- n shift: the sine's
     localparam [1:0]             // addend of the next clock's sum
-        HALF    = 2'b00,        // add <- -: what rounds
-        PLACE   = 2'b01,        // add <- row words: position less foot
-        CONST   = 2'b10;        // add <- -: cfg_k
-    localparam [14:0]            // registers behind the sum
-        NONE    = 15'h0000,     // - <- -: nothing
-        X       = 15'h0001,     // x <- a b c add: the sum is x
-        Z       = 15'h0002,     // z <- a b c add: z
-        Y       = 15'h0004,     // y <- a b c add: y
-        E       = 15'h0008,     // e f over <- a b c d add y: e, and f less the link's share
-        Q       = 15'h0010,     // q <- a b: e^2 + f^2
-        G       = 15'h0020,     // g <- c: G
-        DISC    = 15'h0040,     // disc beyond <- q c: e^2 + f^2 - G^2
-        FIND    = 15'h0080,     // n shift <- disc q beyond: the radicand, its spare bytes
-        FINE    = 15'h0100,     // shift <- n: spare pairs of bits
-        ROOT    = 15'h0200,     // w slope n shift <- q n shift: read the root's table; then the divisor
-        COPY    = 15'h0400,     // e2 f2 <- e f: for the next leg comes
-        S       = 15'h0800,     // s <- d shift: the root
-        DIVISOR = 15'h1000,     // w slope <- n shift s: read the reciprocal's table; flags
-        NUM     = 15'h2000,     // n <- a b: a numerator
-        OUT     = 15'h4000;     // - <- d: the sine
+        HALF   = 2'b00,          // add <- -: what rounds
+        PLACE  = 2'b01,          // add <- pose words: position less foot
+        CONST  = 2'b10;          // add <- -: cfg_k
+    localparam [18:0]            // registers behind products and sum
+        NONE    = 19'h00000,     // - <- -: nothing
+        X       = 19'h00001,     // x over <- a b c add: the sum is x
+        Z       = 19'h00002,     // z over <- a b c add: z
+        Y       = 19'h00004,     // y over <- a b c add words: y
+        E       = 19'h00008,     // e f a b over <- a b c d add y: e, and f less the link's share
+        Q       = 19'h00010,     // q t tag <- a b c add over: e^2 + f^2, and with h^2 and k
+        G       = 19'h00020,     // g c <- c: G, and its square begins
+        KEEP    = 19'h00040,     // e2 f2 <- e f: for the next leg comes
+        DISC    = 19'h00080,     // disc q2 tag <- q c tag: e^2 + f^2 - G^2
+        OPEN    = 19'h00100,     // open_n beyond <- disc q2 g: the radicand
+        FIND    = 19'h00200,     // n shift <- open_n: its spare bytes
+        FINE    = 19'h00400,     // shift <- n shift: its spare pairs of bits
+        ROOT    = 19'h00800,     // w slope shift_s <- n shift: read the root's table
+        COPY    = 19'h01000,     // e3 f3 g2 beyond2 tag open_n <- e2 f2 g beyond q2 tag: the next leg comes; divisor
+        S       = 19'h02000,     // s <- d shift_s: the root
+        DIVISOR = 19'h04000,     // w slope kept none <- n shift: read the reciprocal's table
+        NUM     = 19'h08000,     // n shift <- a b kept: a numerator
+        RATE    = 19'h10000,     // reciprocal flags <- d s none beyond2 tag: the reciprocal; flags
+        OUT_C   = 19'h20000,     // - <- d: the cosine
+        OUT_N   = 19'h40000;     // - <- d: the sine
     //                      A, B     C        D        add    behind
-    localparam [19*30-1:0] LEG = {
-        /* row x       */ {FIRST,   ROW_C,   IDLE_D,  PLACE, NONE},
-        /* row z       */ {ROW,     ROW_C,   IDLE_D,  PLACE, X},
-        /* row y       */ {ROW,     ROW_C,   IDLE_D,  PLACE, Z},
-        /* e           */ {TURN,    LINK,    LINK_D,  HALF,  Y},
-        /* h           */ {TURN,    ZERO,    IDLE_D,  HALF,  E},
-        /* squares     */ {SQUARE,  HEIGHT,  IDLE_D,  CONST, NONE},
-        /* G           */ {IDLE_AB, GAIN,    IDLE_D,  HALF,  Q},
-        /* G^2         */ {IDLE_AB, GAP,     IDLE_D,  HALF,  G},
-        /* S^2         */ {IDLE_AB, IDLE_C,  IDLE_D,  HALF,  DISC},
-        /* bytes       */ {IDLE_AB, IDLE_C,  IDLE_D,  HALF,  FIND},
-        /* pairs       */ {IDLE_AB, IDLE_C,  IDLE_D,  HALF,  FINE},
-        /* slope       */ {IDLE_AB, IDLE_C,  IDLE_D,  HALF,  ROOT | COPY},
-        /* root; pairs */ {IDLE_AB, IDLE_C,  TABLE,   HALF,  FINE},
-        /* S           */ {IDLE_AB, IDLE_C,  IDLE_D,  HALF,  S},
-        /* slope       */ {COSINE,  IDLE_C,  IDLE_D,  HALF,  DIVISOR},
-        /* reciprocal  */ {SINE,    IDLE_C,  TABLE,   HALF,  NUM},
-        /* cosine      */ {IDLE_AB, IDLE_C,  DIVIDE,  HALF,  NUM},
-        /* sine        */ {IDLE_AB, IDLE_C,  NEXT_D,  HALF,  NONE},
-        /* and out     */ {IDLE_AB, IDLE_C,  IDLE_D,  HALF,  OUT}};
-    wire [29:0] op;
+    localparam [37*34-1:0] LEG = {
+        /* row x            */ {ROW_X,  IDLE_C, IDLE_D, HALF,  NONE},
+        /* row z            */ {ROW_Z,  IDLE_C, IDLE_D, HALF,  NONE},
+        /* row y            */ {ROW_Y,  IDLE_C, IDLE_D, PLACE, NONE},
+        /* x                */ {SHUT,   IDLE_C, IDLE_D, PLACE, X},
+        /* z; to e          */ {TURN,   LINK,   IDLE_D, PLACE, Z},
+        /* y; to h          */ {TURN,   IDLE_C, IDLE_D, HALF,  Y},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* e, f             */ {SHUT,   IDLE_C, IDLE_D, HALF,  E},
+        /* squares, of h    */ {SHUT,   HEIGHT, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, CONST, NONE},
+        /* their sum        */ {SHUT,   IDLE_C, IDLE_D, HALF,  Q},
+        /* to G             */ {SHUT,   GAIN,   IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* G                */ {SHUT,   IDLE_C, IDLE_D, HALF,  G},
+        /* keep e, f        */ {SHUT,   IDLE_C, IDLE_D, HALF,  KEEP},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* S^2              */ {SHUT,   IDLE_C, IDLE_D, HALF,  DISC},
+        /* radicand         */ {SHUT,   IDLE_C, IDLE_D, HALF,  OPEN},
+        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FIND},
+        /* pairs            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FINE},
+        /* slope            */ {SHUT,   IDLE_C, IDLE_D, HALF,  ROOT},
+        /* root; divisor    */ {SHUT,   IDLE_C, TABLE,  HALF,  COPY},
+        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FIND},
+        /* S; pairs         */ {SHUT,   IDLE_C, IDLE_D, HALF,  S | FINE},
+        /* slope            */ {SHUT,   IDLE_C, IDLE_D, HALF,  DIVISOR},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* reciprocal; cos  */ {COSINE, IDLE_C, TABLE,  HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* its word, flags  */ {SHUT,   IDLE_C, IDLE_D, HALF,  RATE},
+        /* sin              */ {SINE,   IDLE_C, IDLE_D, HALF,  NUM},
+        /* cosine           */ {SHUT,   IDLE_C, DIVIDE, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  NUM | OUT_C},
+        /* sine             */ {SHUT,   IDLE_C, NEXT_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  OUT_N}};
+    wire [33:0] op;
     wire        idle;
-    schedule #(.LINES(19), .BITS(30), .TABLE(LEG)) control (
+    schedule #(.LINES(37), .BITS(34), .TABLE(LEG)) control (
         .clk(clk), .rst(rst), .in_start(in_start), .out_idle(idle), .out_op(op));
+    reg  [2:0]  tag2, tag3, tag4;
     engine_rus_path path (
         .clk(clk), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_op(op), .in_row(in_row), .in_words(in_words),
-        .in_cb(in_cb), .in_nb(in_nb), .out_word(out_word), .out_root(out_root), .out_far(out_far),
+        .in_cb(in_cb), .in_nb(in_nb), .in_dead(tag4[1]), .out_word(out_word), .out_root(out_root), .out_far(out_far),
         .out_none(out_none), .out_near(out_near), .out_over(out_over));
-    // the rows of the pose by the line that is played
-    assign out_x = op[24] && op[25];
-    assign out_z = op[0];
-    assign out_y = op[1];
-    assign out_again = op[2];
-    assign out_next = op[10];
-    assign out_cosine = op[19] && !op[18];
-    assign out_sine = op[14];
+    // which words of the leg are read: by the line that is played
+    assign out_x = op[27];
+    assign out_z = op[28];
+    assign out_y = op[29];
+    assign out_turn = op[0];
+    assign out_last = op[1];
+    assign out_flags = op[22];
+    assign out_cosine = op[17];
+    assign out_sine = op[18];
+    // the tag goes with its leg, in four registers that the next leg's follows through
+    always @(posedge clk) begin
+        if (op[4])
+            tag2 <= in_tag;
+        if (op[7])
+            tag3 <= tag2;
+        if (op[12])
+            tag4 <= tag3;
+        if (op[16])
+            out_tag <= tag4;
+    end
     wire   unused = &{1'b0, idle};
 endmodule
 `default_nettype wire

@@ -2,6 +2,9 @@
 // top module engine_rus_ik
 ../arith/schedule.v
 ../kernel/kernel_vector_slopes.v
+../engine/engine_rus_root.v
 ../engine/engine_rus_path.v
 ../engine/engine_rus_leg.v
+../engine/engine_rus_poses.v
+../engine/engine_rus_results.v
 ../engine/engine_rus_ik.v

@@ -9,42 +9,52 @@ from quadrance.truth import Floats, floats
 
 FINE = 16  # a length inside has 4 fraction bits below the LSB of 18 bits
 ROOT = 2.0**-16  # relative, of a root whose radicand is at least 2^-5 after normalising; next to 0 it is greater
-COORDINATE = 1 + np.sqrt(2)
-"""Of e and h in fine LSB: x and z within 1 each (two truncations of a quarter, rounding 1/2), turned, and 1 of its
-own."""
-HEIGHT = 2.0
-"""Of f: y within 1, and the link's share truncated."""
+TURNED, OWN, ALONG = np.sqrt(2) / 4, 0.75, 0.75
+"""Fine LSB. x and z are within a quarter each (two truncations of a quarter about their mean) and turned; e and h are
+truncated from quarters to fine LSB besides, from -1/2 to 3/4 with what is added; so is f, from -3/4 to 3/4."""
 
 
-def rus_vector(distance: ArrayLike, la: float) -> tuple[Floats, float]:
-    """(error of G, error of (e, f)) of `engine_rus_ik` in LSB of 18 bits; `distance` |d| and `la` in the same.
+def rus_joint() -> float:
+    """Error of (e, f, h) of `engine_rus_ik`, the ball joint as its leg sees it, in LSB of 18 bits."""
+    return float(np.hypot(TURNED + np.sqrt(2) * OWN, ALONG)) / FINE
 
-    G = (|d|^2 + LA^2 - LB^2) / 2 LA: d is within sqrt(2 COORDINATE^2 + HEIGHT^2) and weighs |d| / LA; the squares lose
-    up to 2^18 + 2^17 fine LSB^2 before the product with 1 / 2 LA and cfg_k half of 2^16, the product up to 1 and half a
-    unit of cfg_c, 2^-27 of 3 |d|^2 / 2 LA and more.
+
+def rus_gain(la: float, flat: ArrayLike) -> Floats:
+    """Error of G in LSB of 18 bits, (e, f, h) given; `la` the crank, `flat` sqrt(e^2 + f^2) >= |G| in the same.
+
+    In units of 2^16 fine LSB^2, before the product with 1 / 2 LA: two truncated sums of squares and 0 to 3 units that
+    are cut off, 5 in all with 3 of them made up for, and half a unit of cfg_k: 3.5. Behind it half a fine LSB about the
+    mean, and half a unit of cfg_c = 2^38 / LA.
     """
-    off = np.hypot(np.sqrt(2) * COORDINATE, HEIGHT)
-    distance = floats(distance)
-    lost = (2.0**18 + 2.0**17 + 2.0**15) / (2 * la * FINE)
-    gain = (distance**2 + 2.0**33) * FINE / (2 * la) * la * FINE / 2.0**43
-    return (distance / la * off + lost + gain + 1) / FINE, float(np.hypot(COORDINATE, HEIGHT)) / FINE
+    return (3.5 * 2.0**16 / (2 * la * FINE) + 0.5) / FINE + floats(flat) * la / 2.0**39
 
 
-def rus_angle(distance: ArrayLike, la: float, root: ArrayLike, flat: ArrayLike) -> Floats:
+def rus_angle(la: float, lb: float, root: ArrayLike, flat: ArrayLike) -> Floats:
     """Crank angle of `engine_rus_ik` in radians beyond the rounding of its inputs, legs in reach.
 
     Parameters
     ----------
-    distance, root, flat : arrays of |d|, S and sqrt(e^2 + f^2), LSB of 18 bits.
-    la : crank, in the same.
+    la, lb : crank and rod, LSB of 18 bits.
+    root, flat : arrays of S and sqrt(e^2 + f^2), in the same; S^2 above `rus_band`.
 
     Notes
     -----
-    e cos + f sin = G, so the angle moves by (dG - de cos - df sin) / S: the law 1/S of a leg that is nearly stretched.
-    Twice that, for S itself moves; the bound is for S of eight times the numerator and more. The root's own error,
-    ROOT S and a fine LSB, turns the answer by at most that over sqrt(e^2 + f^2); the word adds sqrt(1/2) 2^-16, and the
-    truncated numerators 2^-19.
+    e cos + f sin = G and LA dG = e de + f df + h dh, so S da = (rod . (de, df, dh)) / LA + dG with
+    rod = (e - LA cos, f - LA sin, h), of length LB: what errs is the joint along the rod, LB / LA times. That over S is
+    the law 1/S of a leg that is nearly stretched. On the way to the erring words S^2 falls by `rus_band` at most. The
+    root's own error, ROOT S and a fine LSB, turns the answer by at most that over flat; the word adds
+    sqrt(1/2) 2^-16, and the truncated numerators 2^-19.
     """
-    g, plane = rus_vector(distance, la)
     root, flat = floats(root), floats(flat)
-    return 2 * (g + plane) / root + (ROOT * root + 1 / FINE) / flat + np.sqrt(0.5) * 2.0**-16 + 2.0**-19
+    off = rus_joint() * lb / la + rus_gain(la, flat)
+    least = np.sqrt(np.maximum(root**2 - rus_band(la + lb, la, flat), 1e-9))
+    return off / least + (ROOT * root + 1 / FINE) / flat + np.sqrt(0.5) * 2.0**-16 + 2.0**-19
+
+
+def rus_band(distance: ArrayLike, la: float, flat: ArrayLike) -> Floats:
+    """Error of S^2 = flat^2 - G^2 in LSB^2; `distance` |d|, of a leg in reach LA + LB at most.
+
+    flat moves with the joint, G by |d| / LA times that and by its own error, and |G| <= flat where reach ends.
+    """
+    move = rus_joint() * (1 + floats(distance) / la) + rus_gain(la, flat)
+    return 2 * floats(flat) * move + move**2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from functools import cache
 
 import numpy as np
@@ -25,13 +26,15 @@ def _root(w: int) -> float:
     return float(max(error.max(), 1 - error.min())) / 2**k
 
 
-def tip(p: Params, l1: float, l2: float, square: ArrayLike) -> Floats:
+def tip(p: Params, *links: float, square: ArrayLike, cut: int | None = None) -> Floats:
     """Distance in LSB of the tip of the answered joints from the target, where out_error is `square`, not coarse.
 
-    Both squares are truncated by up to 1/256 LSB^2. Each axis of E lacks what two products lose, 1/64 LSB each, and
-    errs by a root for each link.
+    Both squares are truncated by up to 1/256 LSB^2. Each axis of E lacks what the products of `cut` links lose, 1/64
+    LSB each, and errs by a root for each link. All links are cut the same way, but in engine_quaternion_gd_plane every
+    other one: there `cut` is half of them, rounded up.
     """
-    return np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * (2 / 64 + _root(p["W"]) * (l1 + l2))
+    cut = len(links) if cut is None else cut
+    return np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * (cut / 64 + _root(p["W"]) * sum(links))
 
 
 def tip_vector(square: ArrayLike) -> Floats:
@@ -64,44 +67,48 @@ def tip_touch(p: Params, l1: float, l2: float, target: ArrayLike, square: ArrayL
     return np.sqrt(16 * (floats(square) + 3)) / 64 + np.sqrt(along**2 + across**2 + up**2)
 
 
-def drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
-    """Float64 joints (steps + 1, n) of the recursion, and how far the engine's can be from them, radians (steps + 1).
+def _each(p: Params, links: Sequence[float], word: int, unit: float) -> float:
+    """What each axis of E errs by, LSB: as in `tip`, a unit of the range, and a unit of alpha E."""
+    return len(links) / 64 + _root(p["W"]) * sum(links) + unit * (1 + 2 ** (p["W"] + 1) / word)
 
-    Of the planar arm, or of the Geomagic Touch where `target` has three coordinates.
+
+def drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
+    """Float64 joints (steps + 1, 2) of the recursion, and how far the engine's can be from them, radians (steps + 1).
+
     Beyond the float step, alpha (E + dE) x (link + dL): dE is what `tip` counts on each axis, a unit of the range's
     word where that is coarse, and a unit of alpha E; dL is a root and half an LSB; a step is cut by up to two units of
-    a joint word. An error d before a step is |1 - alpha H| d + M d^2 / 2 after it, H the Hessian of E^2 / 2 by
-    differences of the float step, M a bound of its third derivatives. The start of the range is not known: coarse.
+    a joint word.
     """
     l1, l2 = cfg["cfg_l1"], cfg["cfg_l2"]
-    reach, alpha = l1 + l2, fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"])
-    goal, space = floats(target), len(target) == 3
-    arm = (gradient.touch if space else gradient.planar)(l1, l2)
-    yaw = np.abs(goal[[0, 2]]).sum() if space else 0.0
-    links, parts = ((reach, l1, l2), (2, 1, 1)) if space else ((reach, l2), (2, 1))
-    share, root = cfg["cfg_alpha"] / 2 ** (p["W"] + 1), _root(p["W"])
-    path = gradient.path(arm, floats(start) * TURN / 2 ** p["A"], goal, alpha, steps)
-    off = np.zeros(steps + 1)
-    for h, theta in enumerate(path[:-1]):
-        error = gradient.step(arm, theta, goal, alpha)[1]
-        # the finer range is sure where the pass before it was, by this bound, in the finer range or below its border
-        size = np.linalg.norm(error) + 2 * reach * off[h]
-        unit = 1 / 64 if h and size < 2 ** (p["W"] - 7) else 1 / 4
-        each = (4 if space else 2) / 64 + root * (reach + yaw) + unit * (1 + 1 / share)
-        size = np.abs(error).sum() * (np.sqrt(2) if space else 1)  # its axes are turned by the yaw
-        made = [alpha * (2 * each * length + size * (n / 2 + root * length)) + 2 * n * TURN / 2 ** p["A"]
-                for length, n in zip(links, parts)]
-        small = 1e-6
-        turn = np.stack([(gradient.step(arm, theta + small * way, goal, alpha)[0]
-                          - gradient.step(arm, theta - small * way, goal, alpha)[0]) / (2 * small)
-                         for way in np.eye(theta.size)], axis=-1)
-        third = alpha * 2 * np.sqrt(2) * reach * (3 * reach + np.linalg.norm(error))
-        off[h + 1] = np.linalg.norm(np.eye(theta.size) + turn, ord=2) * off[h] + third * off[h] ** 2 / 2 \
-            + np.linalg.norm(made)
-    return path, off
+    alpha, root = fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"]), _root(p["W"])
+
+    def made(error: Floats, unit: float) -> Floats:
+        each = _each(p, (l1, l2), cfg["cfg_alpha"], unit)
+        return floats([alpha * (2 * each * length + np.abs(error).sum() * (n / 2 + root * length))
+                       + 2 * n * TURN / 2 ** p["A"] for length, n in ((l1 + l2, 2), (l2, 1))])
+
+    return _drift(p, gradient.planar(l1, l2), l1 + l2, alpha, floats(start), floats(target), steps, made)
 
 
-def drift_vector(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
+def touch_drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
+    """As `drift`, of the Geomagic Touch: dE is that of `tip_touch` with the unit of its range and of alpha E.
+
+    Its axes are turned by the yaw. Joint 1 takes both links, the others one each, of two axes of E.
+    """
+    l1, l2, goal = cfg["cfg_l1"], cfg["cfg_l2"], floats(target)
+    alpha, root = fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"]), _root(p["W"])
+    yaw = np.abs(goal[[0, 2]]).sum()
+
+    def made(error: Floats, unit: float) -> Floats:
+        each = 2 / 64 + root * yaw + _each(p, (l1, l2), cfg["cfg_alpha"], unit)
+        size = np.sqrt(2) * np.linalg.norm(error)
+        return floats([alpha * (2 * each * length + size * (n / 2 + root * length)) + 2 * n * TURN / 2 ** p["A"]
+                       for length, n in ((l1 + l2, 2), (l1, 1), (l2, 1))])
+
+    return _drift(p, gradient.touch(l1, l2), l1 + l2, alpha, floats(start), goal, steps, made)
+
+
+def vector_drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
     """As `drift`, of the engine of unit vectors: directions (steps + 1, 2, 2), and their distance as vectors of four.
 
     dE has no root; its words lose half a unit of 2^-W a coordinate, and so has the link. A step d is cut by a unit of
@@ -134,4 +141,57 @@ def drift_vector(p: Params, start: Ints, target: Ints, cfg: dict[str, int], step
         bend = 2 * max(np.linalg.norm(matrix(links + 1e-3 * way) - here, ord=2) / 1e-3 for way in np.eye(4))
         grown = np.linalg.norm(here, ord=2) * off[h] + bend * off[h] ** 2
         off[h + 1] = grown + np.linalg.norm(made) + 2 * (word * np.sqrt(2) + 4 * word / 16)
+    return path, off
+
+
+def plane_step(p: Params, links: Sequence[float], cfg: dict[str, int], error: Floats, unit: float) -> Floats:
+    """How far the step of each joint of engine_quaternion_gd_plane can be from alpha E J, radians; |E| is `error`, LSB.
+
+    Joint i moves by (target - links before it) x (alpha E + d), which is the float step where both are exact, since
+    E x alpha E is 0. Each axis of d is alpha times `_each`; the lever is that of the links from i on, and E long at
+    most; it errs by half an LSB for the target and for every link before it, and by their roots. The product of the
+    target and those of the links lose a unit of 2^-(2 cfg_shift, and 4 where the unit is fine) each way. The step loses
+    half a unit of a joint word; where the unit is not fine a whole one, less the 8 that are there for the fine one.
+    """
+    alpha, longest = fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"]), np.linalg.norm(error)
+    count, links = np.arange(1, len(links) + 1), floats(links)
+    behind = links[::-1].cumsum()[::-1]
+    off = alpha * _each(p, links, cfg["cfg_alpha"], unit)
+    lever = count / 2 + _root(p["W"]) * (links.sum() - behind)
+    fine = unit < 1 / 4
+    cut = (0.5 if fine else 8) + 2 * count / 4.0 ** (cfg["cfg_shift"] + 2 * fine)
+    return np.sqrt(2) * (behind + longest) * off + lever * (np.sqrt(2) * alpha * longest + 2 * off) \
+        + cut * TURN / 2 ** p["A"]
+
+
+def plane_drift(p: Params, links: Sequence[float], start: Ints, target: Ints, cfg: dict[str, int],
+                steps: int) -> tuple[Floats, Floats]:
+    """As `drift`, of engine_quaternion_gd_plane: float64 joints (steps + 1, n), radians (steps + 1)."""
+    alpha = fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"])
+    return _drift(p, gradient.planar(*links), sum(links), alpha, floats(start), floats(target), steps,
+                  lambda error, unit: plane_step(p, links, cfg, error, unit))
+
+
+def _drift(p: Params, arm: gradient.Kinematics, reach: float, alpha: float, start: Floats, goal: Floats, steps: int,
+           made: Callable[[Floats, float], Floats]) -> tuple[Floats, Floats]:
+    """The float64 recursion, and how far joints can be that err by made(E, unit of its range) in every step.
+
+    An error d before a step is |1 - alpha H| d + M d^2 / 2 after it, H the Hessian of E^2 / 2 by differences of the
+    float step, M a bound of its third derivatives. The start of the range is not known: coarse.
+    """
+    n = start.size
+    path = gradient.path(arm, start * TURN / 2 ** p["A"], goal, alpha, steps)
+    off = np.zeros(steps + 1)
+    for h, theta in enumerate(path[:-1]):
+        error = gradient.step(arm, theta, goal, alpha)[1]
+        # the finer range is sure where the pass before it was, by this bound, in the finer range or below its border
+        size = np.linalg.norm(error) + n * reach * off[h]
+        unit = 1 / 64 if h and size < 2 ** (p["W"] - 7) else 1 / 4
+        small = 1e-6
+        turn = np.stack([(gradient.step(arm, theta + small * way, goal, alpha)[0]
+                          - gradient.step(arm, theta - small * way, goal, alpha)[0]) / (2 * small)
+                         for way in np.eye(n)], axis=-1)
+        third = alpha * n ** 1.5 * reach * (3 * reach + np.linalg.norm(error))
+        off[h + 1] = np.linalg.norm(np.eye(n) + turn, ord=2) * off[h] + third * off[h] ** 2 / 2 \
+            + np.linalg.norm(made(error, unit))
     return path, off

@@ -18,6 +18,7 @@ from quadrance import arms
 from quadrance.cli import axis, catalogue, check, tables, verilog, words
 from quadrance.cli.catalogue import Refused
 from quadrance.cli.tables import Column
+from quadrance.iterative import track
 
 
 class Parser(argparse.ArgumentParser):
@@ -47,6 +48,12 @@ def _params(pairs: Sequence[str] | None) -> dict[str, int]:
 def _json(value: object) -> None:
     print(json.dumps(value, indent=1))
 
+
+PLANT = """\
+A circle of 35 mm at pi/4 rad/s, a target every millisecond; root mean squares over a turn.
+Lag: the tip asked for behind the target that its words give. Words: their rounding. Servo: the tip reached behind the
+one asked for, by the paper's PID. The paper moves a real Geomagic Touch; here the plant is a model: 45 g at the end of
+every link, friction of 0.26 N at the circle's speed, gravity compensated, torque without limit."""
 
 # Commands
 
@@ -233,6 +240,26 @@ def _arms(args: argparse.Namespace) -> None:
                             f"{one['mm_per_unit']:g}", f"{one['lsb_mm'] * 1000:.4g}") for one in found], out.width))
 
 
+def _track(args: argparse.Namespace) -> None:
+    known = track.followers()
+    chosen = [known[catalogue.choose("solver", name, known)] for name in args.solver or known]
+    counts = [words.number(text) for text in args.iterations] if args.iterations else track.COUNTS
+    if not all(1 <= count <= track.MOST for count in counts):
+        raise Refused(f"--iterations: a sample has 1 to {track.MOST}")
+    rows = [row for one in chosen for row in track.summary(one, counts)]
+    if args.json:
+        return _json(rows)
+    columns = [Column("solver", True), Column("iterations"), Column("lag um"), Column("golden um"),
+               Column("words um", rank=3), Column("servo um", rank=2), Column("tip um", rank=1),
+               Column("clocks", rank=4), Column("us at 50 MHz", rank=5)]
+    lines = [(row["solver"], row["iterations"], *(_figure(row[key]) for key in (
+        "lag_um", "golden_um", "words_um", "servo_um", "tip_um", "clocks")),
+              _figure(row["clocks"] and row["clocks"] / 50)) for row in rows]
+    out = tables.console()
+    out.print(tables.grid(columns, lines, out.width))
+    out.print(PLANT)
+
+
 def parser() -> Parser:
     """The command line."""
     top = Parser(prog="quadrance", description="Cores for the kinematics of robot arms, in Verilog.")
@@ -277,6 +304,9 @@ def parser() -> Parser:
         sub.add_argument("--counts", help="counts of an encoder in a full turn of the joint")
         sub.add_argument("--arm", help="whose mm_per_unit scales coordinates")
         sub.add_argument("--mm-per-unit", type=float, help="millimetres in a coordinate unit")
+    sub = command("track", _track, "a circle at 1 kHz through the iterative solvers and a servo: what lags by how much")
+    sub.add_argument("solver", metavar="SOLVER", nargs="*", help="touch and planar (float64), or an engine; all")
+    sub.add_argument("--iterations", metavar="N", nargs="+", help="iterations a sample: 1 2 5 30")
     command("check", _check, "is this arm file right, and which scale").add_argument("arm", metavar="ARM")
     command("arms", _arms, "the arms that come with the library")
     return top

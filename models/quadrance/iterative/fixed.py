@@ -16,23 +16,20 @@ GUARD = 4  # bits of a unit vector inside beyond those of its port
 TURN = 2 * np.pi
 
 
-def _words(p: Params, longest: int, gain: float, unit: float) -> dict[str, int]:
-    """cfg_alpha and cfg_shift for gain / longest^2; `unit` is the alpha of the words 1 and 0, in 1 / LSB^2."""
-    if longest <= 0 or gain <= 0:
-        raise ValueError("a step needs a link and a gain above 0")
-    for shift in (1, 0):
-        word = round(gain / longest**2 * 2.0 ** (2 * shift) / unit)
-        if word < 1 << p["W"] + 1:
-            return {"cfg_alpha": word, "cfg_shift": shift}
-    raise ValueError(f"links of at most {longest} LSB at a gain of {gain:g}: take a finer unit of length")
-
-
 def _unit(p: Params) -> float:
+    """The alpha of cfg_alpha = 1 and cfg_shift = 0, in 1 / LSB^2."""
     return TURN / 2.0 ** (3 * p["W"] - 2)
 
 
 def _unit_vector(p: Params) -> float:
     return 2.0 ** (6 - 3 * p["W"])
+
+
+def _alpha_of(cfg_l1: int, cfg_l2: int, gain: float) -> float:
+    longest = max(cfg_l1, cfg_l2)
+    if longest <= 0 or gain <= 0:
+        raise ValueError("a step needs a link and a gain above 0")
+    return gain / longest**2
 
 
 def config(p: Params, *, cfg_l1: int, cfg_l2: int, gain: float = 1.0) -> dict[str, int]:
@@ -41,12 +38,25 @@ def config(p: Params, *, cfg_l1: int, cfg_l2: int, gain: float = 1.0) -> dict[st
     Stable in reach below a gain of 2 / (1 + (1 + L2 / L1)^2) at full stretch with L1 >= L2: 0.4 with equal links.
     Raises ValueError where the arm is too short for its word: its longer link is to be 2^(W-3) LSB at gain 0.78.
     """
-    return _words(p, max(cfg_l1, cfg_l2), gain, _unit(p))
+    return step_words(p, _alpha_of(cfg_l1, cfg_l2, gain), shifts=2)
 
 
 def config_vector(p: Params, *, cfg_l1: int, cfg_l2: int, gain: float = 1.0) -> dict[str, int]:
     """As `config`, for the engine of unit vectors, whose steps are in radians."""
-    return _words(p, max(cfg_l1, cfg_l2), gain, _unit_vector(p))
+    return step_words(p, _alpha_of(cfg_l1, cfg_l2, gain), shifts=2, unit=_unit_vector(p))
+
+
+def step_words(p: Params, alpha: float, shifts: int, unit: float | None = None) -> dict[str, int]:
+    """cfg_alpha and cfg_shift of `alpha` in 1 / LSB^2, with the greatest of so many shifts that fits.
+
+    `unit`: the alpha of the words 1 and 0. Raises ValueError where none fits, or less than one unit is left.
+    """
+    for shift in range(shifts)[::-1]:
+        word = round(alpha * 4.0**shift / (_unit(p) if unit is None else unit))
+        if 0 < word < 1 << p["W"] + 1:
+            return {"cfg_alpha": word, "cfg_shift": shift}
+    raise ValueError(f"no word for a step of {alpha:g} / LSB^2: take a finer unit of length where it is too long, "
+                     "a coarser one where it is too short")
 
 
 def alpha(p: Params, cfg_alpha: int, cfg_shift: int) -> float:

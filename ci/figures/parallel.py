@@ -1,52 +1,25 @@
-"""`make figures`: the pictures of the reconfigurable robot's paper from our models, and its claims beside ours.
-
-Writes reports/figures and the claims table in models/quadrance/parallel/README.md.
-"""
+"""The reconfigurable robot's paper: its figures 7 to 10 from our models, and its claims beside ours."""
 
 from __future__ import annotations
 
-import io
-import re
-
-import matplotlib
 import numpy as np
-from PIL import Image
 from quadrance.cores import ROOT
 from quadrance.parallel import geometry, position, reconfiguration, singularity
 
-matplotlib.use("Agg")
+from ci.figures import FOLDER, drawn, fill, pyplot, shrunk, table, write
 
-from matplotlib import pyplot  # noqa: E402
-
-FOLDER = ROOT / "reports" / "figures"
 PAGE = ROOT / "models" / "quadrance" / "parallel" / "README.md"
 POSE = np.array([[.9623, -.1306, -.2388], [.0842, .9771, -.1952], [.2588, .1677, .9513]])
 PLACE = np.array([0.0, -350.0, 0.0])
 TILT = geometry.rotation(("z", 5), ("y", 10), ("x", 10))
 COLOURS = {"rotation": "tab:red", "translation": "tab:blue"}
 FRAMES = 51
-BLOCK = re.compile(r"(<!-- claims -->\n)(.*?)(<!-- /claims -->)", re.S)
 
 
 def spiral(count: int = 101) -> np.ndarray:
     """The paper's places; its rotation is `TILT`."""
     s = np.linspace(0, 1, count)
     return np.stack([25 * np.cos(2 * np.pi * s), -250 - 100 * s, 25 * np.sin(2 * np.pi * s)], axis=-1)
-
-
-def _shrunk(image: Image.Image, colours: int = 48) -> Image.Image:
-    return image.convert("RGB").quantize(colours, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
-
-
-def _image(figure: pyplot.Figure, dpi: int) -> Image.Image:
-    stream = io.BytesIO()
-    figure.savefig(stream, dpi=dpi, metadata={"Software": None})
-    pyplot.close(figure)
-    return Image.open(stream)
-
-
-def _write(figure: pyplot.Figure, name: str, dpi: int = 90) -> None:
-    _shrunk(_image(figure, dpi)).save(FOLDER / name, optimize=True)
 
 
 def figure_7(robot: geometry.Robot) -> pyplot.Figure:
@@ -146,7 +119,7 @@ def animation(robot: geometry.Robot) -> None:
         axis = figure.add_axes((-0.15, -0.15, 1.3, 1.2), projection="3d")
         _robot(axis, robot, TILT, at, float(link))
         figure.text(0.03, 0.93, f"β = {np.degrees(link):6.2f}°", fontsize=9)
-        frames.append(_shrunk(_image(figure, 80), 24))
+        frames.append(shrunk(drawn(figure, 80), 24))
     frames[0].save(FOLDER / "spiral.gif", save_all=True, append_images=frames[1:] + frames[-2:0:-1], duration=80,
                    loop=0, optimize=True)
 
@@ -167,23 +140,16 @@ def claims(robot: geometry.Robot, best: dict) -> str:
              ("cond of J_x at β = -11°, lengths / 100 mm", "not looked at", f"{cond[48]:.0f}"),
              (f"its greatest value over β, at {int(np.argmax(cond)) - 59}°", "not looked at", f"{cond.max():.0f}"),
              ("its value at β = +90°", "not looked at", f"{cond[-1]:.0f}")]
-    return "\n".join(["| | paper | ours |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows)]) + "\n"
+    return table(rows)
 
 
 def main() -> None:
     """Draw all and fill the page."""
-    FOLDER.mkdir(parents=True, exist_ok=True)
     robot = geometry.load("rus_2x3")
-    _write(figure_7(robot), "figure_7.png")
-    _write(figure_8(robot), "figure_8.png", 110)
+    write(figure_7(robot), "figure_7.png")
+    write(figure_8(robot), "figure_8.png", 110)
     nine, ten, best = figures_9_10(robot)
-    _write(nine, "figure_9.png")
-    _write(ten, "figure_10.png")
+    write(nine, "figure_9.png")
+    write(ten, "figure_10.png")
     animation(robot)
-    page = PAGE.read_text(encoding="utf-8")
-    PAGE.write_text(BLOCK.sub(lambda match: match[1] + claims(robot, best) + match[3], page), encoding="utf-8")
-    print("\n".join(f"{path.relative_to(ROOT)} {path.stat().st_size // 1024} KiB" for path in sorted(FOLDER.iterdir())))
-
-
-if __name__ == "__main__":
-    main()
+    fill(PAGE, "claims", claims(robot, best))

@@ -1,0 +1,72 @@
+"""How long an engine takes to its answer: the grid of starts on which the report measures it.
+
+A new engine enters `ENTRIES`; the report's table of engines takes it from there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from quadrance import truth
+from quadrance.cores import Core
+from quadrance.fixed import Ints
+from quadrance.iterative import engines, plane
+
+STEP = 4  # degrees between the starts of joints 1 and 2, as of the 8100 starts of the Newton paper's arm
+LIMIT = 1000  # iterations
+ANSWER = 256  # square of the tolerance in 1/256 LSB^2: one LSB
+
+
+@dataclass(frozen=True)
+class Entry:
+    """An engine in the report.
+
+    task : what it solves, to which tolerance. samples : input words of the whole grid and configuration words, for the
+    bit-true model and the Verilog. clocks : of an iteration. closed : cores that answer the same in one pass.
+    solves : which of the samples solve, where others load or read; all by default.
+    """
+
+    task: str
+    samples: Callable[[Core], tuple[dict[str, Ints], dict[str, int]]]
+    clocks: int
+    closed: tuple[str, ...]
+    solves: Callable[[dict[str, Ints]], Ints] = lambda inputs: np.arange(next(iter(inputs.values())).size)
+
+
+def grid(count: int, step: int = STEP) -> truth.Floats:
+    """Starts of `count` joints, radians, (starts, count): joints 1 and 2 all round in steps of degrees, others at 0."""
+    axis = np.radians(np.arange(0, 360, step))
+    one, two = np.meshgrid(axis, axis, indexing="ij")
+    return np.stack([one.ravel(), two.ravel(), *[np.zeros(one.size)] * (count - 2)], axis=-1)
+
+
+def by_example(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
+    """An engine of `engines.EXAMPLES` with its paper's target; a link is an eighth of its word, as the errors need."""
+    example, a = engines.EXAMPLES[core.name], core.params["A"]
+    lsb, target = example.lsb(core, 3), np.asarray(example.target)
+    start = truth.angle_to_binary_word(grid(target.size), a) & (1 << a) - 1
+    goal = np.broadcast_to(example.goals(target, lsb), start.shape[:1] + target.shape)
+    return engines.inputs(core, goal, start), example.config(core, lsb) | {"cfg_tol": ANSWER, "cfg_limit": LIMIT}
+
+
+def by_plane(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
+    """engine_quaternion_gd_plane with two links and the example of engine_quaternion_gd; a fourth of the starts."""
+    example, a = engines.EXAMPLES["engine_quaternion_gd"], core.params["A"]
+    lsb = example.lsb(core, 3)
+    loads = plane.loads(core.params, [round(length / lsb) for length in example.lengths], [0, 0])
+    goal = plane.solve(2, *example.goals(example.target, lsb))[0]
+    starts = truth.angle_to_binary_word(grid(2, 2 * STEP), a) & (1 << a) - 1
+    rows = loads + [row for start in starts for row in (*plane.sets(start), goal)]
+    return {port.name: np.array([row[port.name] for row in rows]) for port in core.inputs}, \
+        plane.config(core.params, example.alpha * lsb**2) | {"cfg_tol": ANSWER, "cfg_limit": LIMIT}
+
+
+TWO = ("vector_ik2", "table_ik2")
+ENTRIES = {
+    "engine_quaternion_gd": Entry("2 joints in the plane, to 1 LSB (12 um)", by_example,
+                                  engines.EXAMPLES["engine_quaternion_gd"].clocks, TWO),
+    "engine_quaternion_gd_plane": Entry("n joints in the plane, 2 of them, to 1 LSB (12 um)", by_plane, 12, TWO,
+                                        lambda inputs: np.flatnonzero(inputs["in_op"] == plane.SOLVE))}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joints and lengths of a chain in the plane, in memory blocks, and the chords of the angles of its links: the sum of
+// the joints from the base on. Number 0 is a joint that stays 0.
+// in_take: in_j is taken, and goes to joint in_link where in_set follows, in_length to its length where in_load does.
+// in_read: joint out_j and its length; behind it in_step: the joint moves by in_move; behind it in_next: it is stored,
+// and read into out_chord, in the next clock, is the sine's chord; then the cosine's.
+// Formats: angles of A bits; lengths of W bits; chords of angle_chord. Latency: one clock each.
+`default_nettype none
+module engine_gd_joints #(
+    parameter W = 16,  // bits of a length, 14 to 20
+    parameter A = 24,  // bits of a joint word, 16 to 24
+    parameter K = 17,  // fraction bits of a root: W + 1
+    parameter T = 10,  // address bits of its table: a step has K - T + 4 bits
+    parameter I = 6    // bits of a number of a link, 6 to 8
+) (
+    input  wire              clk,
+    input  wire              in_take,
+    input  wire [A-1:0]      in_j,
+    input  wire [I-1:0]      in_link,
+    input  wire [W-1:0]      in_length,
+    input  wire              in_load,
+    input  wire              in_set,
+    input  wire              in_read,
+    input  wire              in_step,
+    input  wire              in_next,
+    input  wire              in_place,    // the length is kept
+    input  wire              in_base,     // the angle is that of the base, 0
+    input  wire [A-1:0]      in_move,
+    output reg  [A-1:0]      out_j,
+    output reg  [W-1:0]      out_length,  // the length that is kept
+    output wire [2*K-T+19:0] out_chord
+);
+    reg  [A-1:0] joints[0:(1<<I)-1];
+    reg  [W-1:0] lengths[0:(1<<I)-1];
+    integer      i;
+    initial
+        for (i = 0; i < 1 << I; i = i + 1)
+            joints[i] = {A{1'b0}};
+
+    reg  [W-1:0] length;
+    reg  [A-1:0] moved, turn;           // the joint, 0 but in the clock behind in_step; the angle of the link
+    wire [A-1:0] angle = turn + moved;
+    angle_chord #(.A(A), .K(K), .T(T)) codec (.clk(clk), .in_read(1'b1), .in_keep(1'b0), .in_cos(!in_next),
+        .in_j(angle), .out_chord(out_chord));
+    always @(posedge clk) begin
+        if (in_read) begin
+            out_j  <= joints[in_link];
+            length <= lengths[in_link];
+        end
+        if (in_next || in_set)
+            joints[in_link] <= moved;
+        if (in_load)
+            lengths[in_link] <= in_length;
+        if (in_place)
+            out_length <= length;
+        moved <= in_take ? in_j : out_j + in_move;
+        if (!in_take && !in_step)
+            moved <= {A{1'b0}};
+        turn <= in_base ? {A{1'b0}} : angle;
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two multipliers of engine_quaternion_gd_plane: from the chords of all links to the tip's error E, its square, and the
+// step of every joint. With link k as the vector (xk, yk) and (ax, ay) = alpha E, joint i moves by
+//   (target - links before i) x alpha E = target x alpha E - sum over k < i of (xk ay - yk ax)
+// The tip is the target less E, and E x alpha E is 0: so the target stands in the tip's place.
+// Formats: links, target in 1/2 LSB; E in 1/64 LSB; in_fine: its W + 2 lower bits, saturated at 2^(W-5) LSB, else 1/4
+// LSB, saturated at 2^(W-1) LSB; squares in 1/256 LSB^2, not fine in LSB^2. All truncated.
+// Operands are in registers, so a product is there in the clock after the line that names its factors.
+// Model: iterative.plane
+`default_nettype none
+module engine_gd_plane_path #(
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20
+    parameter A = 24,  // bits of a joint word, 16 to 24
+    parameter N = 8,   // most links, 1 to 128: E has room for all of them at full length
+    parameter K = 17,  // fraction bits of a root: W + 1
+    parameter T = 10,  // address bits of its table: a step has K - T + 4 bits
+    parameter I = 6    // bits of a number of a link
+) (
+    input  wire                clk,
+    input  wire [W:0]          cfg_alpha,
+    input  wire [1:0]          in_shift,    // steps are divided by 4 to this power
+    input  wire                in_fine,     // the range of E
+    input  wire                in_still,    // steps are 0
+    input  wire                in_clear,    // a sample begins
+    input  wire [8:0]          in_op,       // columns of the tables in engine_quaternion_gd_plane.v
+    input  wire                in_first,    // E begins with the target
+    input  wire                in_read,     // link in_link + 1 of the pass before
+    input  wire [I-1:0]        in_link,
+    input  wire                in_store,    // the link is complete
+    input  wire                in_begin,    // the next to store is link 1
+    input  wire [2*K-T+19:0]   in_chord,
+    input  wire [W-1:0]        in_length,
+    input  wire [W-1:0]        in_x,
+    input  wire [W-1:0]        in_y,
+    output wire                out_fits,    // E, one coordinate, in the fine range
+    output wire [A-1:0]        out_move,
+    output reg  [2*W-1:0]      out_square
+);
+    localparam MORE = N < 5 ? 1 : $clog2(N) - 1;              // bits of an error beyond those of two links
+    localparam N_E = W + 9 + MORE, O = W + 2, S = A + 6;      // of an error, of an operand, of a lever times alpha E
+    localparam CUT = 2 * W - A;                               // bits of a product below a step
+
+    wire [1:0] a_op, b_op;
+    wire       clear, add, tip, plus, minus;
+    assign {a_op, b_op, clear, add, tip, plus, minus} = in_op;
+
+    // products
+    reg  signed [O-1:0]   al, ar, bl, br;
+    wire signed [2*O-1:0] a = al * ar, b = bl * br;
+
+    // chord to root
+    wire [K:0]     knot;
+    wire [K-T+3:0] rise;
+    wire [14:0]    offset;
+    assign {knot, rise, offset} = in_chord;
+    reg  [K:0]     start;
+    wire [O-1:0]   root = start + a[15+:O];
+
+    // links of the pass before
+    reg [2*O-1:0] links[0:(1<<I)-1];
+    reg [2*O-1:0] link;
+    reg [I-1:0]   to;
+    reg [O-1:0]   y;
+
+    // error: every other link loses a unit more, so that truncation costs nothing on average
+    reg  signed [N_E-1:0] e, other;
+    wire [W-1:0]          goal = in_store ? in_x : in_y;
+    wire [N_E-1:0]        from = in_first ? {{(N_E-W-6){goal[W-1]}}, goal, 6'd0} : other;
+    wire                  beyond = e[N_E-1:W+5] != {(N_E-W-5){e[N_E-1]}};
+    assign                out_fits = e[N_E-1:W+1] == {(N_E-W-1){e[N_E-1]}};
+    wire                  over = in_fine ? !out_fits : beyond;
+    wire [O-1:0]          f = over ? {e[N_E-1], {(O-1){!e[N_E-1]}}} : in_fine ? e[W+1:0] : e[W+5:4];
+    reg  [O-1:0]          ax, ay;
+
+    // step
+    reg  signed [S-1:0] lever;
+    reg  [A+3:0]        exact;
+    wire [S-1:0]        left = {{(S-2*O+CUT){a[2*O-1]}}, a[2*O-1:CUT]}, right = {{(S-2*O+CUT){b[2*O-1]}}, b[2*O-1:CUT]};
+    always @* case (in_shift)
+        2'd0: exact = lever[A+3:0];
+        2'd1: exact = lever[A+5:2];
+        2'd2: exact = {{2{lever[A+5]}}, lever[A+5:4]};
+        default: exact = {{4{lever[A+5]}}, lever[A+5:6]};
+    endcase
+    assign out_move = in_fine ? exact[A+3:4] : exact[A-1:0];
+
+    wire unused = &{1'b0, a[14:0], b[3:0]};
+    always @(posedge clk) begin
+        start <= knot;
+        case (a_op)
+            2'b00: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
+            2'b01: al <= link[O-1:0];
+            2'b10: al <= {1'b0, cfg_alpha};
+            default: al <= ~{in_y[W-1], in_y, 1'b0};
+        endcase
+        case (a_op)
+            2'b00: ar <= {{(O-15){1'b0}}, offset};
+            2'b01: ar <= ax;
+            2'b10: ar <= f;
+            default: ar <= a[W+1+:O];
+        endcase
+        case (b_op)
+            2'b00: bl <= root;
+            2'b01: bl <= link[2*O-1:O];
+            2'b10: bl <= f;
+            default: bl <= ~{in_x[W-1], in_x, 1'b0};
+        endcase
+        case (b_op)
+            2'b00: br <= {2'd0, in_length};
+            2'b01: br <= ay;
+            2'b10: br <= f;
+            default: br <= a[W+1+:O];
+        endcase
+        if (a_op == 2'b11)
+            ax <= a[W+1+:O];
+        if (b_op == 2'b11)
+            ay <= a[W+1+:O];
+
+        if (tip) begin
+            e     <= from + ~{{MORE{b[2*O-1]}}, b[2*O-1:W-5]} + {{(N_E-1){1'b0}}, !to[0]};
+            other <= e;
+        end
+        y <= b[W+:O];
+        if (in_store)
+            links[to] <= {b[W+:O], y};
+        if (in_read)
+            link <= links[in_link];
+        to <= in_begin ? {I{1'b0}} : to + {{(I-1){1'b0}}, in_store};
+
+        if (clear || in_clear)
+            out_square <= {2*W{1'b0}};
+        else if (add)
+            out_square <= out_square + {1'b0, b[4+:2*W-1]};
+        if (clear || in_still)
+            lever <= {{(S-10){1'b0}}, in_shift == 2'd3, 1'b0, in_shift == 2'd2, 1'b0, in_shift == 2'd1, 1'b0,
+                      in_shift == 2'd0, 3'd0};  // half of a step's unit in the fine range
+        else if (plus || minus)
+            lever <= lever + (plus ? left : ~right) + {{(S-1){1'b0}}, !plus};
+    end
+endmodule
+`default_nettype wire

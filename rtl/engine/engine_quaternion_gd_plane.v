@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of any number of joints in the plane by quaternion gradient descent: theta <- theta + alpha E J.
+// in_op: 0 solve for (in_x, in_y) with links 1 to in_n, from the joints as they are; 1 load link in_n: length in_x,
+// joint in_j; 2 set joint in_n to in_j; 3 read it. Links are loaded from 1 on; a reset forgets them.
+// Formats: angles of A bits, each relative to the link before it; coordinates sQ(W-F).F, lengths uQ(W-F).F; cfg_alpha,
+// cfg_shift by iterative.plane.config; cfg_tol, out_error in 1/256 LSB^2, with out_coarse in LSB^2; out_j: joint in_n,
+// of a solution joint 1. Error: a converged tip is within sqrt(out_error + 2) / 16 + sqrt(2) n / 64 + 3.0 sum / 2^(W+1)
+// LSB, n links of that sum. Latency 3; of a solution 4 + (3 in_n + 6) a pass, II the same. Passes: out_iters + 1, and
+// those that only change the range.
+// Status: unreachable (in_n is 0 or no link that is loaded: nothing is done, out_j is 0), not converged (the limit).
+// Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.plane.gd
+`default_nettype none
+module engine_quaternion_gd_plane #(
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
+    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
+    parameter A = 24,  // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
+    parameter N = 8    // most links, 1 to 128: 8, a redundant arm; up to 63 cost nothing but a bit of the error
+) (
+    input  wire           clk,
+    input  wire           rst,
+    input  wire [W:0]     cfg_alpha,
+    input  wire [1:0]     cfg_shift,
+    input  wire [21:0]    cfg_tol,
+    input  wire [9:0]     cfg_limit,
+    input  wire           in_valid,
+    output wire           in_ready,
+    input  wire [1:0]     in_op,
+    input  wire [7:0]     in_n,
+    input  wire [W-1:0]   in_x,
+    input  wire [W-1:0]   in_y,
+    input  wire [A-1:0]   in_j,
+    output reg            out_valid,
+    input  wire           out_ready,
+    output wire [A-1:0]   out_j,
+    output wire [9:0]     out_iters,
+    output wire [2*W-1:0] out_error,
+    output wire           out_coarse,
+    output wire [3:0]     out_status
+);
+    generate
+        if (W < 14 || W > 20 || F < 0 || F >= W || A < 16 || A > 24 || N < 1 || N > 128) begin : g_illegal
+            engine_quaternion_gd_plane_needs_W_from_14_to_20_and_F_below_W_and_A_from_16_to_24_and_N_to_128 rule ();
+        end
+    endgenerate
+
+    // Schedule. start: joint n goal
+    // A link begins every three clocks, up to three are played at a time: the joint of one moves by what those before
+    // it have left of the lever. Behind the last one the error becomes alpha E, and link 1 of the next pass begins.
+    localparam [1:0]            // operands of multiplier A
+        CHORD  = 2'b00,         // left right <- -: a chord
+        LEFT   = 2'b01,         // left right <- -: y of the link of the pass before, alpha Ex
+        GAIN   = 2'b10,         // left right <- -: alpha and an error
+        AIM_A  = 2'b11;         // left right <- -: y of the target, alpha Ex
+    localparam [1:0]            // operands of multiplier B
+        ROOT   = 2'b00,         // left2 right2 <- -: a root and the length
+        RIGHT  = 2'b01,         // left2 right2 <- -: x of the link of the pass before, alpha Ey
+        SQUARE = 2'b10,         // left2 right2 <- -: an error, twice
+        AIM_B  = 2'b11;         // left2 right2 <- -: x of the target, alpha Ey
+    localparam [4:0]            // sums behind them
+        NONE   = 5'b00000,      // - <- -: nothing
+        LESS   = 5'b00001,      // lever <- -: less a product of B
+        MORE   = 5'b00010,      // lever <- -: and a product of A: what the links from the next one on ask for
+        TIP    = 5'b00100,      // e <- -: the error, less a product
+        ADD    = 5'b01000,      // s <- -: add a square
+        CLEAR  = 5'b10000;      // s lever <- -: both begin
+    localparam [4:0]            // joints, links
+        STAY   = 5'b00000,      // - <- -: nothing
+        READ   = 5'b00001,      // joint length <- -: of the link
+        STEP   = 5'b00010,      // moved <- joint: the joint moves
+        NEXT   = 5'b00100,      // joints turn link <- moved: stored; the next link
+        PLACE  = 5'b01000,      // held <- length: the length is wanted later
+        STORE  = 5'b10000;      // links first <- e: x and y of the link
+    localparam [14*7-1:0] LINK = {
+        /* read joint       */ {CHORD, RIGHT, NONE, READ},
+        /* step             */ {CHORD, ROOT,  LESS, STEP},
+        /* angle            */ {LEFT,  ROOT,  NONE, NEXT},
+        /* chord of sine    */ {CHORD, ROOT,  MORE, PLACE},
+        /* sine, its chord  */ {CHORD, ROOT,  NONE, STAY},
+        /* y; cosine        */ {CHORD, ROOT,  TIP,  STAY},
+        /* x                */ {CHORD, ROOT,  TIP,  STORE}};
+    localparam [4:0]            // end of a pass
+        WAIT   = 5'b00000,      // - <- -: nothing
+        RANGE  = 5'b00001,      // fine <- -: the range that the pass before asks for
+        BASE   = 5'b00010,      // turn link <- -: at the base again
+        FITS   = 5'b00100,      // big still <- fine: does an error fit the fine range?
+        GO     = 5'b01000,      // first link <- -: link 1 of the next pass
+        STOP   = 5'b10000;      // iters <- s fine still: end if converged or at the limit
+    localparam [14*8-1:0] TAIL = {
+        /* range            */ {CHORD, ROOT,   NONE,       RANGE},
+        /* base             */ {CHORD, ROOT,   NONE,       BASE},
+        /* -                */ {CHORD, ROOT,   NONE,       WAIT},
+        /* Ey there         */ {GAIN,  SQUARE, CLEAR,      FITS},
+        /* Ex; alpha Ey     */ {GAIN,  AIM_B,  ADD,        FITS},
+        /* alpha Ex         */ {AIM_A, SQUARE, LESS,       GO},
+        /* link 1 begins    */ {CHORD, ROOT,   MORE | ADD, WAIT},
+        /* stop?            */ {CHORD, ROOT,   NONE,       STOP}};
+    localparam I = N < 64 ? 6 : 8;  // bits of a number of a link; fewer would not be put in a memory block
+    wire [13:0]   link_op, tail_op;
+    wire          read, next, place, store, range, base, fits, go, stop, step, halt;
+    wire          accept = in_valid && in_ready;
+    assign        {store, place, next, step, read} = link_op[4:0];
+    assign        {stop, go, fits, base, range} = tail_op[4:0];
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [1:0]    unused_idle;
+    /* verilator lint_on UNUSEDSIGNAL */
+
+    // Samples: a number of a link is checked in the clock behind the one that takes it
+    reg           busy, check, answer, no_link;
+    reg  [1:0]    op;
+    reg  [7:0]    n;
+    reg  [I-1:0]  loaded, link;
+    wire          load = op == 2'd1, solving = op == 2'd0;
+    wire [8:0]    there = {{(9-I){1'b0}}, loaded};
+    wire          more = {1'b0, n} == there + 9'd1 && loaded != N[I-1:0];
+    wire          ok = n != 8'd0 && ({1'b0, n} <= there || (load && more));
+    wire          begins = check && ok && solving;
+    wire          last = link == n[I-1:0];
+    assign        in_ready = !busy && (!out_valid || out_ready);
+    schedule #(.LINES(7), .BITS(14), .TABLE(LINK)) links (.clk(clk), .rst(rst || halt),
+        .in_start(begins || (next && !last) || go), .out_idle(unused_idle[0]), .out_op(link_op));
+    schedule #(.LINES(8), .BITS(14), .TABLE(TAIL)) tail (.clk(clk), .rst(rst),
+        .in_start(next && last), .out_idle(unused_idle[1]), .out_op(tail_op));
+
+    // Joints and links
+    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a root, address bits of its table
+    wire [2*K-T+19:0] chord;
+    wire [W-1:0]      length;
+    wire [A-1:0]      move;
+    reg  [W-1:0]      x, y;
+    engine_gd_joints #(.W(W), .A(A), .K(K), .T(T), .I(I)) chain (.clk(clk), .in_take(accept), .in_j(in_j),
+        .in_link(link), .in_length(x), .in_load(check && ok && load), .in_set(check && ok && ^op),
+        .in_read(read || answer), .in_step(step), .in_next(next), .in_place(place), .in_base(base || check),
+        .in_move(move), .out_j(out_j), .out_length(length), .out_chord(chord));
+
+    // Error, steps
+    reg            first, fine, big, still;
+    wire           fit;
+    wire [2*W-1:0] s;
+    engine_gd_plane_path #(.W(W), .A(A), .N(N), .K(K), .T(T), .I(I)) path (.clk(clk), .cfg_alpha(cfg_alpha),
+        .in_shift(cfg_shift), .in_fine(fine), .in_still(still), .in_clear(accept),
+        .in_op(link_op[13:5] | tail_op[13:5]), .in_first(first), .in_read(next || go), .in_link(link),
+        .in_store(store), .in_begin(go || check), .in_chord(chord), .in_length(length), .in_x(x), .in_y(y),
+        .out_fits(fit), .out_move(move), .out_square(s));
+
+    // End
+    reg  [9:0] iters;
+    reg        failed;
+    wire       done = fine && s[2*W-1:22] == 0 && s[21:0] < cfg_tol;
+    assign     halt = stop && (done || (iters == cfg_limit && !still));
+    assign     out_iters = iters;
+    assign     out_error = s;
+    assign     out_coarse = !fine;
+    assign     out_status = {failed, 2'b00, no_link};
+    always @(posedge clk) begin
+        if (accept) begin
+            op <= in_op;
+            n  <= in_n;
+            x  <= in_x;
+            y  <= in_y;
+        end
+        if (accept)
+            link <= in_op == 2'd0 ? {I{1'b0}} : in_n[I-1:0];
+        else if (base || (check && !ok))
+            link <= {I{1'b0}};
+        else if (next || go || begins)
+            link <= link + 1'b1;
+        if (check && load && more)
+            loaded <= loaded + 1'b1;
+        if (check)
+            no_link <= !ok;
+        // the first pass begins in the fine range, and moves nothing
+        if (accept || range)
+            fine <= accept || !big;
+        if (accept || range || fits)
+            big <= fits && (!fit || big);
+        if (accept || fits)
+            still <= accept || (fine && (!fit || big));
+        first <= accept || go || (first && !store);
+        if (accept)
+            iters <= 10'd0;
+        else if (stop && !halt && !still)
+            iters <= iters + 10'd1;
+        if (accept || halt)
+            failed <= !accept && !done;
+        check     <= accept && !rst;
+        answer    <= check && !begins && !rst;
+        busy      <= (accept || (busy && !answer && !halt)) && !rst;
+        out_valid <= (answer || halt || (out_valid && !out_ready)) && !rst;
+        if (rst)
+            loaded <= {I{1'b0}};
+    end
+endmodule
+`default_nettype wire

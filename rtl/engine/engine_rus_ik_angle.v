@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// engine_rus_ik with binary angles: pose and link angle of a parallel robot to the angles of six cranks (or three).
+// Formats: as there; out_j angles of A bits modulo a turn, nearest, by vector_to_angle, a leg while the next one is
+// computed. A leg without an answer stands at 0; where a length overflowed, the angle of the leg before may stand.
+// Error: that of the crank there and of vector_to_angle. Latency 80, II 48. Status: as there.
+// Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik_angle
+`default_nettype none
+module engine_rus_ik_angle #(
+    parameter W = 18,  // bits of a position, 14 to 18: 18 keep the arithmetic as the greatest error
+    parameter A = 18   // bits of an angle, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire signed [26:0]  cfg_k,
+    input  wire [25:0]         cfg_c,
+    input  wire [11:0]         cfg_near,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire                in_load,
+    input  wire [2:0]          in_leg,
+    input  wire signed [17:0]  in_r11, in_r12, in_r13, in_r21, in_r22, in_r23, in_r31, in_r32, in_r33,
+    input  wire signed [W-1:0] in_px, in_py, in_pz,
+    input  wire signed [17:0]  in_cb, in_nb,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire [A-1:0]        out_j1, out_j2, out_j3, out_j4, out_j5, out_j6,
+    output wire [21:0]         out_s1, out_s2, out_s3, out_s4, out_s5, out_s6,
+    output wire [5:0]          out_far,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 14 || W > 18 || A < 10 || A > 24) begin : g_illegal
+            engine_rus_ik_angle_needs_W_from_14_to_18_and_A_from_10_to_24 rule ();
+        end
+    endgenerate
+    wire               free = !out_valid || out_ready;
+    wire               flags, sine, last, far, near, over;
+    wire signed [17:0] c, word;
+    wire [21:0]        root;
+    engine_rus_poses #(.W(W)) poses (
+        .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_valid(in_valid),
+        .in_ready(in_ready), .in_free(free), .in_load(in_load), .in_leg(in_leg), .in_r11(in_r11), .in_r12(in_r12),
+        .in_r13(in_r13), .in_r21(in_r21), .in_r22(in_r22), .in_r23(in_r23), .in_r31(in_r31), .in_r32(in_r32),
+        .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb), .out_flags(flags),
+        .out_sine(sine), .out_last(last), .out_c(c), .out_word(word), .out_root(root), .out_far(far), .out_near(near),
+        .out_over(over));
+    // its second register is that of leg 6
+    wire [A-1:0] angle;
+    reg          turned, last_turned;
+    always @(posedge clk) begin
+        turned      <= sine && !rst;
+        last_turned <= last;
+    end
+    /* verilator lint_off PINCONNECTEMPTY */
+    vector_to_angle #(.U(16), .A(A)) codec (
+        .clk(clk), .rst(rst), .in_valid(sine), .in_ready(), .in_c(c), .in_n(word), .out_valid(), .out_ready(1'b1),
+        .out_j(angle), .out_status());
+    /* verilator lint_on PINCONNECTEMPTY */
+    engine_rus_results #(.BITS(A)) results (
+        .clk(clk), .rst(rst), .in_flags(flags), .in_root(root), .in_far(far), .in_near(near), .in_over(over),
+        .in_move(turned), .in_last(last_turned), .in_leg6(angle), .out_valid(out_valid), .out_ready(out_ready),
+        .out_words({out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}),
+        .out_s({out_s6, out_s5, out_s4, out_s3, out_s2, out_s1}), .out_far(out_far), .out_status(out_status));
+endmodule
+`default_nettype wire

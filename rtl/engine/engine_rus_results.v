@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results of engine_rus_ik: they move in leg by leg, at leg 6 and on towards leg 1, and wait as one.
+// The results of one pose wait at the outputs, those of the next one behind them; in_last, with the last move, says
+// that a pose is complete. in_ready of the core keeps a third one out: it wants the outputs free when a pose is taken.
+// in_leg6 is a register that takes the next leg's word in the clock of in_move. Lowest bits: leg 1.
+// Model: engine_rus.ik
+`default_nettype none
+module engine_rus_results #(
+    parameter BITS = 36  // of a leg's word: 36 of a cosine and a sine, or those of an angle
+) (
+    input  wire              clk,
+    input  wire              rst,
+    input  wire              in_flags,
+    input  wire [21:0]       in_root,
+    input  wire              in_far,
+    input  wire              in_near,
+    input  wire              in_over,
+    input  wire              in_move,
+    input  wire              in_last,
+    input  wire [BITS-1:0]   in_leg6,
+    output reg               out_valid,
+    input  wire              out_ready,
+    output reg  [6*BITS-1:0] out_words,
+    output reg  [131:0]      out_s,
+    output reg  [5:0]        out_far,
+    output wire [3:0]        out_status
+);
+    reg  [5*BITS-1:0] words;
+    reg  [131:0]      s;
+    reg  [5:0]        far, near, over, out_near, out_over;
+    reg               whole;
+    assign out_status = {1'b0, out_over != 0, out_near != 0, out_far != 0};
+    always @(posedge clk) begin
+        if (in_flags) begin
+            s    <= {in_root, s[131:22]};
+            far  <= {in_far, far[5:1]};
+            near <= {in_near, near[5:1]};
+            over <= {in_over, over[5:1]};
+        end
+        if (in_move)
+            words <= {in_leg6, words[5*BITS-1:BITS]};
+        if (!out_valid || out_ready) begin
+            {out_words, out_s, out_far, out_near, out_over} <= {in_leg6, words, s, far, near, over};
+            out_valid <= whole;
+            whole     <= 1'b0;
+        end
+        if (in_move && in_last)
+            whole <= 1'b1;
+        if (rst) begin
+            out_valid <= 1'b0;
+            whole     <= 1'b0;
+        end
+    end
+endmodule
+`default_nettype wire

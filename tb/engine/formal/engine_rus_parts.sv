@@ -1,0 +1,100 @@
+// What the contracts of engine_rus_ik and engine_rus_ik_angle share, and what they do not depend on: words and flags of
+// any value.
+
+// Nothing lost, doubled or made up, a result waits unchanged, it is there 79 + LATE clocks after its pose was taken
+// unless the one before it still waits. in_ready is high when a leg could begin in step with those inside and the
+// outputs are free. One clock of reset, from any state.
+module engine_rus_rules #(parameter WO = 1, LATE = 0) (
+    input clk, rst, in_valid, in_ready, out_valid, out_ready, input [WO-1:0] result,
+    input [7:0] beat, input [36:0] control, input busy, whole, input [2:0] at, input [4:0] tags, input [1:0] moved
+);
+    reg  [WO-1:0] before;
+    reg  live, waits, free;
+    reg  [79:0] age;   // age[i]: a pose was taken i + 1 clocks ago
+    reg  [2:0]  held;  // taken and not yet delivered
+    initial live = 0;
+    wire take = in_valid && in_ready, give = out_valid && out_ready;
+    always @(posedge clk) begin
+        live   <= 1;
+        waits  <= live && !rst && out_valid && !out_ready;
+        free   <= !out_valid || out_ready;
+        before <= result;
+        age    <= rst ? 80'd0 : {age, take};
+        held   <= rst ? 3'd0 : held + take - give;
+    end
+    always @* if (!live) assume (rst);
+
+    wire [79:0] clash;
+    wire [36:0] legs;
+    wire [7:0]  beats;
+    wire [2:0]  count [0:78];
+    assign count[0] = 3'd0;
+    genvar i;
+    generate
+        for (i = 0; i < 80; i = i + 1) begin : g_age
+            // another one that is not 48, 56, 64 or 72 clocks older
+            if (i < 79) assign clash[i] = age[i] && |(age[79:i+1] & ~(79'h808080800000000000));
+            else        assign clash[i] = 1'b0;
+        end
+        for (i = 0; i < 37; i = i + 1) begin : g_leg
+            assign legs[i] = age[i] | age[i+8] | age[i+16] | age[i+24] | age[i+32] | age[i+40];
+        end
+        for (i = 0; i < 8; i = i + 1) begin : g_beat
+            assign beats[i] = age[i] | age[i+8] | age[i+16] | age[i+24] | age[i+32] | age[i+40] | age[i+48]
+                | age[i+56] | age[i+64] | age[i+72];
+        end
+        for (i = 0; i < 78; i = i + 1) begin : g_count
+            assign count[i+1] = count[i] + {2'd0, age[i]};
+        end
+    endgenerate
+    wire [2:0] leg = |age[12:5] ? 3'd1 : |age[20:13] ? 3'd2 : |age[28:21] ? 3'd3 : |age[36:29] ? 3'd4
+        : |age[44:37] ? 3'd5 : 3'd0;
+    wire step = age[47] | age[55] | age[63] | age[71] | age[79];
+
+    always @* if (live) begin
+        assert (clash == 0);
+        assert (beat == beats);
+        assert (control == legs);
+        assert (busy == |age[76:5]);
+        assert (at == leg);
+        assert (in_ready == ((age == 0 || step && leg == 0 && age[46:0] == 0) && (!out_valid || out_ready)));
+        if (|age[44:5])  assert (!tags[0]);
+        if (|age[52:45]) assert (tags[0]);
+        if (|age[50:11]) assert (!tags[1]);
+        if (|age[58:51]) assert (tags[1]);
+        if (|age[57:18]) assert (!tags[2]);
+        if (|age[65:58]) assert (tags[2]);
+        if (|age[62:23]) assert (!tags[3]);
+        if (|age[70:63]) assert (tags[3]);
+        if (|age[69:30]) assert (!tags[4]);
+        if (|age[77:70]) assert (tags[4]);
+        if (LATE) begin
+            assert (moved[0] == (age[37] | age[45] | age[53] | age[61] | age[69] | age[77]));
+            if (moved[0]) assert (moved[1] == age[77]);
+        end
+        // taken and not delivered: inside, whole, at the outputs; never more than two
+        assert (held == count[77+LATE] + {2'd0, whole} + {2'd0, out_valid});
+        assert (held <= 2);
+        if (age[77+LATE]) assert (whole);
+        if (whole && !age[77+LATE]) assert (out_valid);
+        if (age[78+LATE] && free) assert (out_valid);
+        if (waits) assert (out_valid && result == before);
+    end
+endmodule
+
+module engine_rus_path (
+    input clk, input [26:0] cfg_k, input [25:0] cfg_c, input [11:0] cfg_near, input [33:0] in_op,
+    input [71:0] in_row, in_words, input [17:0] in_cb, in_nb, input in_dead, output [17:0] out_word,
+    output [21:0] out_root, output out_far, out_none, out_near, out_over
+);
+    (* anyseq *) wire [43:0] any;
+    assign {out_word, out_root, out_far, out_none, out_near, out_over} = any;
+endmodule
+
+module vector_to_angle #(parameter U = 16, A = 18) (
+    input clk, rst, in_valid, output in_ready, input [U+1:0] in_c, in_n, output out_valid, input out_ready,
+    output [A-1:0] out_j, output [3:0] out_status
+);
+    (* anyseq *) wire [A-1:0] any;
+    assign out_j = any;
+endmodule
