@@ -30,7 +30,7 @@ module engine_quaternion_gd #(
     input  wire [A-1:0]   in_j1,
     input  wire [A-1:0]   in_j2,
     input  wire           in_warm,
-    output reg            out_valid,
+    output wire           out_valid,
     input  wire           out_ready,
     output wire [A-1:0]   out_j1,
     output wire [A-1:0]   out_j2,
@@ -115,46 +115,28 @@ module engine_quaternion_gd #(
         end
     end
 
-    // error, steps
-    reg  [W-1:0]   x, y;
-    reg            fine;
-    wire [2*W-1:0] s;
-    wire           wide = fine && s[2*W-1:2*W-3] != 0;  // may be saturated: the pass does not count
+    // work, end
+    reg  [W-1:0] x, y;
+    wire         fine, wide, failed;
     engine_gd_path #(.W(W), .A(A), .K(K), .T(T)) path (.clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),
         .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_still(wide), .in_op(op[13:2]),
-        .in_chord(chord), .in_x(x), .in_y(y), .out_step(step), .out_square(s));
-
-    // end
-    reg  [9:0] iters;
-    reg        failed;
-    wire       done = fine && s[2*W-1:22] == 0 && s[21:0] < cfg_tol;
-    assign     halt = stop && (done || (iters == cfg_limit && !wide));
-    assign     out_iters = iters;
-    assign     out_error = s;
-    assign     out_coarse = !fine;
-    assign     out_status = {failed, 3'b000};
+        .in_chord(chord), .in_x(x), .in_y(y), .out_step(step), .out_square(out_error));
+    engine_gd_judge #(.W(W)) judge (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_start(accept),
+        .in_stop(stop), .in_step(move2), .in_square(out_error), .out_ready(out_ready), .out_fine(fine),
+        .out_wide(wide), .out_halt(halt), .out_valid(out_valid), .out_iters(out_iters), .out_failed(failed));
+    assign out_coarse = !fine;
+    assign out_status = {failed, 3'b000};
     always @(posedge clk) begin
-        if (accept) begin
-            x     <= in_x;
-            y     <= in_y;
-            fine  <= 1'b1;
-            iters <= 10'd0;
-        end else if (move2) begin
-            fine  <= !wide && (fine || s[2*W-1:2*W-13] == 0);
-            iters <= iters + {9'd0, !wide};
-        end
-        if (accept) begin
-            out_d1 <= {A{1'b0}};
-            out_d2 <= {A{1'b0}};
-        end else if (move1 && !wide) begin
+        if (accept)
+            {x, y} <= {in_x, in_y};
+        if (accept)
+            {out_d1, out_d2} <= {2*A{1'b0}};
+        else if (move1 && !wide) begin
             if (move2)
                 out_d2 <= step;
             else
                 out_d1 <= step;
         end
-        if (halt)
-            failed <= !done;
-        out_valid <= !rst && (halt || (out_valid && !out_ready));
     end
 endmodule
 `default_nettype wire

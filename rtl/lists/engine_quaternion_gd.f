@@ -3,4 +3,5 @@
 ../arith/schedule.v
 ../codec/angle_chord.v
 ../engine/engine_gd_path.v
+../engine/engine_gd_judge.v
 ../engine/engine_quaternion_gd.v

@@ -11,7 +11,7 @@ from tb.engine import gradient, plane
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
-GRADIENT = {"iterative.fixed.gd": gradient, "iterative.plane.gd": plane}
+GRADIENT = dict.fromkeys(gradient.MODELS, gradient) | {"iterative.plane.gd": plane}
 SCALE = {"rus_2x3": 1 / 128, "rotary_stewart": 1 / 640, "klipper_delta": 1 / 128, "linuxcnc_delta": 1 / 128}
 EYE = np.eye(3)
 

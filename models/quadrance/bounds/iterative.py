@@ -37,6 +37,36 @@ def tip(p: Params, *links: float, square: ArrayLike, cut: int | None = None) -> 
     return np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * (cut / 64 + _root(p["W"]) * sum(links))
 
 
+def tip_vector(square: ArrayLike) -> Floats:
+    """As `tip`, from the tip of the answered directions as they are: a product of a word and a length is exact.
+
+    `length` bounds how far they are from length 1.
+    """
+    return np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * 2 / 64
+
+
+def length(p: Params, step: ArrayLike) -> Floats:
+    """How far the length of a direction is from 1 after a step of at most 1/2, in 1.
+
+    The Newton step leaves 3/8 d^4 + d^6 / 4, and what it does not know: half a unit of each word under the squares,
+    twice two truncations of a square, those of the products (a unit of 2^-(W+4) four times), and the answer's rounding.
+    """
+    d = np.abs(floats(step))
+    unit = 2.0 ** -p["W"]
+    return 0.375 * d**4 + d**6 / 4 + unit * (np.sqrt(2) * (1 / 2 + 1 / 2) + 6 / 16) * (1 + d)
+
+
+def tip_touch(p: Params, l1: float, l2: float, target: ArrayLike, square: ArrayLike) -> Floats:
+    """As `tip`, of the Geomagic Touch: v lacks what four products lose, u and w two; the yaw errs by two roots.
+
+    `target` (..., 3) in LSB.
+    """
+    lost, root, goal = 1 / 64, _root(p["W"]), floats(target)
+    flat = np.abs(goal[..., 0]) + np.abs(goal[..., 2])
+    along, across, up = 4 * lost + root * (l1 + l2 + flat), 2 * lost + root * flat, 2 * lost + root * (l1 + l2)
+    return np.sqrt(16 * (floats(square) + 3)) / 64 + np.sqrt(along**2 + across**2 + up**2)
+
+
 def _each(p: Params, links: Sequence[float], word: int, unit: float) -> float:
     """What each axis of E errs by, LSB: as in `tip`, a unit of the range, and a unit of alpha E."""
     return len(links) / 64 + _root(p["W"]) * sum(links) + unit * (1 + 2 ** (p["W"] + 1) / word)
@@ -57,7 +87,61 @@ def drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int)
         return floats([alpha * (2 * each * length + np.abs(error).sum() * (n / 2 + root * length))
                        + 2 * n * TURN / 2 ** p["A"] for length, n in ((l1 + l2, 2), (l2, 1))])
 
-    return _drift(p, (l1, l2), alpha, floats(start), floats(target), steps, made)
+    return _drift(p, gradient.planar(l1, l2), l1 + l2, alpha, floats(start), floats(target), steps, made)
+
+
+def touch_drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
+    """As `drift`, of the Geomagic Touch: dE is that of `tip_touch` with the unit of its range and of alpha E.
+
+    Its axes are turned by the yaw. Joint 1 takes both links, the others one each, of two axes of E.
+    """
+    l1, l2, goal = cfg["cfg_l1"], cfg["cfg_l2"], floats(target)
+    alpha, root = fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"]), _root(p["W"])
+    yaw = np.abs(goal[[0, 2]]).sum()
+
+    def made(error: Floats, unit: float) -> Floats:
+        each = 2 / 64 + root * yaw + _each(p, (l1, l2), cfg["cfg_alpha"], unit)
+        size = np.sqrt(2) * np.linalg.norm(error)
+        return floats([alpha * (2 * each * length + size * (n / 2 + root * length)) + 2 * n * TURN / 2 ** p["A"]
+                       for length, n in ((l1 + l2, 2), (l1, 1), (l2, 1))])
+
+    return _drift(p, gradient.touch(l1, l2), l1 + l2, alpha, floats(start), goal, steps, made)
+
+
+def vector_drift(p: Params, start: Ints, target: Ints, cfg: dict[str, int], steps: int) -> tuple[Floats, Floats]:
+    """As `drift`, of the engine of unit vectors: directions (steps + 1, 2, 2), and their distance as vectors of four.
+
+    dE has no root; its words lose half a unit of 2^-W a coordinate, and so has the link. A step d is cut by a unit of
+    2^-(W+4) for each link's share, a turn and a scaling by two each, and the scale knows the length to 2^-W. The
+    matrix is that of the float step by differences, which a step cut at 1/2 follows too; of its second derivative we
+    take twice the differences.
+    """
+    lengths = floats([cfg["cfg_l1"], cfg["cfg_l2"]])
+    reach, alpha = lengths.sum(), fixed.alpha_vector(p, cfg["cfg_alpha"], cfg["cfg_shift"])
+    share, word = cfg["cfg_alpha"] / 2 ** (p["W"] + 1), 2.0 ** -p["W"]
+    path = gradient.vector_path(tuple(lengths), floats(start).reshape(2, 2) * word, target, alpha, steps)
+    off = np.zeros(steps + 1)
+
+    def map_of(links: Floats) -> Floats:
+        return gradient.vector_step(tuple(lengths), links.reshape(-1, 2, 2), target, alpha)[0].reshape(links.shape)
+
+    def matrix(links: Floats, small: float = 1e-6) -> Floats:
+        ways = small * np.eye(4)
+        return (map_of(links + ways) - map_of(links - ways)).T / (2 * small)
+
+    for h, links in enumerate(path[:-1].reshape(-1, 4)):
+        error = gradient.vector_step(tuple(lengths), links.reshape(2, 2), target, alpha)[1]
+        size = np.linalg.norm(error) + 2 * reach * off[h]
+        unit = 1 / 64 if h and size < 2 ** (p["W"] - 7) else 1 / 4
+        each = 2 / 64 + word / 2 * reach + unit * (1 + 1 / share)
+        # of d: link 1 turns by both shares, link 2 by its own once more
+        made = [alpha * (2 * each * link + np.abs(error).sum() * (n / 2 + word / 2 * link)) + 2 * n * word / 16
+                for link, n in ((reach, 2), (reach + lengths[1], 3))]
+        here = matrix(links)
+        bend = 2 * max(np.linalg.norm(matrix(links + 1e-3 * way) - here, ord=2) / 1e-3 for way in np.eye(4))
+        grown = np.linalg.norm(here, ord=2) * off[h] + bend * off[h] ** 2
+        off[h + 1] = grown + np.linalg.norm(made) + 2 * (word * np.sqrt(2) + 4 * word / 16)
+    return path, off
 
 
 def plane_step(p: Params, links: Sequence[float], cfg: dict[str, int], error: Floats, unit: float) -> Floats:
@@ -83,18 +167,19 @@ def plane_step(p: Params, links: Sequence[float], cfg: dict[str, int], error: Fl
 def plane_drift(p: Params, links: Sequence[float], start: Ints, target: Ints, cfg: dict[str, int],
                 steps: int) -> tuple[Floats, Floats]:
     """As `drift`, of engine_quaternion_gd_plane: float64 joints (steps + 1, n), radians (steps + 1)."""
-    return _drift(p, links, fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"]), floats(start), floats(target), steps,
+    alpha = fixed.alpha(p, cfg["cfg_alpha"], cfg["cfg_shift"])
+    return _drift(p, gradient.planar(*links), sum(links), alpha, floats(start), floats(target), steps,
                   lambda error, unit: plane_step(p, links, cfg, error, unit))
 
 
-def _drift(p: Params, links: Sequence[float], alpha: float, start: Floats, goal: Floats, steps: int,
+def _drift(p: Params, arm: gradient.Kinematics, reach: float, alpha: float, start: Floats, goal: Floats, steps: int,
            made: Callable[[Floats, float], Floats]) -> tuple[Floats, Floats]:
     """The float64 recursion, and how far joints can be that err by made(E, unit of its range) in every step.
 
     An error d before a step is |1 - alpha H| d + M d^2 / 2 after it, H the Hessian of E^2 / 2 by differences of the
     float step, M a bound of its third derivatives. The start of the range is not known: coarse.
     """
-    arm, reach, n = gradient.planar(*links), sum(links), len(links)
+    n = start.size
     path = gradient.path(arm, start * TURN / 2 ** p["A"], goal, alpha, steps)
     off = np.zeros(steps + 1)
     for h, theta in enumerate(path[:-1]):

@@ -117,6 +117,30 @@ def path(kinematics: Kinematics, start: ArrayLike, target: ArrayLike, alpha: flo
     return np.stack(thetas)
 
 
+def vector_step(lengths: tuple[float, float], links: Floats, target: ArrayLike, alpha: float,
+                most: float = 0.5) -> tuple[Floats, Floats]:
+    """Directions (..., 2, 2), a row (c, n) a link, after one step of the planar arm of two joints, and E: no angle.
+
+    A link turns by (c, n) <- (c - d n, n + d c) with d = alpha E J, at most `most`, and one Newton step brings it to
+    length 1: by atan(d), and to 1 - 3/8 d^4 of its length.
+    """
+    l1, l2 = lengths
+    error = floats(target) - l1 * links[..., 0, :] - l2 * links[..., 1, :]
+    pull = alpha * floats(lengths) * (links[..., 0] * error[..., None, 1] - links[..., 1] * error[..., None, 0])
+    d = np.clip(pull.sum(axis=-1, keepdims=True) + pull * [0, 1], -most, most)[..., None]
+    moved = links + d * np.stack([-links[..., 1], links[..., 0]], axis=-1)
+    return moved * (3 - (moved ** 2).sum(axis=-1, keepdims=True)) / 2, error
+
+
+def vector_path(lengths: tuple[float, float], start: ArrayLike, target: ArrayLike, alpha: float,
+                iterations: int) -> Floats:
+    """Directions of every iteration of `vector_step`, (iterations + 1, 2, 2), the start first."""
+    every = [floats(start)]
+    for _ in range(iterations):
+        every.append(vector_step(lengths, every[-1], target, alpha)[0])
+    return np.stack(every)
+
+
 def solve(kinematics: Kinematics, start: ArrayLike, target: ArrayLike, *, alpha: float = 0.0,
           damping: float | None = None, tolerance: float, limit: int) -> Answer:
     """Iterate until |E|^2 < `tolerance`, at most `limit` steps; by gradient descent, or damped least squares if given.

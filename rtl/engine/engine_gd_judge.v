@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a gradient engine is: range of the error, steps taken, and the end of a sample.
+// A sample begins in the fine range. A pass that finds the square too wide for it counts for nothing and is made again
+// in the coarse one; only the fine range can converge. So a saturated square is never called converged.
+// The answer waits in out_valid; out_failed: the limit came before the tolerance.
+`default_nettype none
+module engine_gd_judge #(
+    parameter W = 16  // bits of a coordinate, 14 to 20; a square has 2 W: in 1/256 LSB^2, or LSB^2 in the coarse range
+) (
+    input  wire           clk,
+    input  wire           rst,
+    input  wire [21:0]    cfg_tol,
+    input  wire [9:0]     cfg_limit,
+    input  wire           in_start,   // a sample is accepted
+    input  wire           in_stop,    // the square is there: is this the end?
+    input  wire           in_step,    // the pass ends here, unless out_halt
+    input  wire [2*W-1:0] in_square,
+    input  wire           out_ready,
+    output reg            out_fine,   // the range
+    output wire           out_wide,   // may be saturated: the pass does not count
+    output wire           out_halt,   // the answer is there
+    output reg            out_valid,
+    output reg  [9:0]     out_iters,
+    output reg            out_failed
+);
+    wire   done = out_fine && in_square[2*W-1:22] == 0 && in_square[21:0] < cfg_tol;
+    assign out_wide = out_fine && in_square[2*W-1:2*W-3] != 0;
+    assign out_halt = in_stop && (done || (out_iters == cfg_limit && !out_wide));
+    always @(posedge clk) begin
+        if (in_start) begin
+            out_fine  <= 1'b1;
+            out_iters <= 10'd0;
+        end else if (in_step && !out_halt) begin
+            out_fine  <= !out_wide && (out_fine || in_square[2*W-1:2*W-13] == 0);
+            out_iters <= out_iters + {9'd0, !out_wide};
+        end
+        if (out_halt)
+            out_failed <= !done;
+        out_valid <= !rst && (out_halt || (out_valid && !out_ready));
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two multipliers of engine_quaternion_gd_touch: from chords of the three joints to the tip's error E, its square, and
+// the steps. In the plane of the links, rho = L1 c2 + L2 s3 out, E has v = c1 z - s1 x - rho outward,
+// u = c1 x + s1 z across, w = y - L1 s2 + L2 c3 up; with a = alpha E the joints move by e1 = -rho au,
+// e2 = L1 c2 aw - L1 s2 av, e3 = L2 s3 aw + L2 c3 av. Neither the tip nor J is formed.
+// Roots come as -c1, s1, c2, s3, s2, -c3, so every product is subtracted; u is kept negated.
+// Formats and truncation as in engine_gd_path.
+`default_nettype none
+module engine_gd_touch_path #(
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20
+    parameter A = 24,  // bits of a joint word, 16 to 24
+    parameter K = 17,  // fraction bits of a root: W + 1
+    parameter T = 10   // address bits of its table: a step has K - T + 4 bits
+) (
+    input  wire                clk,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire [W:0]          cfg_alpha,
+    input  wire                in_shift,    // steps are a fourth
+    input  wire                in_fine,     // the range of E
+    input  wire                in_finer,    // that of the step
+    input  wire                in_alone,    // the step takes no product of the first multiplier
+    input  wire [17:0]         in_op,       // columns of the table in engine_quaternion_gd_touch.v
+    input  wire [2*K-T+19:0]   in_chord,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,
+    output reg  [A-1:0]        out_step,    // of the products of the clock before
+    output reg  [2*W-1:0]      out_square
+);
+    localparam N = W + 9, O = W + 2;  // bits of an error, of an operand
+    localparam CUT = 2 * W - A;       // bits of a product below a step
+
+    wire [1:0] left_op, right_op, seen_op, e_op;
+    wire       prior, keep, goal, far, across, link, pair, side, square, clear;
+    assign {left_op, prior, right_op, keep, goal, far, across, seen_op, e_op, link, pair, side, square, clear} = in_op;
+
+    // products
+    reg  signed [O-1:0]   al, ar, bl, br;
+    wire signed [2*O-1:0] a = al * ar, b = bl * br;
+
+    // chord to root
+    wire [K:0]     knot;
+    wire [K-T+3:0] rise;
+    wire [14:0]    offset;
+    assign {knot, rise, offset} = in_chord;
+    reg  [K:0]     base;
+    wire [O-1:0]   root = base + a[15+:O];
+    reg  [O-1:0]   root1, root2;  // -c1 s1
+
+    // links: L1 c2, L2 s3, L1 s2, -L2 c3
+    reg  [O-1:0]   c2, s3, s2, c3;
+    wire [O-1:0]   rho = c2 + s3;
+
+    // error: v, then w, in e; -u
+    reg  signed [N-1:0] e, v, u, part;
+    wire [N-1:0]        from = e_op[1] ? {{3{in_y[W-1]}}, in_y, 6'd0} : e_op[0] ? e : {N{1'b0}};
+    wire [N-1:0]        seen = seen_op[1] ? u : seen_op[0] ? e : v;
+    wire                over = in_fine ? seen[N-1:W+1] != {8{seen[N-1]}} : seen[N-1:W+5] != {4{seen[N-1]}};
+    wire [O-1:0]        f = over ? {seen[N-1], {(O-1){!seen[N-1]}}} : in_fine ? seen[W+1:0] : seen[W+5:4];
+    reg  [O-1:0]        av;
+
+    // words
+    wire [W-1:0] target = across ? in_x : in_z;
+    wire [W:0]   word = goal ? {target[W-1], target} : {1'b0, far ? cfg_l2 : cfg_l1};
+
+    // step
+    reg  signed [A+3:0] ea, eb;
+    wire signed [A+4:0] exact = {eb[A+3], eb} - {ea[A+3], ea};
+    always @* case ({in_finer, in_shift})
+        2'd0: out_step = exact[A-1:0];
+        2'd1: out_step = exact[A+1:2];
+        2'd2: out_step = exact[A+3:4];
+        default: out_step = {exact[A+4], exact[A+4:6]};
+    endcase
+
+    wire unused = &{1'b0, a, b};
+    always @(posedge clk) begin
+        base <= knot;
+        case (left_op)
+            2'b00: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
+            2'b01: al <= {{2{target[W-1]}}, target};
+            2'b10: al <= {1'b0, cfg_alpha};
+            default: al <= s2;
+        endcase
+        case (left_op)
+            2'b00: ar <= {{(O-15){1'b0}}, offset};
+            2'b01: ar <= root1;
+            2'b10: ar <= prior ? bl : f;
+            default: ar <= av;
+        endcase
+        case (right_op)
+            2'b00: bl <= root;
+            2'b01: bl <= f;
+            2'b10: bl <= rho;
+            default: bl <= c2;
+        endcase
+        if (!keep)
+            br <= right_op == 2'b00 ? {word[W], word} : right_op == 2'b01 ? f : a[W+1+:O];
+        if (pair)
+            {root1, root2} <= {root2, root};
+        if (link)
+            {c2, s3, s2, c3} <= {s3, s2, c3, b[W+:O]};
+        if (e_op != 2'b11)
+            e <= from - b[W-5+:N];
+        if (e_op == 2'b10)
+            v <= e;
+        part <= a[W-5+:N];
+        if (side)
+            u <= part - a[W-5+:N];
+        if (seen_op[1])
+            av <= a[W+1+:O];
+        if (clear)
+            out_square <= {2*W{1'b0}};
+        else if (square)
+            out_square <= out_square + {1'b0, b[4+:2*W-1]};
+        ea <= in_alone ? {(A+4){1'b0}} : a[2*O-1:CUT];
+        eb <= b[2*O-1:CUT];
+    end
+endmodule
+`default_nettype wire

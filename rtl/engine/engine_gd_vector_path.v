@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two multipliers of engine_quaternion_gd_vector, A for cosines and x, B for sines and y: from both links' directions
+// (c, n) to the tip's error E, its square, the steps d of both, the turned directions and their length.
+// c - d n, n + d c, then c - g c, n - g n with g = (c^2 + n^2 - 1) / 2: one Newton step. Both subtract a product.
+// Formats: directions s2.(W+4), 2^-(W+1) more than they mean, so the upper W + 2 bits, the operands, are rounded; links
+// in 1/2 LSB; E in 1/64 LSB, and its operands, as in engine_gd_path; d and g s0.(W+4), d saturated. All truncated.
+// The two links take turns: `c n` is the one in work, `ct nt` the other; each line that reads or turns one swaps them.
+`default_nettype none
+module engine_gd_vector_path #(
+    parameter W = 16  // bits of a coordinate and of a length, 14 to 20
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire [W:0]          cfg_alpha,
+    input  wire                in_shift,    // steps are a fourth
+    input  wire                in_fine,     // the range of E
+    input  wire                in_keep,     // the directions do not turn
+    input  wire                in_load,     // the start
+    input  wire                in_clear,    // no step was taken yet
+    input  wire [13:0]         in_op,       // columns of the table in engine_quaternion_gd_vector.v
+    input  wire signed [W+1:0] in_c1,
+    input  wire signed [W+1:0] in_n1,
+    input  wire signed [W+1:0] in_c12,
+    input  wire signed [W+1:0] in_n12,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    output wire [W+1:0]        out_c1,
+    output wire [W+1:0]        out_n1,
+    output wire [W+1:0]        out_c12,
+    output wire [W+1:0]        out_n12,
+    output reg  [W+3:0]        out_d1,
+    output reg  [W+3:0]        out_d12,
+    output reg  [2*W-1:0]      out_square
+);
+    localparam O = W + 2, N = W + 9, D = W + 4;   // bits of an operand, of an error, of a step
+    localparam S = D + 2;                         // of a direction
+    localparam M = W + 14;                        // of a sum of steps
+
+    wire [1:0] left_op, right_op, k_op;
+    wire       unused_last, stop, sum_op, add, ask, first, tip, move;
+    assign {left_op, right_op, k_op, unused_last, stop, sum_op, add, ask, first, tip, move} = in_op;
+    wire       gain = right_op[1];
+    reg        second;  // d of link 2 is in the operands
+
+    // products
+    reg  signed [O-1:0]   al, bl;
+    reg  signed [D-1:0]   ar, br;
+    wire signed [O+D-1:0] a = al * ar, b = bl * br;
+
+    // directions
+    reg [S-1:0] c, n, ct, nt;
+    localparam [S-O-1:0] HALF = 1 << S - O - 1;
+    assign out_c1 = c[S-1-:O];
+    assign out_n1 = n[S-1-:O];
+    assign out_c12 = ct[S-1-:O];
+    assign out_n12 = nt[S-1-:O];
+
+    // error
+    reg  signed [N-1:0] ex, ey;
+    wire [N-1:0]        fromx = first ? {{3{in_x[W-1]}}, in_x, 6'd0} : ex;
+    wire [N-1:0]        fromy = first ? {{3{in_y[W-1]}}, in_y, 6'd0} : ey;
+    function [O-1:0] operand(input [N-1:0] e, input fine);
+        if (fine ? e[N-1:W+1] != {8{e[N-1]}} : e[N-1:W+5] != {4{e[N-1]}})
+            operand = {e[N-1], {(O-1){!e[N-1]}}};
+        else
+            operand = fine ? e[W+1:0] : e[W+5:4];
+    endfunction
+
+    // links: x1 x2, y1 y2
+    reg [O-1:0] x, y, x2, y2;
+
+    // steps
+    reg  signed [M-2:0] exact;
+    reg  [M-1:0]        prior;
+    reg  [M-2:0]        step;
+    wire [M-1:0]        sum = prior + {step[M-2], step};
+    wire                over = sum[M-1:D-1] != {(M-D+1){sum[M-1]}};
+    wire [D-1:0]        v = gain ? {!out_square[2*W-4], out_square[2*W-5:W-7]}
+                                 : over ? {sum[M-1], {(D-1){!sum[M-1]}}} : sum[D-1:0];
+    always @* case ({in_fine, in_shift})
+        2'd0: step = exact;
+        2'd1: step = {{2{exact[M-2]}}, exact[M-2:2]};
+        2'd2: step = {{4{exact[M-2]}}, exact[M-2:4]};
+        default: step = {{6{exact[M-2]}}, exact[M-2:6]};
+    endcase
+
+    // operands
+    reg [O-1:0] lefta, leftb;
+    reg [D-1:0] k;
+    always @* begin
+        case (left_op)
+            2'b00: {lefta, leftb} = {operand(ex, in_fine), operand(ey, in_fine)};
+            2'b01: {lefta, leftb} = {y, x};
+            2'b10: {lefta, leftb} = {c[S-1-:O], n[S-1-:O]};
+            default: {lefta, leftb} = {n[S-1-:O], ~c[S-1-:O]};
+        endcase
+        case (k_op)
+            2'b00: k = {4'd0, cfg_l1};
+            2'b01: k = {4'd0, cfg_l2};
+            2'b10: k = {3'd0, cfg_alpha};
+            default: k = v;
+        endcase
+    end
+
+    wire unused = &{1'b0, a, b};
+    always @(posedge clk) begin
+        al <= lefta;
+        bl <= leftb;
+        if (right_op != 2'b10 || k_op[0])
+            case (right_op)
+                2'b11: {ar, br} <= {{(D-O){lefta[O-1]}}, lefta, {(D-O){leftb[O-1]}}, leftb};
+                2'b01: {ar, br} <= {{(D-O){a[W+O]}}, a[W+1+:O], {(D-O){b[W+O]}}, b[W+1+:O]};
+                default: {ar, br} <= {k, k};
+            endcase
+        if (tip) begin
+            ex <= fromx - a[W-6+:N];
+            ey <= fromy - b[W-6+:N];
+            {x2, y2} <= {a[W-1+:O], b[W-1+:O]};
+        end
+        if (tip || right_op == 2'b01)
+            {x, y} <= {x2, y2};
+        if (ask)
+            exact <= {b[2*O-1], b[2*O-1:W-8]} - {a[2*O-1], a[2*O-1:W-8]};
+        if (ask && !add)
+            prior <= {M{1'b0}};
+        else if (add)
+            prior <= sum;
+        if (sum_op)
+            out_square <= a[2*W+3:4] + b[2*W+3:4];
+        // turns
+        if (left_op[1] || in_load) begin
+            {ct, nt} <= in_load ? {in_c12, HALF, in_n12, HALF} : {c, n};
+            {c, n} <= in_load ? {in_c1, HALF, in_n1, HALF}
+                    : move && !in_keep ? {ct - a[W+:S], nt - b[W+:S]} : {ct, nt};
+        end
+        if (rst) begin
+            {c, n} <= {2'b01, {W{1'b0}}, HALF, {O{1'b0}}, HALF};
+            {ct, nt} <= {2'b01, {W{1'b0}}, HALF, {O{1'b0}}, HALF};
+        end
+        if (in_clear) begin
+            out_d1 <= {D{1'b0}};
+            out_d12 <= {D{1'b0}};
+        end else begin
+            if (stop && !in_keep)
+                out_d1 <= ar;
+            if (second)
+                out_d12 <= ar;
+        end
+        second <= stop && !in_keep;
+    end
+endmodule
+`default_nettype wire

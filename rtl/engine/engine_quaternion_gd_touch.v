@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of the Geomagic Touch by quaternion gradient descent: joint 1 yaws about y, joint 2 lifts link 1,
+// joint 3 is the absolute angle of link 2. tip = (-s1 rho, L1 s2 - L2 c3, c1 rho) with rho = L1 c2 + L2 s3.
+// Formats: in_x, in_y, in_z sQ(W-F).F, from the point between the axes; out_d1, out_d2, out_d3 sA: the last step; the
+// rest as in engine_quaternion_gd. L1 + L2 below 2^W LSB.
+// Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.1 + 3.6 (L1 + L2) / 2^(W+1) LSB, lengths in LSB.
+// Latency 14 a pass, the last 13; II the same. Passes: out_iters + 1, and those that only change the range.
+// Status: not converged (the limit was reached: out of reach, alpha too great, or a start where the gradient is 0).
+// Source: quaternion gradient paper, eqs. 28, 31, its Jacobian corrected. Model: iterative.fixed.gd_touch
+`default_nettype none
+module engine_quaternion_gd_touch #(
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
+    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
+    parameter A = 24   // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire [W:0]          cfg_alpha,
+    input  wire                cfg_shift,
+    input  wire [21:0]         cfg_tol,
+    input  wire [9:0]          cfg_limit,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,
+    input  wire [A-1:0]        in_j1,
+    input  wire [A-1:0]        in_j2,
+    input  wire [A-1:0]        in_j3,
+    input  wire                in_warm,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire [A-1:0]        out_j1,
+    output wire [A-1:0]        out_j2,
+    output wire [A-1:0]        out_j3,
+    output wire [9:0]          out_iters,
+    output wire [2*W-1:0]      out_error,
+    output wire                out_coarse,
+    output reg  signed [A-1:0] out_d1,
+    output reg  signed [A-1:0] out_d2,
+    output reg  signed [A-1:0] out_d3,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 14 || W > 20 || F < 0 || F >= W || A < 16 || A > 24) begin : g_illegal
+            engine_quaternion_gd_touch_needs_W_from_14_to_20_and_F_below_W_and_A_from_16_to_24 rule ();
+        end
+    endgenerate
+
+    // Schedule. start: th x y z fine chord left right <-
+    localparam [2:0]            // operands of the first multiplier
+        CHORD  = 3'b000,        // left <- chord: a chord
+        ACROSS = 3'b010,        // left <- roots x z: a root of joint 1 and x or z
+        PRIOR  = 3'b101,        // left <- right: alpha and the error squared in the line before
+        ALPHA  = 3'b100,        // left <- e u fine: alpha and an error
+        SINK   = 3'b110;        // left <- link av: alpha v and a link
+    localparam [2:0]            // operands of the second
+        ROOT   = 3'b000,        // right <- left chord x z: the root of the chord before, and a word
+        SQUARE = 3'b010,        // right <- e v fine: the square of an error
+        ARM    = 3'b100,        // right <- link left: rho and alpha u
+        LIFT   = 3'b110,        // right <- link left: a link and alpha w
+        AGAIN  = 3'b111;        // right <- link right: the next link and alpha w
+    localparam [2:0]            // word: of the second, and of the first
+        L1     = 3'b000,        // - <- -: length of link 1, z
+        L2     = 3'b010,        // - <- -: length of link 2, z
+        Z      = 3'b100,        // - <- -: z, z
+        X      = 3'b101,        // - <- -: x, x
+        L2_X   = 3'b011;        // - <- -: length of link 2, x
+    localparam [1:0]            // error
+        V      = 2'b00,         // - <- -: along the plane of the links
+        U      = 2'b10,         // av <- left: across it; alpha v is kept
+        W_UP   = 2'b01;         // - <- -: up
+    localparam [1:0]            // sum of the products of the line before
+        OUT    = 2'b00,         // e <- left right: 0, less a product
+        LESS   = 2'b01,         // e <- e left right: less a product
+        UP     = 2'b10,         // e v <- e y left right: y, less a product; v is kept
+        STAY   = 2'b11;         // - <- -: stays
+    localparam [9:0]            // the rest
+        CLEAR  = 10'h001,       // s <- -: the squares begin
+        ADD    = 10'h002,       // s <- left right s: add a square
+        TURN   = 10'h004,       // u <- left: across, both products
+        PAIR   = 10'h008,       // roots <- left chord: a root of joint 1, or the next
+        LINK   = 10'h010,       // link <- left right: a link, or the next
+        THIRD  = 10'h020,       // - <- th: read joint 1 in line 1, joint 3 behind it; else joint 2, in line 2 joint 1
+        COS    = 10'h040,       // chord <- th: read a cosine
+        SIN    = 10'h000,       // chord <- th: read a sine
+        MINUS  = 10'h080,       // - <- -: read half a turn on
+        MOVE   = 10'h100,       // th <- th left right: a joint by its step, and the next
+        STOP   = 10'h200;       // - <- s fine: stop here if converged or at the limit
+    localparam [23*14-1:0] PASS = {
+        /* read -c1; step 2       */ {CHORD,  ROOT,   L1,   V,    STAY, THIRD | COS | MINUS | MOVE},
+        /* read s1; step 3        */ {CHORD,  ROOT,   L1,   V,    STAY, SIN | MOVE},
+        /* read c2; -c1 z         */ {CHORD,  ROOT,   Z,    V,    STAY, COS | PAIR},
+        /* read s3; s1 x          */ {CHORD,  ROOT,   X,    V,    OUT,  THIRD | SIN | PAIR},
+        /* read s2; L1 c2         */ {CHORD,  ROOT,   L1,   V,    LESS, SIN},
+        /* read -c3; L2 s3        */ {CHORD,  ROOT,   L2,   V,    LESS, THIRD | COS | MINUS | LINK},
+        /* L1 s2                  */ {CHORD,  ROOT,   L1,   V,    LESS, LINK},
+        /* -c1 x, -L2 c3; v       */ {ACROSS, ROOT,   L2_X, V,    UP,   LINK | PAIR},
+        /* s1 z, v^2              */ {ACROSS, SQUARE, Z,    V,    LESS, LINK | CLEAR},
+        /* alpha v, w^2; u        */ {PRIOR,  SQUARE, L1,   W_UP, STAY, TURN | ADD},
+        /* alpha u, u^2           */ {ALPHA,  SQUARE, L1,   U,    STAY, ADD},
+        /* alpha w, rho alpha u   */ {ALPHA,  ARM,    L1,   W_UP, STAY, ADD},
+        /* e2; stop?              */ {SINK,   LIFT,   L1,   V,    STAY, LINK | STOP},
+        /* e3; step 1             */ {SINK,   AGAIN,  L1,   V,    STAY, MOVE}};
+    wire [22:0] op;
+    wire        idle, fine, wide, halt, failed, stop, move, minus, cosine, third;
+    reg         again;  // the same pass, in the other range
+    reg         finer;  // range of the step
+    reg  [1:0]  late;   // steps 2 and 3, in the first lines of the next pass
+    wire        accept = in_valid && in_ready, last = move && op[22], leave = halt || (stop && wide);
+    wire        steps = last || late != 0;
+    assign      {stop, move, minus, cosine, third} = op[9:5];
+    assign      in_ready = idle && !again && (!out_valid || out_ready);
+    schedule #(.LINES(14), .BITS(23), .TABLE(PASS)) control (.clk(clk), .rst(rst || leave),
+        .in_start(accept || again || last), .out_idle(idle), .out_op(op));
+    always @(posedge clk) begin
+        again <= !rst && leave && !halt;
+        late  <= rst ? 2'b00 : {late[0], last};
+        if (stop)
+            finer <= fine;
+    end
+
+    // joints: at an answer 1, 2, 3, in line 1 of a pass 2, 3, 1; each move puts the next one in front
+    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a root, address bits of its table
+    reg  [A-1:0]      th1, th2, th3;
+    reg  [W-1:0]      x, y, z;
+    wire [A-1:0]      joint = third ? th3 : th2;
+    wire [A-1:0]      step;
+    wire [2*K-T+19:0] chord;
+    assign            out_j1 = th1;
+    assign            out_j2 = th2;
+    assign            out_j3 = th3;
+    angle_chord #(.A(A), .K(K), .T(T)) codec (.clk(clk), .in_read(1'b1), .in_keep(1'b0), .in_cos(cosine),
+        .in_j({joint[A-1] ^ minus, joint[A-2:0]}), .out_chord(chord));
+    always @(posedge clk) begin
+        if (accept || again || move) begin
+            th1 <= accept && !in_warm ? in_j2 : th2;
+            th2 <= accept && !in_warm ? in_j3 : th3;
+            th3 <= accept && !in_warm ? in_j1 : steps ? th1 + step : th1;
+        end
+        if (rst)
+            {th1, th2, th3} <= {3*A{1'b0}};
+        if (accept) begin
+            {x, y, z} <= {in_x, in_y, in_z};
+            {out_d1, out_d2, out_d3} <= {3*A{1'b0}};
+        end else if (steps)
+            {out_d1, out_d2, out_d3} <= {out_d2, out_d3, step};
+    end
+
+    // work, end
+    engine_gd_touch_path #(.W(W), .A(A), .K(K), .T(T)) path (.clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),
+        .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_finer(finer), .in_alone(stop),
+        .in_op({op[22:10], op[4:0]}), .in_chord(chord), .in_x(x), .in_y(y), .in_z(z), .out_step(step),
+        .out_square(out_error));
+    engine_gd_judge #(.W(W)) judge (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_start(accept),
+        .in_stop(stop), .in_step(stop), .in_square(out_error), .out_ready(out_ready), .out_fine(fine),
+        .out_wide(wide), .out_halt(halt), .out_valid(out_valid), .out_iters(out_iters), .out_failed(failed));
+    assign out_coarse = !fine;
+    assign out_status = {failed, 3'b000};
+endmodule
+`default_nettype wire

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of two joints in the plane by quaternion gradient descent, without an angle: a link's direction is
+// turned by (c, n) <- (c - d n, n + d c) and brought to length 1 by one Newton step. No sine, no table.
+// Formats: in_c1, in_n1 direction of link 1, in_c12, in_n12 of link 2, both absolute, s2.W, as the answers; out_d1,
+// out_d12 s0.(W+4) radians, what the last step turned the links by, at most 1/2; cfg_alpha, cfg_shift by
+// iterative.fixed.config_vector; the rest as in engine_quaternion_gd. in_warm after reset: from (1, 0).
+// Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.05 + (L1 + L2) / 2^(W+1/2) LSB, lengths in LSB.
+// Latency 13 a pass and 9 at the end, 10 a pass that only changes the range; II the same. Passes: out_iters.
+// Status: not converged (as engine_quaternion_gd); singular (a start far from length 1, held until the next start).
+// Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd_vector
+`default_nettype none
+module engine_quaternion_gd_vector #(
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
+    parameter F = 8    // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire [W:0]          cfg_alpha,
+    input  wire                cfg_shift,
+    input  wire [21:0]         cfg_tol,
+    input  wire [9:0]          cfg_limit,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W+1:0] in_c1,
+    input  wire signed [W+1:0] in_n1,
+    input  wire signed [W+1:0] in_c12,
+    input  wire signed [W+1:0] in_n12,
+    input  wire                in_warm,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire signed [W+1:0] out_c1,
+    output wire signed [W+1:0] out_n1,
+    output wire signed [W+1:0] out_c12,
+    output wire signed [W+1:0] out_n12,
+    output wire [9:0]          out_iters,
+    output wire [2*W-1:0]      out_error,
+    output wire                out_coarse,
+    output wire signed [W+3:0] out_d1,
+    output wire signed [W+3:0] out_d12,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 14 || W > 20 || F < 0 || F >= W) begin : g_illegal
+            engine_quaternion_gd_vector_needs_W_from_14_to_20_and_F_below_W rule ();
+        end
+    endgenerate
+
+    // Schedule. start: here there x y left right <-
+    localparam [1:0]            // left operands; a direction swaps the links
+        ERROR  = 2'b00,         // left <- e: errors, x and y
+        LINK   = 2'b01,         // left <- link: a link, y and x
+        SELF   = 2'b10,         // left here there <- here there: a direction
+        NORMAL = 2'b11;         // left here there <- here there: its normal
+    localparam [3:0]            // right operands
+        L1     = 4'b0000,       // right <- -: length of link 1
+        L2     = 4'b0001,       // right <- -: length of link 2
+        ALPHA  = 4'b0010,       // right <- -: the step
+        D      = 4'b0011,       // right d <- exact d: what the link turns by
+        GAIN   = 4'b1011,       // right <- s: half of what its square is above 1
+        PUSH   = 4'b0100,       // right <- left right: alpha times the errors
+        HOLD   = 4'b1000,       // - <- right: the same
+        SQUARE = 4'b1100;       // right <- -: the left operand
+    localparam [7:0]            // products of the line before
+        NONE   = 8'h00,         // - <- -: not used
+        MOVE   = 8'h01,         // here <- left right there: less than the other link's direction
+        FIRST  = 8'h06,         // e link <- x y left right: link 1, taken from the target
+        TIP    = 8'h02,         // e link <- e left right: link 2, taken from the error
+        E1     = 8'h08,         // exact d <- left right: what link 1 asks for
+        E2     = 8'h18,         // exact d <- left right exact: what link 2 asks for
+        ADD    = 8'h30,         // s d <- left right exact d: square of the error
+        SUM    = 8'h20,         // s <- left right: square of a direction
+        STOP   = 8'h41,         // here <- left right there s: turn link 1, or stop here
+        LAST   = 8'h80;         // - <- -: the pass ends
+    localparam [14*13-1:0] PASS = {
+        /* link 1          */ {SELF,   L1,     MOVE},
+        /* link 2          */ {SELF,   L2,     FIRST},
+        /*                 */ {ERROR,  HOLD,   TIP},
+        /* alpha E         */ {ERROR,  ALPHA,  NONE},
+        /* e1              */ {LINK,   PUSH,   NONE},
+        /* e2              */ {LINK,   HOLD,   E1},
+        /* E^2             */ {ERROR,  SQUARE, E2},
+        /* turn 1          */ {NORMAL, D,      ADD},
+        /* turn 2; stop?   */ {NORMAL, D,      STOP},
+        /* q1              */ {SELF,   SQUARE, MOVE},
+        /* q2              */ {SELF,   SQUARE, SUM},
+        /* length 1        */ {SELF,   GAIN,   SUM},
+        /* length 2        */ {SELF,   GAIN,   MOVE | LAST}};
+    wire [13:0] op;
+    wire        idle, fine, wide, halt, failed;
+    reg         again;  // the same pass, in the other range
+    reg         fresh;  // line 1, and no link was turned in a pass before
+    wire        accept = in_valid && in_ready, stop = op[6];
+    wire        keep = stop && wide || halt;
+    assign      in_ready = idle && !again && (!out_valid || out_ready);
+    schedule #(.LINES(13), .BITS(14), .TABLE(PASS)) control (.clk(clk), .rst(rst || keep),
+        .in_start(accept || again || op[7]), .out_idle(idle), .out_op(op));
+    always @(posedge clk) begin
+        again <= !rst && keep && !halt;
+        fresh <= accept || again;
+    end
+
+    // start
+    reg  [W-1:0] x, y;
+    reg          singular;
+    function none(input [W+1:0] c, input [W+1:0] n);  // not 0.5 <= length < 1.25, which a turn by 1/2 leaves below sqrt(2)
+        reg [3:0] u, v;  // sizes in 1/8
+        begin
+            u = c[W:W-3] ^ {4{c[W+1]}};
+            v = n[W:W-3] ^ {4{n[W+1]}};
+            none = u > 4'd8 || v > 4'd8 || (u > 4'd7 && v > 4'd3) || (v > 4'd7 && u > 4'd3) || (u > 4'd5 && v > 4'd5)
+                || (u < 4'd4 && v < 4'd4);
+        end
+    endfunction
+    always @(posedge clk) begin
+        if (accept) begin
+            x <= in_x;
+            y <= in_y;
+        end
+        if (rst)
+            singular <= 1'b0;
+        else if (accept && !in_warm)
+            singular <= none(in_c1, in_n1) || none(in_c12, in_n12);
+    end
+
+    // work, end
+    engine_gd_vector_path #(.W(W)) path (.clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha),
+        .in_shift(cfg_shift), .in_fine(fine), .in_keep(keep || fresh), .in_load(accept && !in_warm),
+        .in_clear(accept), .in_op(op), .in_c1(in_c1), .in_n1(in_n1), .in_c12(in_c12), .in_n12(in_n12), .in_x(x),
+        .in_y(y), .out_c1(out_c1), .out_n1(out_n1), .out_c12(out_c12), .out_n12(out_n12), .out_d1(out_d1),
+        .out_d12(out_d12), .out_square(out_error));
+    engine_gd_judge #(.W(W)) judge (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_start(accept),
+        .in_stop(stop), .in_step(stop), .in_square(out_error), .out_ready(out_ready), .out_fine(fine),
+        .out_wide(wide), .out_halt(halt), .out_valid(out_valid), .out_iters(out_iters), .out_failed(failed));
+    assign out_coarse = !fine;
+    assign out_status = {failed, 1'b0, singular, 1'b0};
+endmodule
+`default_nettype wire
