@@ -7,10 +7,11 @@ from quadrance import engine_rus
 from quadrance.cores import Core
 from quadrance.parallel import geometry, reconfiguration
 
-from tb.engine import gradient
+from tb.engine import gradient, newton
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
+ITERATIVE = {"iterative.fixed.gd": gradient, "iterative.newton_fixed.solve": newton}
 SCALE = {"rus_2x3": 1 / 128, "rotary_stewart": 1 / 640, "klipper_delta": 1 / 128, "linuxcnc_delta": 1 / 128}
 EYE = np.eye(3)
 
@@ -22,9 +23,9 @@ def words_of(core: Core, name: str) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Each robot with its own words, then extremes and some at random; of a gradient engine those of gradient.py."""
-    if core.model_name == "iterative.fixed.gd":
-        return gradient.configs(core, rng)
+    """Each robot with its own words, then extremes and some at random; of an iterative engine those of its file."""
+    if core.model_name in ITERATIVE:
+        return ITERATIVE[core.model_name].configs(core, rng)
     robots = [words_of(core, name) for name in SCALE]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
     return [*robots, *edges, *({port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}
@@ -64,8 +65,8 @@ def _mixed(loads: list[dict[str, int]], samples: Vectors, rng: np.random.Generat
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Poses of a robot behind its geometry; then joints on their axes, and geometry and poses at the ends of words."""
-    if core.model_name == "iterative.fixed.gd":
-        return gradient.corners(core, cfg)
+    if core.model_name in ITERATIVE:
+        return ITERATIVE[core.model_name].corners(core, cfg)
     rng = np.random.default_rng(1)
     name = next((one for one in SCALE
                  if words_of(core, one) == cfg), "rus_2x3")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from quadrance import codecs
@@ -31,6 +33,15 @@ def alpha(p: Params, cfg_alpha: int, cfg_shift: int) -> float:
     return cfg_alpha * 2 * np.pi / 2.0 ** (3 * p["W"] - 2 + 2 * cfg_shift)
 
 
+def levels(warm: Ints) -> Iterator[Ints]:
+    """Indices of samples that start by themselves; then of those behind them that start from their answers; and so on.
+    """
+    index = np.arange(warm.size)
+    depth = index - np.maximum.accumulate(np.where(warm == 0, index, -1))
+    for level in range(int(depth.max(initial=-1)) + 1):
+        yield np.flatnonzero(depth == level)
+
+
 def _pass(p: Params, fine: Ints, th1: Ints, th2: Ints, x: Ints, y: Ints, l1: Ints, l2: Ints, step: Ints,
           shift: Ints) -> tuple[Ints, Ints, Ints]:
     """The squared error in its range, and what links 1 and 2 ask for, at joints th1, th2."""
@@ -58,11 +69,7 @@ def gd(p: Params, *, in_x: Ints, in_y: Ints, in_j1: Ints, in_j2: Ints, in_warm: 
     x, y, j1, j2, warm, l1, l2, step, shift, tol, limit = (np.atleast_1d(column) for column in columns)
     size, mask = x.size, (1 << p["A"]) - 1
     joints, out = np.zeros((2, size), dtype=np.int64), np.zeros((6, size), dtype=np.int64)
-    # samples that start by themselves at once; then those behind them that start from their answers, and so on
-    index = np.arange(size)
-    depth = index - np.maximum.accumulate(np.where(warm == 0, index, -1))
-    for level in range(int(depth.max(initial=-1)) + 1):
-        at = np.flatnonzero(depth == level)
+    for at in levels(warm):
         own = warm[at] == 0
         th1, th2 = (np.where(own, given[at], np.where(at > 0, answer[at - 1], 0))
                     for given, answer in ((j1, joints[0]), (j2, joints[1])))
