@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from quadrance import codecs
 from quadrance.fixed import Ints
-from quadrance.iterative import fixed, gradient
+from quadrance.iterative import fixed, gradient, newton, newton_fixed
 from quadrance.truth import TURN, Floats, floats
 
 Params = dict[str, int]
@@ -228,3 +228,26 @@ def _drift(p: Params, arm: gradient.Kinematics, reach: float, alpha: float, star
         off[h + 1] = np.linalg.norm(np.eye(n) + turn, ord=2) * off[h] + third * off[h] ** 2 / 2 \
             + np.linalg.norm(made(error, unit))
     return path, off
+
+
+def newton_tip(p: Params, lengths: tuple[float, ...], square: ArrayLike) -> Floats:
+    """As `tip`, of engine_newton_3r with its three lengths, in LSB: as at W = 16, with lengths aligned to 16 bits."""
+    unit = 2.0 ** (p["W"] - 16)
+    return unit * (np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * (3 / 64 + _root(16) * sum(lengths) / unit))
+
+
+def newton_step(p: Params, theta: Floats, wrist: Floats, lengths: tuple[float, float, float]) -> float:
+    """How far a Newton step of engine_newton_3r from `theta` is from the float step, radians in any joint.
+
+    Lengths and wrist in units of 16 bits; no damping, no guard, no shift of the step, |sin theta2| from 1/2 on. E errs
+    by `newton_tip`'s links and by its unit, E along a link also by two of these units and by roots, a numerator by
+    2^-6 of one; relative are D and its square, the reciprocal's factors, its word and the rate; a word is cut.
+    """
+    exact, gap, sine = newton.wrist_step(theta, wrist, lengths)
+    size, root = float(np.linalg.norm(gap)), _root(16)
+    unit = 1 / 64 if np.abs(gap).max() < 2**11 - 1 else 1 / 4
+    along = np.sqrt(2) * (3 / 64 + root * sum(lengths) + unit + root * size) + 2.25 * unit
+    relative = 3 * (root + 2**-17) / abs(sine) + 2**-23 / sine**2 + 2**-13 + 2**-14
+    off = [(along + unit / 32 / abs(sine) + size * (relative + 1.5 * length / newton_fixed.STEP)) * 1.01
+           / (abs(sine) * length) for length in lengths[:2]]
+    return float(sum(off)) + 3 * TURN / 2 ** p["A"]
