@@ -3,8 +3,9 @@
 //   word = A B + C D + E F - G H to nearest 2^-25, written to DEST; with STEP 16 times that, between -1/4 and 1/4
 // A line reads in one clock and computes in the next: its word can be read from the second line behind it on.
 // Formats: words s2.25; sum s4.28, each product truncated to 2^-28; it wraps, and out_over says where the word did.
-//   in_op {A, B, C, D, E, F, G, H, DEST: 6 bits each; ACT: 0, 1 an error, 2 STEP, 3 a square}: 0 to 31 a register, 32 to 47 a word of page
-//   in_page; in_still: STEP gives 0; in_set: in_word goes to address in_own; in_fetch: out_read is the word there
+//   in_op {A, B, C, D, E, F, G, H, DEST: 6 bits each; ACT: 0, 1 an error, 2 STEP, 3 a square}: 0 to 31 a register, 32
+//   to 47 a word of page in_page; in_still: STEP gives 0
+//   in_set: in_word goes to address in_own; in_fetch: out_read is the word there
 // Registers 4 to 7 are 1, 1/2, 3/2, 0. The file is stored eight times, for eight reads a clock. Model: iterative.space
 `default_nettype none
 module engine_gd_n_products #(
@@ -54,13 +55,11 @@ module engine_gd_n_products #(
         for (i = 0; i < 8; i = i + 1) begin : g_file
             (* no_rw_check *) reg [26:0] file[0:(1<<P+4)-1];
             reg [26:0] data;
-            integer    w;
             initial begin
-                for (w = 0; w < 1 << P + 4; w = w + 1)
-                    file[w] = 27'd0;
                 file[4] = 27'h2000000;
                 file[5] = 27'h1000000;
                 file[6] = 27'h3000000;
+                file[7] = 27'h0000000;
             end
             always @(posedge clk) begin
                 if (i != 7 || in_run || in_fetch)  // a word that was fetched waits

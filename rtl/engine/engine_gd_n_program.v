@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program of engine_quaternion_gd_n: 10 lines that begin a pass, and 30 of a joint; out_op is line in_line, a clock later.
+// Program of engine_quaternion_gd_n: 10 lines that begin a pass, 30 of a joint; out_op is line in_line, a clock later.
 // A line is DEST = A B + C D + E F - G H. Q = (q0, q) is the turn of all joints before, u = target - place of this one,
 // (ax, ay, az) = STEP(step E). A joint: d = STEP(alpha E . J of the pass before), (c, s) turned by d and normalised,
 // R = Q axis, but r0 is that of -R; w = R Q~ the axis in space, g = w x u the column of J, Q = Q (c + s axis); then

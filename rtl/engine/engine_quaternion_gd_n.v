@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of any number of revolute joints in space by quaternion gradient descent, without sine or cosine:
-// a joint is the unit vector (c, s) of half its angle; it turns by (c - d s, s + d c), d = alpha E . J / 2, at most 1/4,
-// and is normalised by one Newton step. out_word: word in_k of joint in_n, behind the operation.
+// Inverse kinematics of any number of revolute joints in space by quaternion gradient descent, without sine or cosine.
+// A joint is the unit vector (c, s) of half its angle; it turns to (c - d s, s + d c), d = alpha E . J / 2, at most
+// 1/4, and is normalised by one Newton step. out_word: word in_k of joint in_n, behind the operation.
 // in_op: 0 solve with joints 1 to in_n; 1 write in_word; 2, 3 read. Joint 0: target x, y, z, step (k = 0 to 3); others:
 // axis (0 to 2), twice the link (3 to 5), c, s (6, 7). Words are written from (0, 0) on; a reset forgets them.
 // Formats: words s2.25; cfg_tol 2^-25, on each coordinate of E; step and unit of length: iterative.space.config.
