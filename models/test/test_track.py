@@ -35,7 +35,8 @@ def test_an_engine_lags_as_float64_does(core: cores.Core) -> None:
     unit = example.lsb(core, 2) * 1e6
     for row, same in zip(track.summary(follower, (1, 5)), exact):
         assert abs(row["lag_um"] - same["lag_um"]) < 0.5 * unit + 0.5 * unit * (core.params["A"] < 24)
-        assert row["words_um"] == pytest.approx(unit * np.sqrt(len(example.origin) / 12), rel=0.25)
+        # a coordinate that stands still has one rounding error for all samples
+        assert row["words_um"] == pytest.approx(unit * np.sqrt(len(example.origin) / 12), rel=0.3)
         assert row["clocks"] == example.clocks * (row["iterations"] + 1)
 
 

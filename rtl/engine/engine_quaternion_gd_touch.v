@@ -3,8 +3,8 @@
 // joint 3 is the absolute angle of link 2. tip = (-s1 rho, L1 s2 - L2 c3, c1 rho) with rho = L1 c2 + L2 s3.
 // Formats: in_x, in_y, in_z sQ(W-F).F, from the point between the axes; out_d1, out_d2, out_d3 sA: the last step; the
 // rest as in engine_quaternion_gd. L1 + L2 below 2^W LSB.
-// Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.1 + 3.6 (L1 + L2) / 2^(W+1) LSB, lengths in LSB.
-// Latency 14 a pass, the last 13; II the same. Passes: out_iters + 1, and those that only change the range.
+// Error: a converged tip is within bounds.iterative.tip_touch: 0.85 LSB beyond its out_error at lengths of 2^13 LSB.
+// Latency 14 a pass, II the same. Passes: out_iters + 1, and those that only change the range.
 // Status: not converged (the limit was reached: out of reach, alpha too great, or a start where the gradient is 0).
 // Source: quaternion gradient paper, eqs. 28, 31, its Jacobian corrected. Model: iterative.fixed.gd_touch
 `default_nettype none

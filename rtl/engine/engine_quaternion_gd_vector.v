@@ -4,8 +4,9 @@
 // Formats: in_c1, in_n1 direction of link 1, in_c12, in_n12 of link 2, both absolute, s2.W, as the answers; out_d1,
 // out_d12 s0.(W+4) radians, what the last step turned the links by, at most 1/2; cfg_alpha, cfg_shift by
 // iterative.fixed.config_vector; the rest as in engine_quaternion_gd. in_warm after reset: from (1, 0).
-// Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.05 + (L1 + L2) / 2^(W+1/2) LSB, lengths in LSB.
-// Latency 13 a pass and 9 at the end, 10 a pass that only changes the range; II the same. Passes: out_iters.
+// Error: a converged tip of the answered words is within sqrt(out_error + 2) / 16 + 0.05 LSB; their length is 1 within
+// 3/8 d^4 of the last step and 1.8 2^-W.
+// Latency 13 a step, 10 at the end, and 10 a pass that only changes the range; II the same. Steps: out_iters.
 // Status: not converged (as engine_quaternion_gd); singular (a start far from length 1, held until the next start).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd_vector
 `default_nettype none

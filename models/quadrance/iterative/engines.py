@@ -23,13 +23,15 @@ class Example:
     """An arm for an engine whose ports are in_x.., in_j1.., in_warm, cfg_l1, cfg_l2, alpha, shift, tol and limit.
 
     arm : float64 kinematics, metres. lengths : its links, metres. gain : the paper's alpha times the longer squared.
-    clocks : of a pass. target : the paper's, metres. origin : of the engine's coordinates, metres.
+    clocks, last : of a pass, of the last one until its answer. target : the paper's, metres. origin : of the engine's
+    coordinates, metres.
     """
 
     arm: gradient.Kinematics
     lengths: tuple[float, float]
     gain: float
     clocks: int
+    last: int
     target: tuple[float, ...]
     origin: tuple[float, ...]
 
@@ -68,5 +70,7 @@ def joints(answer: Answer) -> Ints:
     return np.stack([answer[port] for port in sorted(answer) if port[:5] == "out_j"], axis=-1)
 
 
-EXAMPLES = {"engine_quaternion_gd": Example(gradient.planar(0.1, 0.1), (0.1, 0.1), 0.33, 12, (0.0292, 0.1267),
-                                            (0.0, 0.0))}
+EXAMPLES = {
+    "engine_quaternion_gd": Example(gradient.planar(0.1, 0.1), (0.1, 0.1), 0.33, 12, 11, (0.0292, 0.1267), (0.0, 0.0)),
+    "engine_quaternion_gd_touch": Example(gradient.touch(0.135, 0.135, origin=(0.0, 0.025, -0.17)), (0.135, 0.135),
+                                          19 * 0.135**2, 14, 14, (0.0, 0.0, 0.0), (0.0, 0.025, -0.17))}
