@@ -59,9 +59,9 @@ def test_a_stale_page_is_found() -> None:
 
 def test_latency_is_that_of_the_elaborated_table() -> None:
     core = find("rational_fk3")
-    assert schedules.elaborated_lines(core) == {8}
-    assert schedules.latency_problems(core, {8}) == []
-    assert "latency 8" in schedules.latency_problems(dataclasses.replace(core, latency=8, ii=8), {8})[0]
+    assert schedules.elaborated_lines(core) == {9}
+    assert schedules.latency_problems(core, {9}) == []
+    assert "latency 8" in schedules.latency_problems(dataclasses.replace(core, latency=8, ii=8), {9})[0]
 
 
 def test_clocks_shared_with_the_sample_before_are_no_lines_of_the_table() -> None:
