@@ -28,9 +28,10 @@ def _chain(core: Core, rng: np.random.Generator, n: int, kind: int) -> list[dict
     lengths = [lengths.astype(int), np.full(n, 2 * high - 1), np.where(rng.random(n) < 0.5, 0, lengths).astype(int),
                rng.integers(0, 2 * high, n)][kind]
     start = rng.integers(0, 1 << a, n)
-    if kind == 1:
-        start[1:] = 0  # stretched: the greatest error there is
     rows = plane.loads(core.params, lengths, start)
+    if kind == 1:  # stretched away from the target: the greatest error there is
+        start[:] = 0
+        rows = plane.loads(core.params, lengths, start) + plane.solve(n, -high, 0)
     for spread in (1e-4, 0.03, 1.0):
         theta = start * truth.TURN / 2**a + rng.normal(size=n) * spread
         theta[1:] *= rng.random() > 0.2  # next to full stretch
