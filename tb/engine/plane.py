@@ -45,7 +45,7 @@ def _chain(core: Core, rng: np.random.Generator, n: int, kind: int) -> list[dict
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Nothing loaded; a chain of each kind, of one link, of some, of all; what is not there, between them."""
     rng, most = np.random.default_rng(1), core.params["N"]
-    most = most if most < 20 or cfg["cfg_limit"] < 6 else 20
+    most = most if cfg["cfg_limit"] < 5 else min(most, 8)
     rows = plane.solve(1, 0, 0) + plane.loads(core.params, [1], [0], 2) + plane.loads(core.params, [5], [7])
     for n, kind in ((1, 0), (2, 0), (min(3, most), 3), (most, 0), (most, 1), (min(2, most), 2), (most, 2), (most, 0)):
         rows += _chain(core, rng, n, kind)
