@@ -4,8 +4,8 @@
 // joint in_j; 2 set joint in_n to in_j; 3 read it. Links are loaded from 1 on; a reset forgets them.
 // Formats: angles of A bits, each relative to the link before it; coordinates sQ(W-F).F, lengths uQ(W-F).F; cfg_alpha,
 // cfg_shift by iterative.plane.config; cfg_tol, out_error in 1/256 LSB^2, with out_coarse in LSB^2; out_j: joint in_n,
-// of a solution joint 1. Error: a converged tip is within sqrt(out_error + 2) / 16 + sqrt(2) n / 64 + 3.0 sum / 2^(W+1)
-// LSB, n links of that sum. Latency 3; of a solution 4 + (3 in_n + 6) a pass, II the same. Passes: out_iters + 1, and
+// of a solution joint 1. Error: a converged tip is off by sqrt(out_error+2) / 16 + (n + 1) / 90 + 3 sum / 2^(W+1) LSB,
+// n links of that sum. Latency 3; of a solution 4 + (3 in_n + 6) a pass, II the same. Passes: out_iters + 1, and
 // those that only change the range.
 // Status: unreachable (in_n is 0 or no link that is loaded: nothing is done, out_j is 0), not converged (the limit).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.plane.gd

@@ -28,9 +28,10 @@ def _chain(core: Core, rng: np.random.Generator, n: int, kind: int) -> list[dict
     lengths = [lengths.astype(int), np.full(n, 2 * high - 1), np.where(rng.random(n) < 0.5, 0, lengths).astype(int),
                rng.integers(0, 2 * high, n)][kind]
     start = rng.integers(0, 1 << a, n)
-    if kind == 1:
-        start[1:] = 0  # stretched: the greatest error there is
     rows = plane.loads(core.params, lengths, start)
+    if kind == 1:  # stretched away from the target: the greatest error there is
+        start[:] = 0
+        rows = plane.loads(core.params, lengths, start) + plane.solve(n, -high, 0)
     for spread in (1e-4, 0.03, 1.0):
         theta = start * truth.TURN / 2**a + rng.normal(size=n) * spread
         theta[1:] *= rng.random() > 0.2  # next to full stretch
@@ -44,7 +45,7 @@ def _chain(core: Core, rng: np.random.Generator, n: int, kind: int) -> list[dict
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Nothing loaded; a chain of each kind, of one link, of some, of all; what is not there, between them."""
     rng, most = np.random.default_rng(1), core.params["N"]
-    most = most if most < 20 or cfg["cfg_limit"] < 6 else 20
+    most = most if cfg["cfg_limit"] < 5 else min(most, 8)
     rows = plane.solve(1, 0, 0) + plane.loads(core.params, [1], [0], 2) + plane.loads(core.params, [5], [7])
     for n, kind in ((1, 0), (2, 0), (min(3, most), 3), (most, 0), (most, 1), (min(2, most), 2), (most, 2), (most, 0)):
         rows += _chain(core, rng, n, kind)
