@@ -189,7 +189,7 @@ def check(cores: tuple[Core, ...]) -> list[str]:
         text = path.read_text()
         if INSTANCE.search(text):
             wrong += problems(read(text), str(path.relative_to(ROOT)))
-    for path in sorted(RTL.rglob("README.md")):
+    for path in sorted(RTL.rglob("*.md")):
         page = path.read_text()
         if filled(page) != page:
             wrong.append(f"{path.relative_to(ROOT)}: stale schedule, fill it by `python -m ci.schedules --write`")
@@ -201,7 +201,7 @@ def check(cores: tuple[Core, ...]) -> list[str]:
 
 def main() -> int:
     if "--write" in sys.argv[1:]:
-        for path in sorted(RTL.rglob("README.md")):
+        for path in sorted(RTL.rglob("*.md")):
             page = path.read_text()
             if filled(page) != page:
                 path.write_text(filled(page))

@@ -290,12 +290,11 @@ def spread_chords(p: Params, word: Ints) -> tuple[Ints, Ints]:
     quadrant, f = word >> s, word & (1 << s) - 1
     fold = f >> s - 1
     v = ((f ^ -fold) & (1 << s - 1) - 1) << 54 - (s - 1) | -fold & (1 << 54 - (s - 1)) - 1  # 2 v, 54 bits
-    minor = np.zeros_like(v)
-    for shift in (0, 4, 9, 14, 20) if s > 24 else (0, 4, 9, 14):
-        knots = _knots(u, 10 + shift)
+    minor, knots = np.zeros_like(v), _knots(u, 10)
+    for shift in (0, 4, 8, 14, 20) if s > 24 else (0, 4, 8, 14):
         scaled = (v << shift | -fold & (1 << shift) - 1) & (1 << 54) - 1
         a, offset = scaled >> 45, scaled >> 45 - d & (1 << d) - 1
-        root = knots[a] + ((knots[a + 1] - knots[a]) * offset >> d) >> 3
+        root = knots[a] + ((knots[a + 1] - knots[a]) * offset >> d) >> 3 + shift // 2
         minor = np.where(v < 1 << 54 - shift, root, minor)
     knots, a, offset = _knots(u, 9), v >> 46, v >> 46 - d & (1 << d) - 1
     major = knots[512 - a] + ((knots[511 - a] - knots[512 - a]) * offset >> d) >> 3

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance.conversion import vector_to_angle
-from quadrance.fixed import Ints, ints, round_shift, wrap
+from quadrance.fixed import Ints, hold_last, ints, round_shift, wrap
 from quadrance.parallel.geometry import Floats, PoseError, Robot, check_pose
 from quadrance.vector_solve import _slopes
 
@@ -131,6 +131,30 @@ def ik_angle(p: Params, **columns: Ints) -> dict[str, Ints]:
     c, n = (np.stack([answer.pop(f"out_{what}{leg + 1}") for leg in range(LEGS)], axis=-1) for what in "cn")
     angles = vector_to_angle({"U": 16, "A": p["A"]}, in_c=c.ravel(), in_n=n.ravel())["out_j"].reshape(c.shape)
     return {f"out_j{leg + 1}": angles[:, leg] for leg in range(LEGS)} | answer
+
+
+# A pose's rotation as a quaternion
+
+
+def quaternion_to_matrix(p: Params, *, in_w: Ints, in_x: Ints, in_y: Ints, in_z: Ints) -> dict[str, Ints]:
+    """Rotation matrix of a unit quaternion; the last one, at first the unit matrix, where it is none."""
+    u = p["U"]
+    w, *q = np.broadcast_arrays(*map(ints, (in_w, in_x, in_y, in_z)))
+
+    def cut(a: Ints, b: Ints) -> Ints:
+        return a * b >> u - 4
+
+    length = cut(w, w) + sum(cut(one, one) for one in q) + 8 >> u - 5
+    unit = (length == 512) | (length == 511)
+    answer = {}
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        across, along = cut(q[i], q[j]), cut(w, q[k])
+        answer[i, i] = (1 << u) - (cut(q[j], q[j]) + cut(q[k], q[k]) + 4 >> 3)
+        answer[i, j], answer[j, i] = across - along + 4 >> 3, across + along + 4 >> 3
+    held = {f"out_r{i + 1}{j + 1}": hold_last(wrap(word, u + 2), unit, (i == j) << u)
+            for (i, j), word in answer.items()}
+    return held | {"out_status": 2 * ints(~unit)}
 
 
 # Words for a robot

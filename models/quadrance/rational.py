@@ -48,6 +48,11 @@ def _reciprocal_slopes() -> Ints:
     return ints([1 << 15, *slopes[1:]])
 
 
+def reciprocal_pair(q: Ints) -> tuple[Ints, Ints]:
+    """Both factors of 1/q, by 2^32, of a word q of 17 fraction bits from 1/4 to 2, as reciprocal_pair.v has them."""
+    return np.where(q >> 18, 1 << 16, (q >> 1) ^ 0xFF), _reciprocal_slopes()[q >> 9 & 0x1FF]  # q = 2 wraps to 0
+
+
 def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     """Turn-spread of the direction of (x, y), nearest (ties anticlockwise); the last one where x = y = 0.
 
@@ -60,9 +65,9 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     long = (x < -(1 << 14)) | (x >= 1 << 14)  # x is the longer one in bits: the nearer axis is that of x
     m = np.where(long, y, x)
     q = (x * x >> 13) + (y * y >> 13)
-    w = np.where(q >> 18, 1 << 16, (q >> 1) ^ 0xFF)
+    w, slope = reciprocal_pair(q)
     u = m * np.where((x < 0) ^ (y < 0) ^ ~long, ~w, w) >> 7
-    v = m * _reciprocal_slopes()[q >> 9 & 0x1FF] >> 7  # q = 2 wraps to 0
+    v = m * slope >> 7
     spread = (u * v >> 47 - s) + 1 >> 1
     axis = np.where(long, 2 * (x < 0), 1 + 2 * (y < 0))
     word = (axis << s) + spread & (4 << s) - 1

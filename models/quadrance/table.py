@@ -109,3 +109,22 @@ def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1
         p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
     return {"out_j1": hold_last(_angle(p, c1, n1), ~zero), "out_j2": _angle(p, c2, n2),
             "out_j3": hold_last(_angle(p, c3, n3), ~on_axis), "out_status": ints(clamped) + 2 * ints(on_axis)}
+
+
+def wrist(p: Params, x: Ints, y: Ints, phi: Ints, l3: Ints) -> tuple[Ints, Ints, Ints]:
+    """The tip less its last link, nearest (ties upward) and saturated, of 16 bits; whether one was saturated."""
+    roots = [codecs.angle_chord(17, 9, p["A"], phi, cosine) for cosine in (True, False)]
+    pairs = [saturate(2 * goal - (root * l3 >> 16) >> 1, 16) for goal, root in zip((x, y), roots)]
+    return pairs[0][0], pairs[1][0], pairs[0][1] | pairs[1][1]
+
+
+def ik3r(p: Params, *, in_x: Ints, in_y: Ints, in_phi: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_l3: Ints,
+         cfg_q: Ints, cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
+    """Three joints in the plane whose last link points along `in_phi`: `ik2` of the wrist, then the third joint."""
+    x, y, phi, l1, l2, l3 = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_phi, cfg_l1, cfg_l2, cfg_l3))
+    x, y, l1, l2, l3 = (word << 16 - p["W"] for word in (x, y, l1, l2, l3))
+    x, y, over = wrist(p, x, y, phi, l3)
+    found = ik2(p | {"W": 16}, in_x=x, in_y=y, in_elbow=in_elbow, cfg_l1=l1, cfg_l2=l2, cfg_q=cfg_q, cfg_r=cfg_r,
+                cfg_e=cfg_e)
+    third = wrap(phi - found["out_j1"] - found["out_j2"], p["A"], signed=False)
+    return found | {"out_j3": third, "out_status": found["out_status"] + 4 * ints(over)}

@@ -1,6 +1,7 @@
 """The reader of rtl/cores.toml: what it expands, how it reads formulas, and how it refuses a wrong entry."""
 
 import copy
+import re
 
 import pytest
 from quadrance import cores
@@ -147,12 +148,9 @@ def test_the_list_is_in_order():
     assert len(set(groups)) == sum(one != other for one, other in zip(groups, [None, *groups]))
     for core in listed:
         for port in (*core.inputs, *core.outputs):
-            joint = port.name.split("_")[1] in ("j", "angle") or port.name[-2:] in JOINT_PORTS
+            joint = re.fullmatch(r"(in|out)_(j|angle|[jcn][1-6]+)", port.name) is not None  # c12: of both joints
             if port.name[-2:] not in ("_c", "_n"):  # of a codec: a unit vector, or one of any length, two plain words
                 assert (port.type is not None) == joint, core.id
-
-
-JOINT_PORTS = {f"{letter}{i}" for letter in "jcn" for i in range(1, 7)}
 
 
 def test_latencies_follow_the_parameters():

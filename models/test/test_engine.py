@@ -9,7 +9,7 @@ from quadrance.bounds import engine as bounds
 from quadrance.parallel import geometry, position
 from quadrance.parallel.geometry import PoseError
 
-from tb.engine.stimulus import SCALE, spiral, workspace
+from tb.engine.stimulus import SCALE, quaternions, spiral, workspace
 
 CORES = [core for core in cores.all_cores() if core.name == "engine_rus_ik"]
 EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
@@ -115,6 +115,7 @@ def test_legs_answer_from_their_last_geometry(core):
 
 
 def test_words_that_do_not_fit():
+    """... and matrices that are no rotation."""
     p, robot = CORES[0].params, geometry.load("rus_2x3")
     for scale, reason in ((1.0, "4097 LSB and more"), (1 / 512, "less than 2.17")):
         with pytest.raises(PoseError, match=reason):
@@ -123,3 +124,48 @@ def test_words_that_do_not_fit():
         engine_rus.poses(p, robot, 1 / 128, np.eye(3), np.array([[0, -1100.0, 0]]))
     with pytest.raises(PoseError, match="leg 4: does not fit|position: does not fit"):
         engine_rus.geometry(p, robot, 1 / 400)
+    for matrix, reason in ((1.01 * np.eye(3), "no rotation"), (-np.eye(3), "reflection")):
+        with pytest.raises(PoseError, match=reason):
+            engine_rus.poses(p, robot, 1 / 128, matrix, np.array([[0, -320.0, 0]]))
+
+
+def test_angles_are_those_of_the_vectors():
+    """Within 0.89 LSB, the bound of vector_to_angle, and what a vector costs whose length is not 1."""
+    found = {}
+    for core in (CORES[0], cores.find("engine_rus_ik_angle")):
+        robot, scale = geometry.load("rus_2x3"), SCALE["rus_2x3"]
+        columns = engine_rus.stream(engine_rus.geometry(core.params, robot, scale), engine_rus.poses(
+            core.params, robot, scale, *workspace("rus_2x3", 1000, np.random.default_rng(9))))
+        cfg = engine_rus.config(core.params, robot, scale)
+        found[core.name] = core.model(core.params, **columns, **cfg)
+    vector, angle = found["engine_rus_ik"], found["engine_rus_ik_angle"]
+    for leg in range(1, 7):
+        c, n = vector[f"out_c{leg}"], vector[f"out_n{leg}"]
+        long = np.abs(np.hypot(c, n) / engine_rus.ONE - 1)
+        off = apart(angle[f"out_j{leg}"] * 2 * np.pi / 2**18, np.arctan2(n, c))
+        assert np.all(off < 2 * np.pi * 0.89 / 2**18 + 1.06 * long) and long.max() < 1e-4
+
+
+@pytest.mark.parametrize("core", [core for core in cores.all_cores() if core.name == "quaternion_to_matrix"],
+                         ids=lambda core: core.id)
+def test_matrices_of_quaternions(core):
+    """Within 5/8 LSB of the words' own matrix; no unit quaternion is flagged, and holds."""
+    one = 1 << core.params["U"]
+    words = quaternions(core, np.random.default_rng(3))
+    out = core.model(core.params, **words)
+    q = np.stack([words[f"in_{name}"] for name in "wxyz"], axis=-1) / one
+    length = np.sum(q * q, axis=-1)
+    bad = out["out_status"] == 2
+    clear = np.abs(np.abs(length - 1) - 2.0**-9) > 16 / one
+    assert np.array_equal(bad[clear], (np.abs(length - 1) > 2.0**-9)[clear]) and 0.2 < bad.mean() < 0.6
+    w, x, y, z = q.T
+    exact = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+             [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    for i in range(3):
+        for j in range(3):
+            found = out[f"out_r{i + 1}{j + 1}"]
+            assert np.abs(found - np.array(exact[i][j]) * one)[~bad].max() <= 0.625
+            assert found[0] == found[1] == (i == j) * one
+            held = np.flatnonzero(bad[2:]) + 2
+            assert np.array_equal(found[held], found[held - 1])

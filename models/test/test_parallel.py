@@ -315,6 +315,9 @@ def test_stretched_leg_is_type_one():
     place = robot.foot[0] + (robot.la[0] + robot.lb[0]) * e - robot.joint[0]
     found = position.inverse(robot, EYE, place * (1 - 1e-13))
     assert found.root[0] < 1e-3 and abs(found.alpha[0] - alpha[0]) < 1e-5
+    lowest = robot.foot[0, 2] - np.sqrt((robot.la[0] + robot.lb[0])**2 - np.hypot(*robot.foot[0, :2])**2) + 5e-12
+    with pytest.raises(PoseError, match="J_q is singular"):
+        motion.crank_rates(robot, EYE, [0, 0, lowest], 0, np.ones(6))
     turn, at, link = poses(1)
     kinds = singularity.types(ROBOT, turn[0], at[0], link[0])
     assert not (kinds.inverse.any() or kinds.forward or kinds.combined or kinds.link.any())
@@ -351,6 +354,11 @@ def test_platform_in_the_plane_of_its_legs_is_type_two():
     assert kinds.forward and not kinds.inverse.any() and not kinds.combined
     cond, low = singularity.condition(robot, EYE, np.array([0, -120.0, 0]))
     assert cond > 1e12 and low < 1e-9
+    with pytest.raises(PoseError, match="J_x is singular"):
+        motion.platform_twist(robot, EYE, np.array([0, -120.0, 0]), 0, np.ones(6))
+    alpha = position.inverse(robot, EYE, np.array([0, -120.0, 0])).alpha
+    with pytest.raises(PoseError, match="the Jacobian is singular after 0 steps"):
+        position.forward(robot, alpha + 0.01, 0, EYE, np.array([0, -120.0, 0]))
 
 
 # Bad inputs
@@ -387,7 +395,8 @@ def test_bad_calls():
             (lambda: position.forward(geometry.load("klipper_delta"), alpha, 0, EYE, PLACE), "see delta.forward"),
             (lambda: delta.forward(ROBOT, alpha), "needs three legs"),
             (lambda: delta.forward(geometry.load("klipper_delta"), [0, 0, np.nan]), "three finite"),
-            (lambda: delta.forward(geometry.load("linuxcnc_delta"), [-1.5, 2.5, 1.2]), "do not meet")]:
+            (lambda: delta.forward(geometry.load("linuxcnc_delta"), [-1.5, 2.5, 1.2]), "do not meet"),
+            (lambda: delta.forward(geometry.load("linuxcnc_delta"), [np.arccos(-0.4)] * 3), "lie in a line")]:
         with pytest.raises(PoseError, match=reason):
             call()
     assert np.isnan(reconfiguration.manipulability(ROBOT, POSE, PLACE, np.radians([-60.0]))[0]).all()

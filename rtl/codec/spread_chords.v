@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Table codec of turn-spreads: from a joint word to the chords of |cos| and |sin| in one clock.
+// Table codec of turn-spreads: from a joint word to the chords of |cos| and |sin| in one clock or two.
 // f is the fraction of the word, v = min(f, 1 - f): major = sqrt(1 - v), minor = sqrt(v), each knot + step * offset.
 // Formats: in_j turn-spread u2.S; out_chords is the port of all table codecs (rtl/codec/README.md).
-// 1 - f is the one's complement followed by ones, which costs no adder. The minor root has 512 chords for each range of
-// v (tops 2^-1, 2^-5, 2^-10, 2^-15, 2^-21), stored denormalised: no shift behind the multiplier. In the last range that
-// S needs every word is a knot, so that even sqrt(2^-S) is exact to the unit.
+// 1 - f is the one's complement followed by ones, which costs no adder. The minor root has ranges of v with tops 2^-1,
+// 2^-5, 2^-9, 2^-15, 2^-21, powers of 4 apart: one table of 512 chords serves all, and spread_minor shifts the root.
+// In the last range that S needs every word is a knot, so that even sqrt(2^-S) is exact to the unit.
 // Error: knots lie half the sag above the curve, so a chord errs by at most half its sag, 0.2 * 2^-U.
-// Latency 1, II 1: out_chords belongs to in_j of the clock before.
+// Latency CLOCKS, II 1: out_chords belongs to in_j of so many clocks before.
 // Model: codecs.spread_chords
 `default_nettype none
 module spread_chords #(
     parameter S = 24,  // fraction bits of the word, 10 to 30: 24 resolve 0.014 degrees beside a border of a quadrant
-    parameter U = 16   // fraction bits of a root, 13 to 18: 16 keep 64 units of Q7.8 within an LSB
+    parameter U = 16,  // fraction bits of a root, 13 to 18: 16 keep 64 units of Q7.8 within an LSB
+    parameter CLOCKS = 2  // 2: what the memories give stands in a register, or 1: it does not. 2, the faster one
 ) (
     input  wire            clk,
     input  wire [S+1:0]    in_j,
-    output wire [4*U+22:0] out_chords
+    output wire [4*U+29:0] out_chords
 );
     localparam D = 12;  // bits of an offset
-    localparam RANGES = S > 24 ? 5 : 4;
+    localparam FIFTH = S > 24;  // the last range is needed
 
     // Knots of one function, sqrt(a d) with d = 2^-h, a = 0 to 512, in units of 2^-(U+3), each lifted to
     // sqrt(v + d^2 / (32 v)); no lift where the offsets are 0. Rounded up, as the chord is cut. One call a table,
@@ -40,21 +41,13 @@ module spread_chords #(
             end
         end
     endfunction
-    // A constant a range, not one of all: Icarus copies the whole constant for every entry
-    localparam [513*K-1:0] MAJOR = knots(9), MINOR0 = knots(10), MINOR1 = knots(14);
-    localparam [513*K-1:0] MINOR2 = knots(19), MINOR3 = knots(24), MINOR4 = RANGES > 4 ? knots(30) : 0;
-    reg [2*U-3:0] minor [0:512*RANGES-1];  // {step, knot}
+    localparam [513*K-1:0] MAJOR = knots(9), MINOR = knots(10);
+    reg [2*U+1:0] minor [0:511];  // {step, knot}
     reg [2*U-3:0] major [0:255];
     integer       i;
     initial begin
-        for (i = 0; i < 512; i = i + 1) begin
-            minor[i]        = {MINOR0[K*(i+1) +: U-5] - MINOR0[K*i +: U-5], MINOR0[K*i +: K]};
-            minor[512 + i]  = {MINOR1[K*(i+1) +: U-5] - MINOR1[K*i +: U-5], MINOR1[K*i +: K]};
-            minor[1024 + i] = {MINOR2[K*(i+1) +: U-5] - MINOR2[K*i +: U-5], MINOR2[K*i +: K]};
-            minor[1536 + i] = {MINOR3[K*(i+1) +: U-5] - MINOR3[K*i +: U-5], MINOR3[K*i +: K]};
-            if (RANGES > 4)
-                minor[512 * (RANGES - 1) + i] = {MINOR4[K*(i+1) +: U-5] - MINOR4[K*i +: U-5], MINOR4[K*i +: K]};
-        end
+        for (i = 0; i < 512; i = i + 1)
+            minor[i] = {MINOR[K*(i+1) +: U-1] - MINOR[K*i +: U-1], MINOR[K*i +: K]};
         for (i = 0; i < 256; i = i + 1)
             major[i] = {MAJOR[K*(511-i) +: U-5] - MAJOR[K*(512-i) +: U-5], MAJOR[K*(512-i) +: K]};
     end
@@ -62,30 +55,30 @@ module spread_chords #(
     localparam T = 34;  // 2 v left-aligned in a word that holds every S
     wire         fold = in_j[S-1];
     wire [T-1:0] v = {in_j[S-2:0] ^ {(S-1){fold}}, {(T-S+1){fold}}};
-    wire         past4 = v[T-1:T-4] == 0, past9 = v[T-1:T-9] == 0;
-    wire         past14 = v[T-1:T-14] == 0, past20 = RANGES == 5 && v[T-1:T-20] == 0;
-    wire [2:0]   range = {past20, past9 && !past20, past9 ? past14 && !past20 : past4};
+    wire         past4 = v[T-1:T-4] == 0, past8 = v[T-1:T-8] == 0;
+    wire         past14 = v[T-1:T-14] == 0, past20 = FIFTH && v[T-1:T-20] == 0;
+    wire [2:0]   range = {past20, past8 && !past20, past8 ? past14 && !past20 : past4};
     reg  [8+D:0] segment;
     always @*
         case (range)
             3'd0: segment = v[T-1:T-9-D];
             3'd1: segment = v[T-5:T-13-D];
-            3'd2: segment = v[T-10:T-18-D];
+            3'd2: segment = v[T-9:T-17-D];
             3'd3: segment = {v[T-15:0], {(D-11){fold}}};
             default: segment = {v[T-21:0], {(D-5){fold}}};
         endcase
-    reg  [2*U-3:0] major_read, minor_read;
-    reg  [D-1:0]   major_offset, minor_offset;
-    reg            minor_n, neg_c, neg_n;
-    always @(posedge clk) begin
-        major_read   <= major[v[T-1:T-8]];
-        minor_read   <= minor[{range[(RANGES+3)/4:0], segment[8+D:D]}];
-        major_offset <= v[T-9:T-8-D];
-        minor_offset <= segment[D-1:0];
-        minor_n      <= fold == in_j[S];
-        neg_c        <= in_j[S+1] ^ in_j[S];
-        neg_n        <= in_j[S+1];
-    end
-    assign out_chords = {minor_n, neg_c, neg_n, major_read, major_offset, minor_read, minor_offset};
+    reg  [4*U+29:0] read;
+    always @(posedge clk)
+        read <= {fold == in_j[S], in_j[S+1] ^ in_j[S], in_j[S+1], range, major[v[T-1:T-8]], v[T-9:T-8-D],
+                 minor[segment[8+D:D]], segment[D-1:0]};
+    generate
+        if (CLOCKS == 2) begin : g_register
+            reg [4*U+29:0] chords;
+            assign         out_chords = chords;
+            always @(posedge clk) chords <= read;
+        end else begin : g_memory
+            assign out_chords = read;
+        end
+    endgenerate
 endmodule
 `default_nettype wire

@@ -32,10 +32,8 @@ module engine_gd_joints #(
 );
     reg  [A-1:0] joints[0:(1<<I)-1];
     reg  [W-1:0] lengths[0:(1<<I)-1];
-    integer      i;
     initial
-        for (i = 0; i < 1 << I; i = i + 1)
-            joints[i] = {A{1'b0}};
+        joints[0] = {A{1'b0}};
 
     reg  [W-1:0] length;
     reg  [A-1:0] moved, turn;           // the joint, 0 but in the clock behind in_step; the angle of the link

@@ -37,7 +37,7 @@ module engine_rus_ik #(
         end
     endgenerate
     wire               free = !out_valid || out_ready;
-    wire               flags, sine, last, far, near, over;
+    wire               flags, sine, last, none, far, near, over;
     wire signed [17:0] c, word;
     wire [21:0]        root;
     engine_rus_poses #(.W(W)) poses (
@@ -45,12 +45,12 @@ module engine_rus_ik #(
         .in_ready(in_ready), .in_free(free), .in_load(in_load), .in_leg(in_leg), .in_r11(in_r11), .in_r12(in_r12),
         .in_r13(in_r13), .in_r21(in_r21), .in_r22(in_r22), .in_r23(in_r23), .in_r31(in_r31), .in_r32(in_r32),
         .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb), .out_flags(flags),
-        .out_sine(sine), .out_last(last), .out_c(c), .out_word(word), .out_root(root), .out_far(far), .out_near(near),
-        .out_over(over));
+        .out_sine(sine), .out_last(last), .out_c(c), .out_word(word), .out_root(root), .out_none(none), .out_far(far),
+        .out_near(near), .out_over(over));
     reg  [35:0] leg6;
     always @(posedge clk)
         if (sine)
-            leg6 <= {word, c};
+            leg6 <= {none ? 18'd0 : word, c};
     engine_rus_results #(.BITS(36)) results (
         .clk(clk), .rst(rst), .in_flags(flags), .in_root(root), .in_far(far), .in_near(near), .in_over(over),
         .in_move(sine), .in_last(last), .in_leg6(leg6), .out_valid(out_valid), .out_ready(out_ready),

@@ -34,7 +34,7 @@ module engine_rus_ik_angle #(
         end
     endgenerate
     wire               free = !out_valid || out_ready;
-    wire               flags, sine, last, far, near, over;
+    wire               flags, sine, last, none, far, near, over;
     wire signed [17:0] c, word;
     wire [21:0]        root;
     engine_rus_poses #(.W(W)) poses (
@@ -42,8 +42,8 @@ module engine_rus_ik_angle #(
         .in_ready(in_ready), .in_free(free), .in_load(in_load), .in_leg(in_leg), .in_r11(in_r11), .in_r12(in_r12),
         .in_r13(in_r13), .in_r21(in_r21), .in_r22(in_r22), .in_r23(in_r23), .in_r31(in_r31), .in_r32(in_r32),
         .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb), .out_flags(flags),
-        .out_sine(sine), .out_last(last), .out_c(c), .out_word(word), .out_root(root), .out_far(far), .out_near(near),
-        .out_over(over));
+        .out_sine(sine), .out_last(last), .out_c(c), .out_word(word), .out_root(root), .out_none(none), .out_far(far),
+        .out_near(near), .out_over(over));
     // its second register is that of leg 6
     wire [A-1:0] angle;
     reg          turned, last_turned;
@@ -53,8 +53,8 @@ module engine_rus_ik_angle #(
     end
     /* verilator lint_off PINCONNECTEMPTY */
     vector_to_angle #(.U(16), .A(A)) codec (
-        .clk(clk), .rst(rst), .in_valid(sine), .in_ready(), .in_c(c), .in_n(word), .out_valid(), .out_ready(1'b1),
-        .out_j(angle), .out_status());
+        .clk(clk), .rst(rst), .in_valid(sine), .in_ready(), .in_c(c), .in_n(none ? 18'd0 : word), .out_valid(),
+        .out_ready(1'b1), .out_j(angle), .out_status());
     /* verilator lint_on PINCONNECTEMPTY */
     engine_rus_results #(.BITS(A)) results (
         .clk(clk), .rst(rst), .in_flags(flags), .in_root(root), .in_far(far), .in_near(near), .in_over(over),

@@ -165,7 +165,7 @@ module engine_rus_path (
             over4   <= over3;
         end
         if (rec) begin
-            reciprocal <= none || in_dead ? 27'd0 : pd[49:23];
+            reciprocal <= pd[49:23];
             out_far    <= beyond2 || none;
             out_none   <= none || in_dead;
             out_near   <= !beyond2 && s[21:10] < cfg_near;

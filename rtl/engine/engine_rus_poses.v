@@ -2,7 +2,7 @@
 // What engine_rus_ik and engine_rus_ik_angle share: poses and geometry in, the answers of their legs out, one by one.
 //   in_free: the outputs are free in the next clock, and a pose may be taken
 // Formats: engine_rus_ik. Root and flags stand when out_flags; out_c is the cosine and out_word the sine when out_sine,
-// of leg 6 if out_last. Latency of leg 1: 32 to its flags, 37 to its sine; II 48.
+// of leg 6 if out_last; out_none: it is 0. Latency of leg 1: 32 to its flags, 37 to its sine; II 48.
 // Model: engine_rus.ik
 `default_nettype none
 module engine_rus_poses #(
@@ -27,6 +27,7 @@ module engine_rus_poses #(
     output reg  signed [17:0]  out_c,
     output wire signed [17:0]  out_word,
     output wire [21:0]         out_root,
+    output wire                out_none,
     output wire                out_far,
     output wire                out_near,
     output wire                out_over
@@ -64,12 +65,12 @@ module engine_rus_poses #(
         words <= geometry[{leg, part}];
     end
 
-    wire               cosine, none, far, near, over, dead, unreached;
+    wire               cosine, far, near, over, dead, unreached;
     engine_rus_leg path (
         .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_start(accept || next),
         .in_row(row), .in_words(words), .in_cb(cb), .in_nb(nb), .in_tag(tag), .out_x(x_row), .out_z(z_row),
         .out_y(y_row), .out_turn(turn), .out_last(read), .out_flags(out_flags), .out_cosine(cosine),
-        .out_sine(out_sine), .out_word(out_word), .out_root(out_root), .out_far(far), .out_none(none),
+        .out_sine(out_sine), .out_word(out_word), .out_root(out_root), .out_far(far), .out_none(out_none),
         .out_near(near), .out_over(over), .out_tag({out_last, dead, unreached}));
     assign out_far = unreached || !dead && far;
     assign out_near = !dead && near;
@@ -93,10 +94,10 @@ module engine_rus_poses #(
             leg <= leg == 3'd5 ? 3'd0 : leg + 3'd1;
             tag <= {leg == 3'd5, load || !known[leg], !load && !known[leg]};
         end
-        if (cosine)  // (1, 0) where there is no answer: the word is 0
-            out_c <= {out_word[17], out_word[16] || none, out_word[15:0]};
+        if (cosine)
+            out_c <= out_none ? 18'h10000 : out_word;
         if (out_sine && out_last)
-            busy <= 1'b0;
+            busy  <= 1'b0;
         if (read)
             busy <= 1'b1;
         if (load && first && x_row && to < 3'd6)
@@ -105,7 +106,7 @@ module engine_rus_poses #(
             known <= 6'd0;
             leg   <= 3'd0;
             first <= 1'b0;
-            busy <= 1'b0;
+            busy  <= 1'b0;
         end
     end
 endmodule

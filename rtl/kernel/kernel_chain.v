@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of two or three joints, one after the other, on one table codec and two multipliers.
 //   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: z = y, then y = x n3, x = x c3
-// It knows no joint word: out_want names a joint, and in the next clock in_chords holds its chords, in the form of the
+// It knows no joint word: out_want names a joint, and two clocks later in_chords holds its chords, in the form of the
 // port of all table codecs (rtl/codec/README.md).
 // Formats: c, n odd words of 2^-(U+1) (so that ~word is -word and 1.0 needs no extra bit); A, B s(W+2+G) with F+G
 // fraction bits; every product is truncated to F+G fraction bits; outputs to nearest (ties upward), saturated.
@@ -20,7 +20,7 @@ module kernel_chain #(
     input  wire                in_valid,
     output wire                in_ready,
     output wire [JOINTS:1]     out_want,  // one-hot: read this joint's word; out_want[2]: a sample is accepted
-    input  wire [4*U+22:0]     in_chords,
+    input  wire [4*U+29:0]     in_chords,
     output reg                 out_valid,
     input  wire                out_ready,
     output wire signed [W-1:0] out_x,
@@ -30,16 +30,18 @@ module kernel_chain #(
 );
     localparam G = 5, D = 12, N = W + 2 + G;  // guard bits; bits of an offset; bits of A and B
 
-    // Schedule. start: chords <- in_j2
+    // Schedule. start: read <- in_j2
     localparam [5:0]
-        CHORD = 6'b000001,  // major minor <- chords: complete both roots with the two multipliers
-        COS   = 6'b000010,  // - <- chords: with CHORD: cosine on the first multiplier, not the sine
-        PLACE = 6'b000100,  // a b chords <- major minor: (L2, 0) turned by joint 2 and moved by L1; reads joint 1
-        ROUND = 6'b001000,  // exact <- a b major minor: sum of the two products of a turn, to be rounded
-        YAW   = 6'b010000,  // a b z chords <- a b major minor exact: z is y; (x, 0) goes on; reads joint 3
+        WAIT  = 6'b000000,  // chords <- read: the memories' words
+        CHORD = 6'b000001,  // major minor chords <- chords read: complete both roots with the two multipliers
+        COS   = 6'b000010,  // read <- chords: with CHORD: cosine on the first multiplier, not the sine; reads joint 1
+        PLACE = 6'b000100,  // a b chords <- major minor read: (L2, 0) turned by joint 2 and moved by L1
+        ROUND = 6'b001000,  // exact read <- a b major minor: a turn's two products, to be rounded; reads joint 3
+        YAW   = 6'b010000,  // a b z chords <- a b major minor exact read: z is y; (x, 0) goes on
         LAST  = 6'b100000;  // y <- exact: y is rounded; x is in the clock after
     //                   roots           turn
-    localparam [6*2-1:0] ELBOW = {
+    localparam [6*3-1:0] ELBOW = {
+        /* joint 2      */ {WAIT},
         /* c2, n2       */ {CHORD | COS},
         /* A, B         */ {PLACE}};
     localparam [6*3-1:0] UPRIGHT = {
@@ -54,23 +56,25 @@ module kernel_chain #(
     wire accept = in_valid && in_ready;
     generate
         if (JOINTS == 2) begin : g_two
-            schedule #(.LINES(5), .BITS(6), .TABLE({ELBOW, TIP})) control (.clk(clk), .rst(rst), .in_start(accept),
+            schedule #(.LINES(6), .BITS(6), .TABLE({ELBOW, TIP})) control (.clk(clk), .rst(rst), .in_start(accept),
                 .out_idle(idle), .out_op({last, yaw, round, place, cosine, decode}));
         end else begin : g_three
-            schedule #(.LINES(8), .BITS(6), .TABLE({ELBOW, UPRIGHT, TIP})) control (.clk(clk), .rst(rst),
+            schedule #(.LINES(9), .BITS(6), .TABLE({ELBOW, UPRIGHT, TIP})) control (.clk(clk), .rst(rst),
                 .in_start(accept), .out_idle(idle), .out_op({last, yaw, round, place, cosine, decode}));
-            assign out_want[JOINTS] = yaw;
+            assign out_want[JOINTS] = round;
         end
     endgenerate
-    assign out_want[2:1] = {accept, place};
+    assign out_want[2:1] = {accept, cosine};
     assign in_ready = idle && (!out_valid || out_ready);
 
     // First multiplier: major root, A, one product of a turn; second: minor root, B, the other product.
     wire         minor_n, neg_c, neg_n;
     wire [U+2:0] major_knot, minor_knot;
-    wire [U-6:0] major_step, minor_step;
+    wire [2:0]   range;
+    wire [U-6:0] major_step;
+    wire [U-2:0] minor_step;
     wire [D-1:0] major_offset, minor_offset;
-    assign {minor_n, neg_c, neg_n, major_step, major_knot, major_offset, minor_step, minor_knot, minor_offset}
+    assign {minor_n, neg_c, neg_n, range, major_step, major_knot, major_offset, minor_step, minor_knot, minor_offset}
         = in_chords;
     reg  [N-1:0] a, b;
     reg  [U:0]   major, minor;  // the roots with their signs, each without its last bit, which is always 1
@@ -81,18 +85,19 @@ module kernel_chain #(
     wire [N-1:0] right2 = {{(N-U-1){1'b0}}, minor_offset, {(U+1-D){1'b0}}} & {N{decode}}
                         | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | b & {N{turn}};
     wire [U+1:0] left1 = decode ? {7'h7f, major_step} : {swap ? minor : major, 1'b1};
-    wire [U+1:0] left2 = decode ? {7'd0, minor_step} : {swap ? major : minor, 1'b1};
+    wire [U+1:0] left2 = decode ? {3'd0, minor_step} : {swap ? major : minor, 1'b1};
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [N+U+1:0] product1 = $signed(left1) * $signed(right1);
     wire signed [N+U+1:0] product2 = $signed(left2) * $signed(right2);
     /* verilator lint_on UNUSEDSIGNAL */
     wire [N-1:0] cut1 = product1[N+U:U+1], cut2 = product2[N+U:U+1];
-    // Two adders, not one behind a multiplexer: the longest path is from the table through a multiplier to `sum`
-    wire [N-1:0] first = cut1 + (decode ? {{(N-U-3){1'b0}}, major_knot} : {2'd0, cfg_l1, {G{1'b0}}});
-    wire [N-1:0] sum = cut1 + cut2;
+    wire [N-1:0] addend = {{(N-U-3){1'b0}}, major_knot} & {N{decode}} | {2'd0, cfg_l1, {G{1'b0}}} & {N{place}}
+                        | cut2 & {N{turn}};
+    wire [N-1:0] sum = cut1 + addend;
 
     /* verilator lint_off UNUSEDSIGNAL */
-    wire [U+2:0] second = cut2[U+2:0] + minor_knot;
+    wire [U-1:0] thin;
+    spread_minor #(.U(U)) second (.in_range(range), .in_knot(minor_knot), .in_rise(cut2[U+2:0]), .out_root(thin));
     /* verilator lint_on UNUSEDSIGNAL */
     wire         neg_major = minor_n ? neg_c : neg_n, neg_minor = minor_n ? neg_n : neg_c;
 
@@ -107,11 +112,11 @@ module kernel_chain #(
     always @(posedge clk) begin
         swap <= decode ? minor_n != cosine : !swap;
         if (decode || !swap)  // what the first multiplier took comes back negative to the second: (n, c), then (c, -n)
-            major <= decode ? {neg_major, first[U+2:3] ^ {U{neg_major}}} : ~major;
+            major <= decode ? {neg_major, sum[U+2:3] ^ {U{neg_major}}} : ~major;
         if (decode || swap)
-            minor <= decode ? {neg_minor, second[U+2:3] ^ {U{neg_minor}}} : ~minor;
+            minor <= decode ? {neg_minor, thin ^ {U{neg_minor}}} : ~minor;
         if (place || yaw) begin
-            a <= yaw ? sum : first;
+            a <= sum;
             b <= yaw ? {N{1'b0}} : cut2;
         end
         if (round)

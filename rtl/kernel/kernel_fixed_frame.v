@@ -19,7 +19,7 @@ module kernel_fixed_frame #(
     input  wire                in_valid,
     output wire                in_ready,
     output wire                out_want,  // the codec reads the word of p at the input; else the one of t, kept
-    input  wire [4*U+22:0]     in_chords,
+    input  wire [4*U+29:0]     in_chords,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
     output reg                 out_valid,
@@ -59,9 +59,11 @@ module kernel_fixed_frame #(
 
     wire         minor_n, neg_c, neg_n;
     wire [U+2:0] major_knot, minor_knot;
-    wire [U-6:0] major_step, minor_step;
+    wire [2:0]   range;
+    wire [U-6:0] major_step;
+    wire [U-2:0] minor_step;
     wire [C-1:0] major_offset, minor_offset;
-    assign {minor_n, neg_c, neg_n, major_step, major_knot, major_offset, minor_step, minor_knot, minor_offset}
+    assign {minor_n, neg_c, neg_n, range, major_step, major_knot, major_offset, minor_step, minor_knot, minor_offset}
         = in_chords;
 
     // First multiplier: major root, L cos p, a sin t. Second: minor root, L sin p, a cos t
@@ -73,12 +75,16 @@ module kernel_fixed_frame #(
     wire [M:0]   right1 = {1'b0, long | {{(M-U-1){1'b0}}, major_offset, {(U+1-C){1'b0}}} & {M{decode}}};
     wire [M:0]   right2 = {1'b0, long | {{(M-U-1){1'b0}}, minor_offset, {(U+1-C){1'b0}}} & {M{decode}}};
     wire [U+1:0] left1 = decode ? {7'h7f, major_step} : {1'b0, swap ? minor : major, 1'b1};
-    wire [U+1:0] left2 = decode ? {7'd0, minor_step} : {1'b0, swap ? major : minor, 1'b1};
+    wire [U+1:0] left2 = decode ? {3'd0, minor_step} : {1'b0, swap ? major : minor, 1'b1};
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [M+U+2:0] product1 = $signed(left1) * $signed(right1);
     wire signed [M+U+2:0] product2 = $signed(left2) * $signed(right2);
-    wire [U+2:0] first = product1[U+1 +: U+3] + major_knot, second = product2[U+1 +: U+3] + minor_knot;
+    wire [U+2:0] first = product1[U+1 +: U+3] + major_knot;
     /* verilator lint_on UNUSEDSIGNAL */
+
+    wire [U-1:0] thin;
+    spread_minor #(.U(U)) second (.in_range(range), .in_knot(minor_knot), .in_rise(product2[U+1 +: U+3]),
+        .out_root(thin));
 
     // z, then x, then y through one adder; they change places. A sign is that of a one's complement
     reg  [P-1:0] sum0, sum1, sum2;
@@ -109,7 +115,7 @@ module kernel_fixed_frame #(
             length <= {W{1'b0}};
         if (decode) begin
             major <= first[U+2:3];
-            minor <= second[U+2:3];
+            minor <= thin;
             swap  <= minor_n ^ lean;
             down  <= neg_c;
             back  <= lean ? neg_n : neg_c ^ back;

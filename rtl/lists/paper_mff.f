@@ -2,5 +2,6 @@
 // top module paper_mff
 ../codec/spread_chords.v
 ../arith/schedule.v
+../codec/spread_minor.v
 ../kernel/kernel_fixed_frame.v
 ../paper/paper_mff.v

@@ -2,5 +2,6 @@
 // top module rational_fk3
 ../codec/spread_chords.v
 ../arith/schedule.v
+../codec/spread_minor.v
 ../kernel/kernel_chain.v
 ../rational/rational_fk3.v

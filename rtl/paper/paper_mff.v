@@ -40,12 +40,12 @@ module paper_mff #(
 
     reg  [S+1:0]    j1;
     wire            want, overflow;
-    wire [4*U+22:0] chords;
+    wire [4*U+29:0] chords;
     assign          out_status = {1'b0, overflow, 2'b00};
     always @(posedge clk)
         if (want)
             j1 <= in_j1;
-    spread_chords #(.S(S), .U(U)) codec (.clk(clk), .in_j(want ? in_j2 : j1), .out_chords(chords));
+    spread_chords #(.S(S), .U(U), .CLOCKS(1)) codec (.clk(clk), .in_j(want ? in_j2 : j1), .out_chords(chords));
     kernel_fixed_frame #(.W(W), .U(U), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .out_want(want), .in_chords(chords), .in_l(in_l), .in_last(in_last), .out_valid(out_valid),
         .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_last(out_last),

@@ -2,7 +2,7 @@
 // Forward kinematics of two joints in the plane: x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2.
 // Formats: in_j1, in_j2 turn-spread u2.S; cfg_l1, cfg_l2 uQ(W-F).F; out_x, out_y sQ(W-F).F, nearest, saturated.
 // Error: each coordinate 0.61 + 1.06 (L1 + 2 L2) / 2^16 LSB, lengths in LSB: 1.00 at L1 = L2 = 2^13, 0.80 measured.
-// Latency 6, II 6; the schedule is in kernel_chain.v.
+// Latency 7, II 7; the schedule is in kernel_chain.v.
 // Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 84 and 96 (what eqs. 11-17 and Table II mean): no table of quadrants.
 // Model: rational.fk2
@@ -35,7 +35,7 @@ module rational_fk2 #(
 
     reg  [S+1:0]    j1;
     wire [2:1]      want;
-    wire [4*U+22:0] chords;
+    wire [4*U+29:0] chords;
     wire            overflow;
     assign          out_status = {1'b0, overflow, 2'b00};
     always @(posedge clk) if (want[2]) j1 <= in_j1;

@@ -3,7 +3,7 @@
 // B = L2 n2. rho keeps its sign: an arm that leans back over the yaw axis lands behind it.
 // Formats: in_j1..3 turn-spread u2.S; cfg_l1, cfg_l2 uQ(W-F).F; out_x..z sQ(W-F).F, nearest, saturated.
 // Error: z as rational_fk2; x, y 0.06 + 0.83 (L1 + L2) / 2^16 LSB more: 1.27 at L1 = L2 = 2^13, 0.93 measured.
-// Latency 9, II 9; the schedule is in kernel_chain.v.
+// Latency 10, II 10; the schedule is in kernel_chain.v.
 // Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 24-31 in vector form, with the sign of rho that squaring loses.
 // Model: rational.fk3
@@ -38,7 +38,7 @@ module rational_fk3 #(
 
     reg  [S+1:0]    j1, j3;
     wire [3:1]      want;
-    wire [4*U+22:0] chords;
+    wire [4*U+29:0] chords;
     wire            overflow;
     assign          out_status = {1'b0, overflow, 2'b00};
     always @(posedge clk) if (want[2]) {j1, j3} <= {in_j1, in_j3};

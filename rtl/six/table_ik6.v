@@ -54,7 +54,6 @@ module table_ik6 #(
         end
     endgenerate
 
-    reg             busy;  // a sample is inside or waits at the output
     wire            solved, have, last;
     wire            accept = in_valid && in_ready;
     wire [12*U+23:0] found;
@@ -71,7 +70,8 @@ module table_ik6 #(
         .out_status(out_status));
 
     reg  [2:0]       joint;  // 0 to 5, the next one to the codec
-    reg  [6:1]       coded;  // one-hot: the joint that the codec gives next, 0 between samples
+    reg  [6:1]       coded;  // one-hot: the joint that the codec gives next, 0 where no sample is inside or waits
+    wire             step = have && (!coded[6] || out_ready);
     wire [2*U+3:0]   vector;
     wire [A-1:0]     angle;
     genvar           b, i;
@@ -92,7 +92,7 @@ module table_ik6 #(
     /* verilator lint_on PINCONNECTEMPTY */
     assign last = joint == 3'd5;
     assign out_valid = have && coded[6];
-    assign in_ready = !busy || out_valid && out_ready;
+    assign in_ready = coded == 0 || out_valid && out_ready;
 
     reg [5*A-1:0] first;  // words of joints 1 to 5, the last one on top
     assign        {out_j6, out_j5, out_j4, out_j3, out_j2, out_j1} = {angle, first};
@@ -100,8 +100,7 @@ module table_ik6 #(
         if (have && !coded[6])
             first <= {angle, first[5*A-1:A]};
         joint <= accept ? 3'd0 : joint + {2'd0, solved};
-        busy  <= !rst && (accept || busy && !(out_valid && out_ready));
-        coded <= rst ? 6'd0 : accept ? 6'd1 : have && !coded[6] ? coded << 1 : coded;
+        coded <= rst ? 6'd0 : accept ? 6'd1 : step ? coded << 1 : coded;
     end
 endmodule
 `default_nettype wire

@@ -7,11 +7,12 @@ from quadrance import engine_rus
 from quadrance.cores import Core
 from quadrance.parallel import geometry, reconfiguration
 
-from tb.engine import gradient, plane
+from tb.engine import gradient, newton, plane, space
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
-GRADIENT = dict.fromkeys(gradient.MODELS, gradient) | {"iterative.plane.gd": plane}
+ITERATIVE = dict.fromkeys(gradient.MODELS, gradient) | {
+    "iterative.plane.gd": plane, "iterative.space.gd": space, "iterative.newton_fixed.solve": newton}
 SCALE = {"rus_2x3": 1 / 128, "rotary_stewart": 1 / 640, "klipper_delta": 1 / 128, "linuxcnc_delta": 1 / 128}
 EYE = np.eye(3)
 
@@ -23,9 +24,11 @@ def words_of(core: Core, name: str) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Each robot with its own words, then extremes and some at random; of a gradient engine those of its own file."""
-    if core.model_name in GRADIENT:
-        return GRADIENT[core.model_name].configs(core, rng)
+    """Each robot with its own words, then extremes and some at random; of an iterative engine those of its file."""
+    if core.model_name in ITERATIVE:
+        return ITERATIVE[core.model_name].configs(core, rng)
+    if core.function == "quaternion_to_matrix":
+        return [{}]
     robots = [words_of(core, name) for name in SCALE]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
     return [*robots, *edges, *({port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}
@@ -63,11 +66,27 @@ def _mixed(loads: list[dict[str, int]], samples: Vectors, rng: np.random.Generat
     return {name: np.array([row[name] for row in every]) for name in every[0]}
 
 
+def quaternions(core: Core, rng: np.random.Generator) -> Vectors:
+    """Unit quaternions anywhere, beside the axes and next to the border of length; words at their ends; the first two
+    are none, so that the unit matrix of a reset shows."""
+    one = 1 << core.params["U"]
+    q = rng.normal(size=(600, 4)) * np.where(rng.random((600, 4)) < 0.3, 1e-3, 1)
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    q[300:] *= np.sqrt(1 + rng.choice([-1, 1], (300, 1)) * (2.0**-9 + rng.uniform(-4, 4, (300, 1)) / one))
+    edge = np.array([rng.choice(stimulus.extremes(port), 100) for port in core.inputs]).T
+    words = np.concatenate([[[0] * 4] * 2, np.floor(q * one + 0.5).astype(int), edge,
+                            np.vstack([np.eye(4, dtype=int), -np.eye(4, dtype=int)]) * one])
+    words[2:] = rng.permutation(words[2:])
+    return {port.name: words[:, i] for i, port in enumerate(core.inputs)}
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Poses of a robot behind its geometry; then joints on their axes, and geometry and poses at the ends of words."""
-    if core.model_name in GRADIENT:
-        return GRADIENT[core.model_name].corners(core, cfg)
+    if core.model_name in ITERATIVE:
+        return ITERATIVE[core.model_name].corners(core, cfg)
     rng = np.random.default_rng(1)
+    if core.function == "quaternion_to_matrix":
+        return quaternions(core, rng)
     name = next((one for one in SCALE
                  if words_of(core, one) == cfg), "rus_2x3")
     robot, scale = geometry.load(name), SCALE[name]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
-from quadrance import codecs
+from quadrance import codecs, truth
 from quadrance.cores import Core, joints
 from quadrance.fixed import wrap
 
@@ -16,8 +18,11 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Link lengths: longest, near the edge of saturation, none, one link alone, one LSB, and some at random."""
     if not core.cfg:
         return [{}]
-    if core.function in ("ik2", "ik3"):
-        return targets.configs(core, rng)
+    if core.function.startswith("ik"):
+        high = (1 << core.params["W"]) - 1
+        last = (high >> 3, 1, 0, high, *rng.integers(0, high >> 1, 4).tolist())
+        more = [{"cfg_l3": length} if core.function == "ik3r" else {} for length in last]
+        return [cfg | more[i % len(more)] for i, cfg in enumerate(targets.configs(core, rng))]
     high = (1 << core.params["W"]) - 1
     half = high >> 2
     part = 5 * (high >> 3)  # alone it saturates an axis, not every direction
@@ -53,6 +58,20 @@ def _points(core: Core, rng: np.random.Generator) -> Vectors:
     return {"in_x": np.where(zero, 0, x[order]), "in_y": np.where(zero, 0, y[order])}
 
 
+def _tips(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
+    """Wrists as `targets.corners` has them, and the last link from there in any direction; then extreme words."""
+    wrists = targets.corners(replace(core, inputs=tuple(p for p in core.inputs if p.name != "in_phi")), cfg, rng)
+    count, high = wrists["in_x"].size, 1 << core.params["W"] - 1
+    phi = rng.integers(0, 1 << core.params["A"], count)
+    phi[::5] = rng.integers(0, 4, phi[::5].size) << core.params["A"] - 2
+    turn = phi * truth.TURN / (1 << core.params["A"])
+    link = [np.rint(cfg["cfg_l3"] * part).astype(np.int64) for part in (np.cos(turn), np.sin(turn))]
+    far = rng.random(count) < 0.1  # the wrist is beyond its word
+    tips = {name: np.where(far, rng.choice([-high, high - 1], count), np.clip(wrists[name] + part, -high, high - 1))
+            for name, part in zip(("in_x", "in_y"), link)}
+    return wrists | tips | {"in_phi": phi}
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     if core.function == "chain":
@@ -60,4 +79,6 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
         return stimulus.joined(_words(core, rng), stimulus.saturation(core, cfg))
+    if core.function == "ik3r":
+        return _tips(core, cfg, rng)
     return targets.corners(core, cfg, rng) if core.cfg else _points(core, rng)

@@ -906,6 +906,17 @@ def table_ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> 
     return vector_ik3(fine, l1, l2, target, n2) + _coded(p, l2, distance, n2, length) + yaw * rho
 
 
+def table_ik3r(p: Params, l1: int, l2: int, l3: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
+    """Tip of table_ik3r at the answered words, LSB, `rho` the distance of its wrist, in reach.
+
+    `table_ik2` of a wrist of 16 bits; that wrist is rounded, and its link errs by a root. The sum of the joints is
+    phi, so the last link errs no more.
+    """
+    wide, more = p | {"W": 16}, 1 << 16 - p["W"]
+    wrist = math.sqrt(2) * (0.5 + table_sine(wide, 2) * l3 * more)
+    return (table_ik2(wide, l1 * more, l2 * more, floats(rho) * more, n2) + wrist) / more
+
+
 def table_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     """Tip of table_ik2 and table_ik3 at the answered words from the nearest point of a target out of reach.
 

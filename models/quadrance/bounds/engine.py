@@ -42,8 +42,8 @@ def rus_angle(la: float, lb: float, root: ArrayLike, flat: ArrayLike) -> Floats:
     e cos + f sin = G and LA dG = e de + f df + h dh, so S da = (rod . (de, df, dh)) / LA + dG with
     rod = (e - LA cos, f - LA sin, h), of length LB: what errs is the joint along the rod, LB / LA times. That over S is
     the law 1/S of a leg that is nearly stretched. On the way to the erring words S^2 falls by `rus_band` at most. The
-    root's own error, ROOT S and a fine LSB, turns the answer by at most that over flat; the word adds
-    sqrt(1/2) 2^-16, and the truncated numerators 2^-19.
+    root's own error, ROOT S and a fine LSB, turns the answer by at most that over flat; the word adds sqrt(1/2) 2^-16,
+    and the truncated numerators 2^-19.
     """
     root, flat = floats(root), floats(flat)
     off = rus_joint() * lb / la + rus_gain(la, flat)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from quadrance import codecs
 from quadrance.fixed import Ints
-from quadrance.iterative import fixed, gradient
+from quadrance.iterative import fixed, gradient, newton, newton_fixed
 from quadrance.truth import TURN, Floats, floats
 
 Params = dict[str, int]
@@ -172,6 +172,39 @@ def plane_drift(p: Params, links: Sequence[float], start: Ints, target: Ints, cf
                   lambda error, unit: plane_step(p, links, cfg, error, unit))
 
 
+UNIT = 2.0 ** -25  # of a word of engine_quaternion_gd_n
+OFF = 8.2 * UNIT  # what a joint adds to the error of the quaternion Q of all joints before
+
+
+def space_place(joints: Sequence[gradient.Joint]) -> float:
+    """How far E of engine_quaternion_gd_n can be from target - tip at the joints that were answered, in its unit.
+
+    A word is rounded by half a unit, and by an eighth for each of up to four products: by a unit. Where a pass counts,
+    (c, s) was within 2^-13 of length 1; a Newton step leaves 3/8 of the square of twice that, 0.8 unit, and 3 of
+    rounding, the axis 0.9. Q is off by that and by R and itself, two units each: 8.2 for each joint, with what their
+    products add. A link l errs by 4 |l| times the error of Q, and by 4.5 units of t and itself; u adds exactly.
+    """
+    return sum(4 * float(np.linalg.norm(joint.link)) * OFF * i + 4.5 * UNIT for i, joint in enumerate(joints, 1))
+
+
+def space_end(joints: Sequence[gradient.Joint], tol: int) -> float:
+    """Distance of a converged tip from the target: each coordinate of E is below `tol` units."""
+    return float(np.sqrt(3)) * tol * UNIT + space_place(joints)
+
+
+def space_step(joints: Sequence[gradient.Joint], alpha: float, error: float, levers: Floats) -> Floats:
+    """How far the move of each joint can be from `space.step`, radians; |E| is `error`, |target - joint| `levers`.
+
+    Neither may reach the limits of a step, 1/4. d = 256 (alpha / 512) E . g: A = 16 (alpha / 512) E is truncated to
+    2^-24, and has the error of E; g = w x u that of w (twice Q's, and 6 units), of u, and two units; d is truncated by
+    three of 2^-24 more. A joint moves by twice the arc of d; (c, s) is rounded twice, 6 units of angle.
+    """
+    count, place = np.arange(1, len(joints) + 1), space_place(joints)
+    pull, off = alpha / 32 * error, 2 * UNIT + alpha / 32 * place
+    column = (2 * OFF * count + 6 * UNIT) * levers + place + 2 * UNIT
+    return 2 * (16 * (np.sqrt(3) * off * levers + pull * column + off * column) + 6 * UNIT) + 6 * UNIT
+
+
 def _drift(p: Params, arm: gradient.Kinematics, reach: float, alpha: float, start: Floats, goal: Floats, steps: int,
            made: Callable[[Floats, float], Floats]) -> tuple[Floats, Floats]:
     """The float64 recursion, and how far joints can be that err by made(E, unit of its range) in every step.
@@ -195,3 +228,26 @@ def _drift(p: Params, arm: gradient.Kinematics, reach: float, alpha: float, star
         off[h + 1] = np.linalg.norm(np.eye(n) + turn, ord=2) * off[h] + third * off[h] ** 2 / 2 \
             + np.linalg.norm(made(error, unit))
     return path, off
+
+
+def newton_tip(p: Params, lengths: tuple[float, ...], square: ArrayLike) -> Floats:
+    """As `tip`, of engine_newton_3r with its three lengths, in LSB: as at W = 16, with lengths aligned to 16 bits."""
+    unit = 2.0 ** (p["W"] - 16)
+    return unit * (np.sqrt(16 * (floats(square) + 2)) / 64 + np.sqrt(2) * (3 / 64 + _root(16) * sum(lengths) / unit))
+
+
+def newton_step(p: Params, theta: Floats, wrist: Floats, lengths: tuple[float, float, float]) -> float:
+    """How far a Newton step of engine_newton_3r from `theta` is from the float step, radians in any joint.
+
+    Lengths and wrist in units of 16 bits; no damping, no guard, no shift of the step, |sin theta2| from 1/2 on. E errs
+    by `newton_tip`'s links and by its unit, E along a link also by two of these units and by roots, a numerator by
+    2^-6 of one; relative are D and its square, the reciprocal's factors, its word and the rate; a word is cut.
+    """
+    exact, gap, sine = newton.wrist_step(theta, wrist, lengths)
+    size, root = float(np.linalg.norm(gap)), _root(16)
+    unit = 1 / 64 if np.abs(gap).max() < 2**11 - 1 else 1 / 4
+    along = np.sqrt(2) * (3 / 64 + root * sum(lengths) + unit + root * size) + 2.25 * unit
+    relative = 3 * (root + 2**-17) / abs(sine) + 2**-23 / sine**2 + 2**-13 + 2**-14
+    off = [(along + unit / 32 / abs(sine) + size * (relative + 1.5 * length / newton_fixed.STEP)) * 1.01
+           / (abs(sine) * length) for length in lengths[:2]]
+    return float(sum(off)) + 3 * TURN / 2 ** p["A"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -74,6 +74,15 @@ def _seen(w: int, fine: Ints, error: Ints) -> Ints:
     return saturate(np.where(fine, error, error >> 4), w + 2)[0]
 
 
+def levels(warm: Ints) -> Iterator[Ints]:
+    """Indices of samples that start by themselves; then of those behind them that start from their answers; and so on.
+    """
+    index = np.arange(warm.size)
+    depth = index - np.maximum.accumulate(np.where(warm == 0, index, -1))
+    for level in range(int(depth.max(initial=-1)) + 1):
+        yield np.flatnonzero(depth == level)
+
+
 def _descend(p: Params, start: Ints, home: Ints, warm: Ints, tol: Ints, limit: Ints, one_pass: Pass, steps: int
              ) -> tuple[Ints, Ints, dict[str, Ints]]:
     """Joints (n, samples) of the answers, their last steps (steps, samples), and the other words.
@@ -82,11 +91,7 @@ def _descend(p: Params, start: Ints, home: Ints, warm: Ints, tol: Ints, limit: I
     """
     size = warm.size
     joints, moved, out = np.zeros_like(start), np.zeros((steps, size), np.int64), np.zeros((4, size), np.int64)
-    # samples that start by themselves at once; then those behind them that start from their answers, and so on
-    index = np.arange(size)
-    depth = index - np.maximum.accumulate(np.where(warm == 0, index, -1))
-    for level in range(int(depth.max(initial=-1)) + 1):
-        at = np.flatnonzero(depth == level)
+    for at in levels(warm):
         before = np.where(at > 0, joints[:, at - 1], home[:, None])
         now = np.where(warm[at] == 0, start[:, at], before)
         fine, count, last = np.ones_like(at), np.zeros_like(at), np.zeros((steps, at.size), np.int64)

@@ -95,3 +95,48 @@ def closed(target: ArrayLike, lengths: ArrayLike, elbow: ArrayLike = 0) -> tuple
     theta1, theta2 = truth.ik2(wrist[..., 0], wrist[..., 1], l1, l2, elbow)[:2]
     far = truth.reach(wrist[..., 0], wrist[..., 1], l1, l2)
     return wrapped(np.stack([theta1, theta2, ray - theta1 - theta2], axis=-1)), far
+
+
+def wrist_step(theta: Floats, wrist: Floats, lengths: ArrayLike, damping: float = 0.0, guard: float = 0.0
+               ) -> tuple[Floats, Floats, Floats]:
+    """Step of joints 1 and 2, the wrist's error, and sin theta2: what is left when the third equation holds.
+
+    (D adj(J) + lambda J^T) E / (D^2 + lambda (2 + lambda)) with D = sin theta2, J for the turns of link 1 and of both
+    joints in units of their lengths: Gauss-Newton damped by lambda, Newton at 0. `guard` is added to a smaller D.
+    """
+    l1, l2 = floats(lengths)[:2]
+    c1, n1, c12, n12 = (fn(angle) for angle in (theta[..., 0], theta.sum(axis=-1)) for fn in (np.cos, np.sin))
+    ex, ey = wrist[..., 0] - l1 * c1 - l2 * c12, wrist[..., 1] - l1 * n1 - l2 * n12
+    n2 = np.sin(theta[..., 1])
+    safe = n2 + np.where(np.abs(n2) < guard, np.where(n2 < 0, -guard, guard), 0)
+    det = safe**2 + damping * (2 + damping)
+    d1 = (safe * (c12 * ex + n12 * ey) + damping * (c1 * ey - n1 * ex)) / (det * l1)
+    d12 = (damping * (c12 * ey - n12 * ex) - safe * (c1 * ex + n1 * ey)) / (det * l2)
+    return np.stack([d1, d12 - d1], axis=-1), np.stack([ex, ey], axis=-1), n2
+
+
+def wrist_solve(start: ArrayLike, target: ArrayLike, phi: ArrayLike, lengths: ArrayLike, *, tolerance: float,
+                limit: int, damping: float = 0.0, guard: float = 2.0**-4) -> Answer:
+    """Iterate joints 1 and 2, as engine_newton_3r does, until the squared error of the tip is below `tolerance`.
+
+    The third joint is phi less both. A step in which link 1, or both joints, turn by more than a quarter turn is
+    divided by 4 as a whole until they do not. The guard is off with a damping of 2^-9 and more.
+    """
+    target, phi = floats(target), floats(phi)
+    l3 = floats(lengths)[2]
+    wrist = target - l3 * np.stack([np.cos(phi), np.sin(phi)], axis=-1)
+    theta, wrist = (np.array(a) for a in np.broadcast_arrays(floats(start)[..., :2], wrist))
+    count, active = np.zeros(theta.shape[:-1], dtype=np.int64), np.ones(theta.shape[:-1], dtype=bool)
+    for h in range(limit + 1):
+        move, gap, n2 = wrist_step(theta, wrist, lengths, damping, 0.0 if damping >= 2**-9 else guard)
+        error = (gap**2).sum(axis=-1)
+        active = active & ~(error < tolerance)
+        if h == limit or not active.any():
+            break
+        size = np.maximum(np.abs(move[..., 0]), np.abs(move.sum(axis=-1))) / (np.pi / 2)
+        move = move / 4.0 ** np.ceil(np.log(np.maximum(size, 1)) / np.log(4))[..., None]
+        theta = np.where(active[..., None], wrapped(theta + move), theta)
+        count += active
+    third = wrapped(phi - theta.sum(axis=-1))[..., None]
+    return Answer(np.concatenate([theta, third], axis=-1), error, count, error < tolerance,
+                  (np.abs(n2) < guard) & ~(error < tolerance))

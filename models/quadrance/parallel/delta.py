@@ -31,7 +31,7 @@ def forward(robot: Robot, alpha: ArrayLike, below: bool = True) -> Floats:
     i = np.einsum("...i,...i->...", x, b)
     across = b - i[..., None] * x
     j = np.linalg.norm(across, axis=-1)
-    if np.any(j < 1e-9 * lb[0]):
+    if not np.all(j > 1e-9 * lb[0]):
         raise PoseError("delta: the elbows lie in a line")
     y = across / j[..., None]
     d = np.linalg.norm(a, axis=-1)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance.parallel.geometry import Floats, PoseError, Robot
-from quadrance.parallel.position import inverse
+from quadrance.parallel.position import NEAR, inverse, scaled
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ def crank_rates(robot: Robot, rotation: ArrayLike, position: ArrayLike, beta: Ar
                 link: ArrayLike = 0.0) -> Floats:
     """(..., n) alpha' in rad/s from the platform's twist (..., 6) and beta' (...)."""
     found = jacobians(robot, rotation, position, beta)
-    _regular(found.cranks)
+    _regular(robot, found.cranks)
     pull = np.einsum("...ni,...i->...n", found.platform, platform)
     return (pull - found.links * np.asarray(link)[..., None]) / found.cranks
 
@@ -75,14 +75,13 @@ def platform_twist(robot: Robot, rotation: ArrayLike, position: ArrayLike, beta:
     """(..., 6) twist of the platform from alpha' (..., 6) and beta' (...), six legs."""
     found = jacobians(robot, rotation, position, beta)
     pull = found.cranks * np.asarray(cranks) + found.links * np.asarray(link)[..., None]
-    try:
-        return np.linalg.solve(found.platform, pull[..., None])[..., 0]
-    except np.linalg.LinAlgError:
-        raise PoseError("velocity: J_x is singular (type 2)") from None
+    if np.any(np.linalg.svd(scaled(found.platform), compute_uv=False)[..., -1] <= NEAR):
+        raise PoseError("velocity: J_x is singular (type 2)")
+    return np.linalg.solve(found.platform, pull[..., None])[..., 0]
 
 
-def _regular(cranks: Floats) -> None:
-    if np.any(cranks == 0):
+def _regular(robot: Robot, cranks: Floats) -> None:
+    if np.any(np.abs(cranks) <= NEAR * robot.la):
         raise PoseError("velocity: J_q is singular (type 1): a leg is stretched or folded")
 
 
@@ -150,7 +149,7 @@ def crank_accelerations(robot: Robot, rotation: ArrayLike, position: ArrayLike, 
                         state: ArrayLike, link: ArrayLike = 0.0, link_acceleration: ArrayLike = 0.0) -> Floats:
     """(..., n) alpha'' in rad/s^2 from the platform's twist, its reduced acceleration `state`, beta' and beta''."""
     found = jacobians(robot, rotation, position, beta)
-    _regular(found.cranks)
+    _regular(robot, found.cranks)
     pull = np.einsum("...ni,...i->...n", found.platform, state)
     more = found.links * np.asarray(link_acceleration)[..., None]
     return (pull - more - coriolis(robot, rotation, position, beta, platform, link)) / found.cranks

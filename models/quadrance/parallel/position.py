@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike
 
 from quadrance.parallel.geometry import Floats, PoseError, Robot, check_pose
 
+UNIT = 100.0  # mm: lengths in J_x are measured in it, so that turns and shifts weigh alike
+NEAR = 1e-6  # a smallest singular value of J_x, or a J_q in cranks, that counts as 0
+
 
 @dataclass(frozen=True)
 class Inverse:
@@ -145,10 +148,9 @@ def forward(robot: Robot, alpha: ArrayLike, beta: float, rotation: ArrayLike, po
         if not np.all(np.isfinite(miss)) or np.abs(miss).max() < tolerance:
             break
         rows = 2 * np.hstack([np.cross(arm, d), d])
-        try:
-            move = np.linalg.solve(rows, robot.lb**2 - np.sum(d * d, axis=1))
-        except np.linalg.LinAlgError:
-            raise PoseError(f"forward: the Jacobian is singular after {step} steps") from None
+        if np.linalg.svd(scaled(rows / (2 * robot.lb[:, None])), compute_uv=False)[-1] <= NEAR:
+            raise PoseError(f"forward: the Jacobian is singular after {step} steps")
+        move = np.linalg.solve(rows, robot.lb**2 - np.sum(d * d, axis=1))
         rotation, position = _turned(rotation, move[:3]), position + move[3:]
     worst = float(np.abs(miss).max())
     if not worst < tolerance:
@@ -158,6 +160,11 @@ def forward(robot: Robot, alpha: ArrayLike, beta: float, rotation: ArrayLike, po
         raise PoseError(f"forward: ended in another assembly: leg {1 + int(np.argmax(found != robot.branch))} "
                         "is on its other branch; start nearer")
     return Forward(rotation, position, step, worst, found)
+
+
+def scaled(rows: Floats) -> Floats:
+    """Rows (..., n, 6) of J_x with lengths in units of 100 mm."""
+    return rows / np.array([UNIT] * 3 + [1.0] * 3)
 
 
 def branches(robot: Robot, rotation: ArrayLike, position: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Floats:

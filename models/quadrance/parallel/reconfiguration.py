@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance.parallel.geometry import Floats, PoseError, Robot
-from quadrance.parallel.position import inverse
-from quadrance.parallel.singularity import UNIT
+from quadrance.parallel.position import inverse, scaled
 
 GOLDEN = (5**0.5 - 1) / 2
 MEASURES = ("rotation", "translation")
@@ -50,7 +49,7 @@ def manipulability(robot: Robot, rotation: ArrayLike, position: ArrayLike,
 
 def _condition(robot: Robot, rotation: Floats, position: Floats, beta: Floats) -> Floats:
     rows, _, reachable = _jacobian(robot, rotation, position, beta)
-    values = np.linalg.svd(rows / np.array([UNIT] * 3 + [1.0] * 3), compute_uv=False)
+    values = np.linalg.svd(scaled(rows), compute_uv=False)
     return np.where(reachable, values[..., 0] / np.maximum(values[..., -1], 1e-300), np.inf)
 
 

@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance.parallel.geometry import Floats, Robot
-from quadrance.parallel.motion import Jacobians, jacobians
-
-UNIT = 100.0  # mm: lengths in J_x are measured in it, so that turns and shifts weigh alike
+from quadrance.parallel.motion import jacobians
+from quadrance.parallel.position import NEAR, scaled
 
 
 @dataclass(frozen=True)
@@ -29,20 +28,15 @@ class Singularity:
     link: np.ndarray
 
 
-def scaled(found: Jacobians) -> Floats:
-    """J_x^T Delta with lengths in units of 100 mm."""
-    return found.platform / np.array([UNIT] * 3 + [1.0] * 3)
-
-
 def condition(robot: Robot, rotation: ArrayLike, position: ArrayLike, beta: ArrayLike = 0.0) -> tuple[Floats, Floats]:
     """(cond, sigma_min) of J_x with lengths in units of 100 mm, six legs."""
-    values = np.linalg.svd(scaled(jacobians(robot, rotation, position, beta)), compute_uv=False)
+    values = np.linalg.svd(scaled(jacobians(robot, rotation, position, beta).platform), compute_uv=False)
     low = values[..., -1]
     return np.divide(values[..., 0], low, out=np.full_like(low, np.inf), where=low > 0), low
 
 
 def types(robot: Robot, rotation: ArrayLike, position: ArrayLike, beta: ArrayLike = 0.0,
-          near: float = 1e-6) -> Singularity:
+          near: float = NEAR) -> Singularity:
     """Which singularities a posture is within `near` of.
 
     Paper: it states that det J'_q = 0 only where det J_q = 0 and leaves J'_q out for that reason. That is false: the
@@ -50,6 +44,6 @@ def types(robot: Robot, rotation: ArrayLike, position: ArrayLike, beta: ArrayLik
     """
     found = jacobians(robot, rotation, position, beta)
     inverse = np.abs(found.cranks) <= near * robot.la
-    forward = np.linalg.svd(scaled(found), compute_uv=False)[..., -1] <= near
+    forward = np.linalg.svd(scaled(found.platform), compute_uv=False)[..., -1] <= near
     link = (robot.link > 0) & (np.abs(found.links) <= near * robot.link)
     return Singularity(inverse, forward, inverse.any(axis=-1) & forward, link)

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sums of four products a clock on a register file, for engine_gd_n_program: one coordinate of a quaternion product.
+//   word = A B + C D + E F - G H to nearest 2^-25, written to DEST; with STEP 16 times that, between -1/4 and 1/4
+// A line reads in one clock and computes in the next: its word can be read from the second line behind it on.
+// Formats: words s2.25; sum s4.28, each product truncated to 2^-28; it wraps, and out_over says where the word did.
+//   in_op {A, B, C, D, E, F, G, H, DEST: 6 bits each; ACT: 0, 1 an error, 2 STEP, 3 a square}: 0 to 31 a register, 32
+//   to 47 a word of page in_page; in_still: STEP gives 0
+//   in_set: in_word goes to address in_own; in_fetch: out_read is the word there
+// Registers 4 to 7 are 1, 1/2, 3/2, 0. The file is stored eight times, for eight reads a clock. Model: iterative.space
+`default_nettype none
+module engine_gd_n_products #(
+    parameter P = 4  // bits of a page of 16 words, 2 to 7: 4
+) (
+    input  wire         clk,
+    input  wire [21:0]  cfg_tol,
+    input  wire [55:0]  in_op,
+    input  wire         in_run,
+    input  wire         in_still,
+    input  wire [P-1:0] in_page,
+    input  wire         in_set,
+    input  wire [P+3:0] in_own,
+    input  wire [26:0]  in_word,
+    input  wire         in_fetch,
+    output wire [26:0]  out_read,
+    output wire [26:0]  out_word,   // of the line before, if it is one of those that are marked, out_error
+    output wire         out_error,
+    output wire         out_over,
+    output wire         out_close,  // its magnitude is below cfg_tol
+    output wire         out_off     // a square that is off 1 by 2^-12
+);
+    // the line that computes
+    reg          write, step, still, error, square;
+    reg  [P+3:0] dest;
+    wire [P+3:0] dest_now;
+    always @(posedge clk) begin
+        write  <= in_run;
+        step   <= in_op[1] && !in_op[0];
+        error  <= in_op[0] && !in_op[1] && in_run;
+        square <= in_op[1] && in_op[0] && in_run;
+        still  <= in_still;
+        dest   <= dest_now;
+    end
+
+    // register file
+    wire [P+3:0]        to = in_set ? in_own : dest;
+    wire [26:0]         value = in_set ? in_word : out_word;
+    wire [8*27-1:0]     read;
+    wire [9*(P+4)-1:0]  at;
+    genvar i;
+    generate
+        for (i = 0; i < 9; i = i + 1) begin : g_place
+            wire [5:0] place = in_op[2+6*i +: 6];
+            assign at[(P+4)*i +: P+4] = place[5] ? {in_page, place[3:0]} : {{(P-1){1'b0}}, place[4:0]};
+        end
+        for (i = 0; i < 8; i = i + 1) begin : g_file
+            (* no_rw_check *) reg [26:0] file[0:(1<<P+4)-1];
+            reg [26:0] data;
+            initial begin
+                file[4] = 27'h2000000;
+                file[5] = 27'h1000000;
+                file[6] = 27'h3000000;
+                file[7] = 27'h0000000;
+            end
+            always @(posedge clk) begin
+                if (i != 7 || in_run || in_fetch)  // a word that was fetched waits
+                    data <= file[i == 7 && in_fetch ? in_own : at[(P+4)*(i+1) +: P+4]];
+                if (write || in_set)
+                    file[to] <= value;
+            end
+            assign read[27*i +: 27] = data;
+        end
+    endgenerate
+    assign dest_now = at[P+3:0];
+    assign out_read = read[27*7 +: 27];
+
+    // products and their sum
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire signed [53:0] ab = $signed(read[27*7 +: 27]) * $signed(read[27*6 +: 27]);
+    wire signed [53:0] cd = $signed(read[27*5 +: 27]) * $signed(read[27*4 +: 27]);
+    wire signed [53:0] ef = $signed(read[27*3 +: 27]) * $signed(read[27*2 +: 27]);
+    wire signed [53:0] gh = $signed(read[27*1 +: 27]) * $signed(read[27*0 +: 27]);
+    wire [31:0]        sum = (ab[53:22] + cd[53:22]) + ((ef[53:22] + {29'd0, !step, 1'b0, step}) - gh[53:22]);
+    /* verilator lint_on UNUSEDSIGNAL */
+    wire        beyond = sum[31:22] != {10{sum[31]}};
+    wire [26:0] stepped = beyond ? {{4{sum[31]}}, {23{!sum[31]}}} : {{4{sum[22]}}, sum[21:0], 1'b0};
+    wire [25:0] fold = out_word[25:0] ^ {26{out_word[26]}};
+    assign      out_word = step ? stepped & {27{!still}} : sum[29:3];
+    assign      out_error = error;
+    assign      out_off = square && out_word[26:13] != 14'h1000 && out_word[26:13] != 14'h0FFF;
+    assign      out_over = sum[31:30] != {2{sum[29]}};
+    assign      out_close = fold[25:22] == 4'd0 && fold[21:0] < cfg_tol;
+endmodule
+`default_nettype wire

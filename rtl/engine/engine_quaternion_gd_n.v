@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of any number of revolute joints in space by quaternion gradient descent, without sine or cosine.
+// A joint is the unit vector (c, s) of half its angle; it turns to (c - d s, s + d c), d = alpha E . J / 2, at most
+// 1/4, and is normalised by one Newton step. out_word: word in_k of joint in_n, behind the operation.
+// in_op: 0 solve with joints 1 to in_n; 1 write in_word; 2, 3 read. Joint 0: target x, y, z, step (k = 0 to 3); others:
+// axis (0 to 2), twice the link (3 to 5), c, s (6, 7). Words are written from (0, 0) on; a reset forgets them.
+// Formats: words s2.25; cfg_tol 2^-25, on each coordinate of E; step and unit of length: iterative.space.config.
+// Error: a converged tip is within cfg_tol and bounds.space_end. Latency 3; of a solution 13 + (30 in_n + 10) a pass,
+// out_iters + 1 passes; II the same. Status: unreachable (joint in_n is not written: nothing is done, out_word is 0),
+// overflow (a link ends beyond 2 in some coordinate), not converged (the limit was reached).
+// Source: quaternion gradient paper, eqs. 9, 18, 31. Model: iterative.space.gd
+`default_nettype none
+module engine_quaternion_gd_n #(
+    parameter N = 8  // most joints, 1 to 126: 8, a redundant arm; up to 14 cost nothing
+) (
+    input  wire        clk,
+    input  wire        rst,
+    input  wire [21:0] cfg_tol,
+    input  wire [9:0]  cfg_limit,
+    input  wire        in_valid,
+    output wire        in_ready,
+    input  wire [1:0]  in_op,
+    input  wire [7:0]  in_n,
+    input  wire [2:0]  in_k,
+    input  wire [26:0] in_word,
+    output reg         out_valid,
+    input  wire        out_ready,
+    output wire [26:0] out_word,
+    output wire [26:0] out_x,
+    output wire [26:0] out_y,
+    output wire [26:0] out_z,
+    output wire [9:0]  out_iters,
+    output wire [3:0]  out_status
+);
+    generate
+        if (N < 1 || N > 126) begin : g_illegal
+            engine_quaternion_gd_n_needs_N_from_1_to_126 rule ();
+        end
+    endgenerate
+
+    // Samples: the number of a word is checked in the clock behind the one that takes it
+    localparam P = N < 15 ? 4 : $clog2(N + 2);  // bits of a page: the registers have 0 and 1, joint i has i + 1
+    reg         busy, check, answer, run, no_word;
+    reg  [1:0]  op;
+    reg  [7:0]  n;
+    reg  [2:0]  k;
+    reg  [26:0] word;
+    reg  [10:0] fill;  // the word to be written next, {n, k}
+    wire        accept = in_valid && in_ready;
+    wire        solve_op = op == 2'd0, write_op = op == 2'd1;
+    wire        there = {n, k | {3{solve_op}}} < fill, next = {n, k} == fill && n <= N[7:0];
+    wire        ok = (n != 8'd0 || (!k[2] && !solve_op)) && (there || (write_op && next));
+    wire        begins = check && ok && solve_op;
+    wire        halt;
+    assign      in_ready = !busy && (!out_valid || out_ready);
+
+    // Program: line 0 begins a pass, line 10 a joint; the next line is read while one is played
+    localparam [5:0] JOINT = 6'd10, END = 6'd39;
+    reg  [5:0]   line;
+    reg  [P-1:0] page;
+    wire         over_pass = line == JOINT - 6'd1, over_joint = line == END, last = page == n[P-1:0] + 1'b1;
+    wire [5:0]   then = !run || (over_joint && last) ? 6'd0 : over_joint ? JOINT : line + 6'd1;
+    wire [55:0]  control;
+    engine_gd_n_program program_ (.clk(clk), .in_line(then), .out_op(control));
+
+    // Registers: a sample's own word is read before its answer; where there is none, the 0
+    wire [P+3:0] own = no_word ? {{P{1'b0}}, 4'd7} : n == 8'd0 ? {{P{1'b0}}, 1'b0, k} : {n[P-1:0] + 1'b1, 1'b0, k};
+    wire         error, over, close, off;
+    wire [26:0]  result;
+    reg          still;
+    engine_gd_n_products #(.P(P)) products (.clk(clk), .cfg_tol(cfg_tol), .in_op(control), .in_run(run),
+        .in_still(still), .in_page(page), .in_set(check && ok && write_op), .in_own(own), .in_word(word),
+        .in_fetch(answer), .out_read(out_word), .out_word(result), .out_error(error), .out_over(over),
+        .out_close(close),
+        .out_off(off));
+
+    // End
+    reg  [80:0] e;
+    reg  [9:0]  iters;
+    reg  [2:0]  near;  // the last three coordinates are within the tolerance: of the last link when its pass is over
+    reg         beyond, failed, flag;
+    reg         uneven;  // some (c, s) is not of length 1 to 2^-25: E is not to be trusted yet
+    wire        decide = run && over_pass && !still;
+    wire        done = near == 3'd7 && !beyond && !uneven;
+    assign      halt = decide && (done || iters == cfg_limit);
+    assign      {out_x, out_y, out_z} = e;
+    assign      out_iters = iters;
+    assign      out_status = {failed, flag, 1'b0, no_word};
+    always @(posedge clk) begin
+        if (accept) begin
+            op   <= in_op;
+            n    <= in_n;
+            k    <= in_k;
+            word <= in_word;
+        end
+        if (check && write_op && next)
+            fill <= n == 8'd0 && k == 3'd3 ? 11'd8 : fill + 11'd1;
+        if (accept || check)
+            no_word <= check && !ok;
+        line <= then;
+        if (over_joint || over_pass)
+            page <= over_pass ? {{(P-2){1'b0}}, 2'd2} : page + 1'b1;
+        still <= accept || (still && !(over_joint && last));  // no joint moves in the first pass
+        if (error) begin
+            e    <= {e[53:0], result};
+            near <= {near[1:0], close};
+        end
+        beyond  <= (beyond || (error && over)) && !(over_pass || accept);
+        uneven  <= (uneven || off) && !(over_pass || accept);
+        if (accept) begin
+            e     <= 81'd0;
+            iters <= 10'd0;
+            flag  <= 1'b0;
+        end else if (decide) begin
+            iters <= iters + {9'd0, !halt};
+            flag  <= beyond;
+        end
+        if (accept || halt)
+            failed <= !accept && !done;
+        check     <= accept && !rst;
+        run       <= (begins || (run && !halt)) && !rst;
+        answer    <= ((check && !begins) || halt) && !rst;
+        busy      <= (accept || (busy && !answer)) && !rst;
+        out_valid <= (answer || (out_valid && !out_ready)) && !rst;
+        if (rst)
+            fill <= 11'd0;
+    end
+endmodule
+`default_nettype wire

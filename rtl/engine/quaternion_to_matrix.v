@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rotation matrix of a unit quaternion, for engine_rus_ik. Products only.
+//   r_ii = 1 - 2 (q_j^2 + q_k^2), r_ij = 2 (q_i q_j - w q_k), r_ji = 2 (q_i q_j + w q_k), i, j, k cyclic
+// Formats: in_w, in_x, in_y, in_z, out_r s2.U (1.0 is 2^U), nearest but for truncated products.
+// Error of an entry: 5/8 LSB, the words of the quaternion given; a length of 1 + e scales all but the 1 by 1 + 2 e.
+// Latency 9, II 9.
+// Status: singular (w^2 + x^2 + y^2 + z^2 is not within 2^-9 of 1: the last matrix is held, at first 1)
+// Source: the definition. Model: engine_rus.quaternion_to_matrix
+`default_nettype none
+module quaternion_to_matrix #(
+    parameter U = 16  // fraction bits, 8 to 16: 16 as engine_rus_ik takes them
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [U+1:0] in_w, in_x, in_y, in_z,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output wire signed [U+1:0] out_r11, out_r12, out_r13, out_r21, out_r22, out_r23, out_r31, out_r32, out_r33,
+    output wire [3:0]          out_status
+);
+    generate
+        if (U < 8 || U > 16) begin : g_illegal
+            quaternion_to_matrix_needs_U_from_8_to_16 rule ();
+        end
+    endgenerate
+    // Schedule. start: q <- in_w in_x in_y in_z
+    localparam [4:0]
+        FIRST = 5'b00001,  // total <- q: w^2 + x^2
+        UNIT  = 5'b00010,  // unit <- q total: y^2 + z^2 besides
+        PAIR  = 5'b00100,  // r q <- q unit: two entries, then x, y, z <- y, z, x
+        DIAG  = 5'b01000,  // r <- q unit: an entry of the diagonal
+        LAST  = 5'b10000;  // - <- -: all entries stand in the next clock
+    localparam [8*5-1:0] TURN = {
+        /* length       */ FIRST,
+        /* and its rest */ UNIT,
+        /* r12, r21     */ PAIR,
+        /* r22          */ DIAG,
+        /* r23, r32     */ PAIR,
+        /* r33          */ DIAG,
+        /* r31, r13     */ PAIR,
+        /* r11          */ DIAG | LAST};
+    wire idle, last, diag, pair, rest, first;
+    wire accept = in_valid && in_ready;
+    schedule #(.LINES(8), .BITS(5), .TABLE(TURN)) control (
+        .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op({last, diag, pair, rest, first}));
+
+    // Two products with U + 4 fraction bits, their sum and difference with what rounds
+    reg  signed [U+1:0]   w, x, y, z;
+    wire signed [U+1:0]   al = rest || diag ? y : x, ar = first ? x : y, bl = rest || diag ? z : w, br = first ? w : z;
+    wire signed [2*U+3:0] a = al * ar, b = bl * br;
+    wire signed [U+8:0]   plus = {a[2*U+3], a[2*U+3:U-4]} + {b[2*U+3], b[2*U+3:U-4]} + 4;
+    wire signed [U+8:0]   minus = {a[2*U+3], a[2*U+3:U-4]} - {b[2*U+3], b[2*U+3:U-4]} + 4;
+    reg  [U+8:0]          total;
+    wire [U+8:0]          length = total + plus;
+    wire                  is_one = length[U+8:U-5] == 14'd512 || length[U+8:U-5] == 14'd511;
+    reg                   unit;
+    wire                  unused = &{1'b0, a, b, plus, minus, length};
+
+    // Entries move through: of the diagonal 2, 3, 1; beside it 12, 23, 31 and 21, 32, 13
+    reg  [3*U+5:0] middle, upper, lower;
+    assign {out_r11, out_r33, out_r22} = middle;
+    assign {out_r31, out_r23, out_r12} = upper;
+    assign {out_r13, out_r32, out_r21} = lower;
+    assign in_ready = idle && (!out_valid || out_ready);
+    assign out_status = {2'd0, !unit, 1'b0};
+    localparam [U+1:0]   ONE = {2'b01, {U{1'b0}}};
+    localparam [3*U+5:0] NONE = {3*U+6{1'b0}};
+    always @(posedge clk) begin
+        if (accept)
+            {w, x, y, z} <= {in_w, in_x, in_y, in_z};
+        if (first)
+            total <= plus;
+        if (rest)
+            unit <= is_one;
+        if (pair) begin
+            {x, y, z} <= {y, z, x};
+            if (unit) begin
+                upper <= {minus[U+4:3], upper[3*U+5:U+2]};
+                lower <= {plus[U+4:3], lower[3*U+5:U+2]};
+            end
+        end
+        if (diag && unit)
+            middle <= {ONE - plus[U+4:3], middle[3*U+5:U+2]};
+        out_valid <= last || (out_valid && !out_ready);
+        if (rst) begin
+            out_valid <= 1'b0;
+            middle    <= {3{ONE}};
+            upper     <= NONE;
+            lower     <= NONE;
+        end
+    end
+endmodule
+`default_nettype wire

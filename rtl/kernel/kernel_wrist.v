@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wrist of a planar arm of three joints: the tip less its last link, (x, y) - l3 (cos phi, sin phi), which a kernel of
+// two joints solves; and the third joint, phi - j1 - j2.
+// Formats: in_x, in_y s16.0; cfg_l3 u16.0; in_phi, in_j1, in_j2, out_j3 angle of A bits, in_phi held from in_start on;
+// out_x, out_y s16.0, nearest, in the clock of out_start. Overflow: one of them was saturated.
+// Error of out_x, out_y: half a unit, and that of angle_chord times l3. Latency 4. Model: table.wrist
+`default_nettype none
+module kernel_wrist #(
+    parameter A = 18  // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+) (
+    input  wire               clk,
+    input  wire               rst,
+    input  wire [15:0]        cfg_l3,
+    input  wire               in_start,
+    input  wire signed [15:0] in_x,
+    input  wire signed [15:0] in_y,
+    input  wire [A-1:0]       in_phi,
+    input  wire [A-1:0]       in_j1,
+    input  wire [A-1:0]       in_j2,
+    output wire               out_idle,
+    output wire               out_start,
+    output reg  signed [15:0] out_x,
+    output wire signed [15:0] out_y,
+    output wire [A-1:0]       out_j3,
+    output reg                out_overflow
+);
+    // Schedule. start: goal y phi <- in_x in_y in_phi
+    localparam [2:0]
+        COSINE = 3'b001,  // chord <- phi: read the cosine
+        SINE   = 3'b000,  // chord root <- phi chord: read the sine; the cosine is a root
+        X      = 3'b010,  // x goal root over <- root goal y chord: x of the wrist; the sine is a root
+        Y      = 3'b100;  // over <- root goal over: y of the wrist, which the kernel takes in this clock
+    localparam [4*3-1:0] WRIST = {
+        /* cosine */ {COSINE},
+        /* sine   */ {SINE},
+        /* x      */ {X},
+        /* y      */ {Y}};
+    wire cosine, first;
+    schedule #(.LINES(4), .BITS(3), .TABLE(WRIST)) control (.clk(clk), .rst(rst), .in_start(in_start),
+        .out_idle(out_idle), .out_op({out_start, first, cosine}));
+
+    reg  [A-1:0]        phi;
+    wire [17:0]         knot;
+    wire signed [11:0]  rise;
+    wire signed [15:0]  offset;
+    assign              offset[15] = 1'b0;
+    angle_chord #(.A(A), .K(17), .T(9)) codec (.clk(clk), .in_read(1'b1), .in_keep(1'b0), .in_cos(cosine),
+        .in_j(phi), .out_chord({knot, rise, offset[14:0]}));
+    reg  signed [17:0]  root;
+    reg  signed [15:0]  goal, y;
+    wire signed [27:0]  chord = rise * offset;
+    wire signed [34:0]  link = root * $signed({1'b0, cfg_l3});
+    wire        [18:0]  twice = {{2{goal[15]}}, goal, 1'b0} - link[34:16];  // truncated, so its half is nearest
+    wire                over = twice[18:16] != {3{twice[18]}};
+    assign              out_y = over ? {twice[18], {15{!twice[18]}}} : twice[16:1];
+    assign              out_j3 = phi - in_j1 - in_j2;
+    wire                unused = &{1'b0, chord[27], chord[14:0], link[15:0], twice[0]};
+    always @(posedge clk) begin
+        root <= knot + {{6{chord[26]}}, chord[26:15]};
+        if (in_start) begin
+            phi <= in_phi;
+            y   <= in_y;
+        end
+        if (in_start || first)
+            goal <= in_start ? in_x : y;
+        if (first)
+            out_x <= out_y;
+        if (first || out_start)
+            out_overflow <= over || out_start && out_overflow;
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of three joints in the plane, in one pass: all joints of a tip (x, y) whose last link points along
+// phi, for the elbow asked for: the wrist, then table_ik2, then j3 = phi - j1 - j2.
+// Formats: in_x, in_y s(W-F).F; in_phi, out_j* angles of A bits modulo a turn, nearest, but the last link exactly along
+// phi; cfg_*: as table_ik2, and cfg_l3 u(W-F).F. Error of the tip: page. Latency, II: 16.
+// Status: unreachable (the wrist is at the nearest point), singular (the wrist is the shoulder: out_j1 held), overflow
+// (the wrist was saturated to s(W-F).F).
+// Source: Newton-Raphson paper, eq. 14, in closed form. Model: table.ik3r
+`default_nettype none
+module table_ik3r #(
+    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
+    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter A = 18   // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire [W-1:0]        cfg_l1,
+    input  wire [W-1:0]        cfg_l2,
+    input  wire [W-1:0]        cfg_l3,
+    input  wire signed [33:0]  cfg_q,
+    input  wire [25:0]         cfg_r,
+    input  wire [3:0]          cfg_e,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire [A-1:0]        in_phi,
+    input  wire                in_elbow,
+    output wire                out_valid,
+    input  wire                out_ready,
+    output wire [A-1:0]        out_j1,
+    output wire [A-1:0]        out_j2,
+    output wire [A-1:0]        out_j3,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 4 || W > 16 || F < 0 || F >= W || A < 10 || A > 24) begin : g_illegal
+            table_ik3r_needs_W_from_4_to_16_and_F_below_W_and_A_from_10_to_24 rule ();
+        end
+    endgenerate
+    wire signed [15:0] tip_x = {in_x, {(16-W){1'b0}}}, tip_y = {in_y, {(16-W){1'b0}}};
+    wire signed [15:0] x, y;
+    wire               idle, ready, start, overflow;
+    wire               accept = in_valid && in_ready;
+    reg                elbow;
+    assign             in_ready = idle && ready;
+    always @(posedge clk)
+        if (accept)
+            elbow <= in_elbow;
+    kernel_wrist #(.A(A)) wrist (
+        .clk(clk), .rst(rst), .cfg_l3({cfg_l3, {(16-W){1'b0}}}), .in_start(accept), .in_x(tip_x),
+        .in_y(tip_y), .in_phi(in_phi), .in_j1(out_j1), .in_j2(out_j2), .out_idle(idle), .out_start(start), .out_x(x),
+        .out_y(y), .out_j3(out_j3), .out_overflow(overflow));
+    wire [2:0]         cosine, sine;
+    wire [23:0]        word;
+    wire               flat, negative, none;
+    wire [3:0]         status;
+    assign             out_status = {status[3], overflow || status[2], status[1:0]};
+    kernel_vector_solve #(.JOINTS(2), .LAG(2), .U(18)) kernel (
+        .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(start), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0),
+        .in_elbow(elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
+        .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
+        .out_status(status));
+    angle_of_vector #(.JOINTS(2), .A(A)) codec (
+        .clk(clk), .rst(rst), .in_cos(cosine), .in_sin(sine), .in_word(word), .in_flat(flat), .in_negative(negative),
+        .in_none(none), .out_j({out_j2, out_j1}));
+endmodule
+`default_nettype wire

@@ -1,0 +1,58 @@
+// The contract where the latency varies: nothing lost, doubled or made up, results that wait unchanged, and an end: a
+// sample inside that solves is at a line of the program, its joints are counted from the first to the last, and every
+// pass but the one that judges the start counts. One clock of reset is enough, from any state.
+// rtl: engine/engine_quaternion_gd_n.v
+// with: space_parts.sv
+// proof N8 mode=prove depth=2 N=8
+// proof N100 mode=prove depth=2 N=100
+module engine_quaternion_gd_n_props #(parameter N = 8) (
+    input clk, rst, in_valid, out_ready, input [1:0] in_op, input [7:0] in_n, input [2:0] in_k, input [26:0] in_word,
+    input [21:0] cfg_tol, input [9:0] cfg_limit
+);
+    localparam P = N < 15 ? 4 : $clog2(N + 2);
+    wire in_ready, out_valid;
+    wire [26:0] out_word, out_x, out_y, out_z;
+    wire [9:0] out_iters;
+    wire [3:0] out_status;
+    engine_quaternion_gd_n #(.N(N)) dut (.*);
+
+    reg live, inside, waits;
+    initial {live, inside, waits} = 0;
+    always @* if (!live) assume (rst);
+
+    (* hierconn *) wire \dut.check ;
+    (* hierconn *) wire \dut.answer ;
+    (* hierconn *) wire \dut.run ;
+    (* hierconn *) wire \dut.busy ;
+    (* hierconn *) wire [5:0] \dut.line ;
+    (* hierconn *) wire [P-1:0] \dut.page ;
+    (* hierconn *) wire [7:0] \dut.n ;
+    (* hierconn *) wire [10:0] \dut.fill ;
+    wire [5:0]  line = \dut.line ;
+    wire [7:0]  n = \dut.n , page = \dut.page ;
+    wire [10:0] fill = \dut.fill ;
+
+    wire [121:0] result = {out_word, out_x, out_y, out_z, out_iters, out_status};
+    reg  [121:0] result_before;
+    reg  [31:0]  cfg_before;
+    always @(posedge clk) begin
+        live <= 1;
+        inside <= !rst && (in_valid && in_ready || inside && !(out_valid && out_ready));
+        waits <= live && !rst && out_valid && !out_ready;
+        result_before <= result;
+        cfg_before <= {cfg_tol, cfg_limit};
+    end
+    always @* if (live) begin
+        if (inside) assume ({cfg_tol, cfg_limit} == cfg_before);
+        assert (in_ready == (!inside || out_valid && out_ready));
+        if (out_valid) assert (inside);
+        if (waits) assert (out_valid && result == result_before);
+        assert (\dut.busy == (inside && !out_valid));
+        assert (\dut.busy == (\dut.check || \dut.answer || \dut.run ));
+        assert (\dut.check + \dut.answer + \dut.run < 2);
+        assert (fill <= 8 * (N + 1) && (fill < 4 || fill >= 8));
+        if (\dut.run ) assert (n != 0 && n <= N && line < 40);
+        if (\dut.run && line >= 10) assert (page >= 2 && page <= n + 1);
+        if (inside) assert (out_iters <= cfg_limit);
+    end
+endmodule
