@@ -50,8 +50,8 @@ module engine_gd_vector_path #(
     wire signed [O+D-1:0] a = al * ar, b = bl * br;
 
     // directions
+    localparam [S-O-1:0] HALF = 1 << S - O - 1;  // half a unit of an operand
     reg [S-1:0] c, n, ct, nt;
-    localparam [S-O-1:0] HALF = 1 << S - O - 1;
     assign out_c1 = c[S-1-:O];
     assign out_n1 = n[S-1-:O];
     assign out_c12 = ct[S-1-:O];
@@ -71,9 +71,9 @@ module engine_gd_vector_path #(
     // links: x1 x2, y1 y2
     reg [O-1:0] x, y, x2, y2;
 
-    // steps
-    reg  signed [M-2:0] exact;
-    reg  [M-1:0]        prior;
+    // steps: e1 + e2 for link 1, e2 more for link 2
+    reg  signed [M-2:0] exact;  // of a link, before the shift of its range
+    reg  [M-1:0]        prior;  // sum of the steps before
     reg  [M-2:0]        step;
     wire [M-1:0]        sum = prior + {step[M-2], step};
     wire                over = sum[M-1:D-1] != {(M-D+1){sum[M-1]}};
@@ -86,7 +86,7 @@ module engine_gd_vector_path #(
         default: step = {{6{exact[M-2]}}, exact[M-2:6]};
     endcase
 
-    // operands
+    // operands: left ones of A and B, one right one for both
     reg [O-1:0] lefta, leftb;
     reg [D-1:0] k;
     always @* begin

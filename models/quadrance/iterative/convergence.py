@@ -13,7 +13,7 @@ import numpy as np
 from quadrance import truth
 from quadrance.cores import Core
 from quadrance.fixed import Ints
-from quadrance.iterative import engines, plane
+from quadrance.iterative import engines, fixed, plane
 
 STEP = 4  # degrees between the starts of joints 1 and 2, as of the 8100 starts of the Newton paper's arm
 LIMIT = 1000  # iterations
@@ -52,6 +52,18 @@ def by_example(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
     return engines.inputs(core, goal, start), example.config(core, lsb) | {"cfg_tol": ANSWER, "cfg_limit": LIMIT}
 
 
+def by_vector(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
+    """engine_quaternion_gd_vector with the example of engine_quaternion_gd, its starts as directions of the links."""
+    example = engines.EXAMPLES["engine_quaternion_gd"]
+    lsb, links = example.lsb(core, 3), np.cumsum(grid(2), axis=-1)
+    l1, l2 = (round(length / lsb) for length in example.lengths)
+    words = [np.rint(2.0 ** core.params["W"] * each).astype(np.int64) for link in links.T for each in truth.unit(link)]
+    goal = [np.full(len(links), word) for word in example.goals(example.target, lsb)]
+    return {port.name: word for port, word in zip(core.inputs, [*goal, *words, np.zeros(len(links), np.int64)])}, \
+        {"cfg_l1": l1, "cfg_l2": l2, "cfg_tol": ANSWER, "cfg_limit": LIMIT} \
+        | fixed.config_vector(core.params, cfg_l1=l1, cfg_l2=l2, gain=example.gain)
+
+
 def by_plane(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
     """engine_quaternion_gd_plane with two links and the example of engine_quaternion_gd; a fourth of the starts."""
     example, a = engines.EXAMPLES["engine_quaternion_gd"], core.params["A"]
@@ -68,5 +80,9 @@ TWO = ("vector_ik2", "table_ik2")
 ENTRIES = {
     "engine_quaternion_gd": Entry("2 joints in the plane, to 1 LSB (12 um)", by_example,
                                   engines.EXAMPLES["engine_quaternion_gd"].clocks, TWO),
+    "engine_quaternion_gd_vector": Entry("2 joints in the plane, to 1 LSB (12 um)", by_vector, 13, TWO),
+    "engine_quaternion_gd_touch": Entry("Geomagic Touch, to 1 LSB (16 um)", by_example,
+                                        engines.EXAMPLES["engine_quaternion_gd_touch"].clocks,
+                                        ("vector_ik3", "table_ik3")),
     "engine_quaternion_gd_plane": Entry("n joints in the plane, 2 of them, to 1 LSB (12 um)", by_plane, 12, TWO,
                                         lambda inputs: np.flatnonzero(inputs["in_op"] == plane.SOLVE))}
