@@ -97,27 +97,34 @@ module vector_ik6_all #(
         5'd17, 5'd19, 5'd12, 5'd8, 5'd10, 5'd14, 5'd3, 5'd2, 5'd7, 5'd6, 5'd1, 5'd0,
         5'd24, 5'd26, 5'd28, 5'd31, 5'd22, 5'd20, 5'd5, 5'd4, 5'd30, 5'd15, 5'd1, 5'd0,
         5'd16, 5'd18, 5'd11, 5'd8, 5'd9, 5'd13, 5'd3, 5'd2, 5'd7, 5'd6, 5'd1, 5'd0};
-    wire [96*(U+2)-1:0] answer;
-    genvar              i, j;
+    genvar i, j;
     generate
         for (i = 0; i < 8; i = i + 1) begin : g_branch
+            wire [12*(U+2)-1:0] answer;
             for (j = 0; j < 12; j = j + 1) begin : g_word
                 localparam [31:0] AT = {27'd0, PLACE[5*(12*(i/2)+j) +: 5]};
-                assign answer[(U+2)*(12*i+j) +: U+2] = found[(U+2)*(32*(i%2)+AT) +: U+2];
+                assign answer[(U+2)*j +: U+2] = found[(U+2)*(32*(i%2)+AT) +: U+2];
             end
             assign out_far[i]  = far[2*(i%2)+(i/2)%2];
             assign out_held[i] = held[2*(i%2)+(i/2)%2];
         end
     endgenerate
-    assign {out_n67, out_c67, out_n57, out_c57, out_n47, out_c47, out_n37, out_c37, out_n27, out_c27, out_n17, out_c17,
-        out_n66, out_c66, out_n56, out_c56, out_n46, out_c46, out_n36, out_c36, out_n26, out_c26, out_n16, out_c16,
-        out_n65, out_c65, out_n55, out_c55, out_n45, out_c45, out_n35, out_c35, out_n25, out_c25, out_n15, out_c15,
-        out_n64, out_c64, out_n54, out_c54, out_n44, out_c44, out_n34, out_c34, out_n24, out_c24, out_n14, out_c14,
-        out_n63, out_c63, out_n53, out_c53, out_n43, out_c43, out_n33, out_c33, out_n23, out_c23, out_n13, out_c13,
-        out_n62, out_c62, out_n52, out_c52, out_n42, out_c42, out_n32, out_c32, out_n22, out_c22, out_n12, out_c12,
-        out_n61, out_c61, out_n51, out_c51, out_n41, out_c41, out_n31, out_c31, out_n21, out_c21, out_n11, out_c11,
-        out_n60, out_c60, out_n50, out_c50, out_n40, out_c40, out_n30, out_c30, out_n20, out_c20, out_n10, out_c10}
-        = answer;
+    assign {out_n60, out_c60, out_n50, out_c50, out_n40, out_c40, out_n30, out_c30, out_n20, out_c20, out_n10, out_c10}
+        = g_branch[0].answer;
+    assign {out_n61, out_c61, out_n51, out_c51, out_n41, out_c41, out_n31, out_c31, out_n21, out_c21, out_n11, out_c11}
+        = g_branch[1].answer;
+    assign {out_n62, out_c62, out_n52, out_c52, out_n42, out_c42, out_n32, out_c32, out_n22, out_c22, out_n12, out_c12}
+        = g_branch[2].answer;
+    assign {out_n63, out_c63, out_n53, out_c53, out_n43, out_c43, out_n33, out_c33, out_n23, out_c23, out_n13, out_c13}
+        = g_branch[3].answer;
+    assign {out_n64, out_c64, out_n54, out_c54, out_n44, out_c44, out_n34, out_c34, out_n24, out_c24, out_n14, out_c14}
+        = g_branch[4].answer;
+    assign {out_n65, out_c65, out_n55, out_c55, out_n45, out_c45, out_n35, out_c35, out_n25, out_c25, out_n15, out_c15}
+        = g_branch[5].answer;
+    assign {out_n66, out_c66, out_n56, out_c56, out_n46, out_c46, out_n36, out_c36, out_n26, out_c26, out_n16, out_c16}
+        = g_branch[6].answer;
+    assign {out_n67, out_c67, out_n57, out_c57, out_n47, out_c47, out_n37, out_c37, out_n27, out_c27, out_n17, out_c17}
+        = g_branch[7].answer;
     assign out_status = {flags[3], 1'b0, held != 4'd0, far != 4'd0};
 
     always @(posedge clk) begin
