@@ -177,10 +177,13 @@ def _held(c: Ints, n: Ints, none: Ints) -> tuple[Ints, Ints]:
     return hold_last(c, ~none, ONE), hold_last(n, ~none)
 
 
-def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
-    """One branch of a pose."""
-    names = list(ports)
-    ports = dict(zip(names, (ints(word) for word in np.broadcast_arrays(*ports.values()))))
+def _alike(ports: dict[str, Ints]) -> dict[str, Ints]:
+    """All ports as long as the longest."""
+    return dict(zip(ports, (ints(word) for word in np.broadcast_arrays(*ports.values()))))
+
+
+def _branch(p: Params, **ports: Ints) -> tuple[list[tuple[Ints, Ints]], Ints, Ints, Ints]:
+    """Vectors of the six joints, as words; where the pose is out of reach, a direction is held, R is no rotation."""
     branch = ports["in_branch"]
     back, down, flip = (branch >> i & 1 for i in range(3))
     r = {axis: ports[f"in_r{axis}"] << H - p["U"] for axis in AXES}
@@ -217,10 +220,39 @@ def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
     w1, w2, w3 = _dot((t, c_1), (c_4, n_1, -1)), _dot((t, n_1), (c_4, c_1)), _dot((n_4, n23))
     n_6 = _dot((w1, r["11"]), (w2, r["21"]), (w3, r["31"]))
     c_6 = _dot((w1, r["12"]), (w2, r["22"]), (w3, r["32"]))
+    vectors = [(c_1, n_1), (c_2, n_2), (c_3, n_3), (c_4, n_4), (c_5, n_5), (c_6, n_6)]
+    return vectors, ints(inside | outside), ints(no1 | no2 | no4), ints(wrong)
+
+
+def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """One branch of a pose."""
+    vectors, far, held, wrong = _branch(p, **_alike(ports))
     answer = {}
-    for i, (c, n) in enumerate(((c_1, n_1), (c_2, n_2), (c_3, n_3), (c_4, n_4), (c_5, n_5), (c_6, n_6)), 1):
+    for i, (c, n) in enumerate(vectors, 1):
         answer |= {f"out_c{i}": _rounded(p, c), f"out_n{i}": _rounded(p, n)}
-    return answer | {"out_status": ints(inside | outside) + 2 * ints(no1 | no2 | no4) + 8 * ints(wrong)}
+    return answer | {"out_status": far + 2 * held + 8 * wrong}
+
+
+SOLVED = (0, 2, 1, 3)  # branches of ik6_all in the order in which they hold directions; the others mirror them
+
+
+def ik6_all(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """All branches of a pose: of `SOLVED`, and those whose wrist is turned over, joints 4 and 6 by half a turn."""
+    ports = {name: np.repeat(np.atleast_1d(word), len(SOLVED)) for name, word in _alike(ports).items()}
+    order = np.resize(SOLVED, len(ports["in_x"]))
+    vectors, far, held, wrong = _branch(p, **ports, in_branch=order)
+    answer, bits = {}, {"far": 0, "held": 0}
+    for at, branch in enumerate(SOLVED):
+        for i, (c, n) in enumerate(vectors, 1):
+            c, n = c[at::len(SOLVED)], n[at::len(SOLVED)]
+            over = (c if i == 5 else -c, -n) if i > 3 else (c, n)
+            for number, (cosine, sine) in ((branch, (c, n)), (branch + 4, over)):
+                answer |= {f"out_c{i}{number}": _rounded(p, cosine), f"out_n{i}{number}": _rounded(p, sine)}
+        for name, flag in (("far", far), ("held", held)):
+            bits[name] = bits[name] + (17 * flag[at::len(SOLVED)] << branch)
+    bits = {f"out_{name}": word for name, word in bits.items()}
+    status = ints(bits["out_far"] != 0) + 2 * ints(bits["out_held"] != 0) + 8 * wrong[::len(SOLVED)]
+    return answer | bits | {"out_status": status}
 
 
 # Behind the angle codec

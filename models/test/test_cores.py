@@ -148,7 +148,7 @@ def test_the_list_is_in_order():
     assert len(set(groups)) == sum(one != other for one, other in zip(groups, [None, *groups]))
     for core in listed:
         for port in (*core.inputs, *core.outputs):
-            joint = re.fullmatch(r"(in|out)_(j|angle|[jcn][1-6]+)", port.name) is not None  # c12: of both joints
+            joint = re.fullmatch(r"(in|out)_(j|angle|[jcn]\d+)", port.name) is not None  # c12: of both joints
             if port.name[-2:] not in ("_c", "_n"):  # of a codec: a unit vector, or one of any length, two plain words
                 assert (port.type is not None) == joint, core.id
 

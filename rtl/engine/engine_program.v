@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Control of a long program: plays a table of LINES control words, one a clock, from a memory block. For tables of some
 // sixty lines on that differ in most bits: as logic (schedule, schedule_counter) these cost hundreds of cells.
-//   out_op = line i of TABLE in the i-th clock after the one with in_start; line 1 while idle, 0 behind the last one
+//   out_op = line i of TABLE in the i-th clock after the one with in_start; line 1 while idle, 0 behind the last one.
+//   The lines from AGAIN on are played twice
 // out_done: the DRAIN-th clock behind the last line; the program is idle in the next one. in_start in a clock with rst
 // is not taken; the user starts it only when out_idle.
-// Latency of a user that raises its out_valid behind out_done: LINES + DRAIN + 1.
+// Latency of a user that raises its out_valid behind out_done: LINES + (LINES - AGAIN) + DRAIN + 1.
 `default_nettype none
 module engine_program #(
     parameter LINES = 2,                  // lines of the table, 2 or more: one clock each
     parameter BITS = 1,                   // control bits of a line, 1 or more
-    parameter DRAIN = 2,                  // clocks that the last line takes to its end, 1 or more: 2, product_engine
+    parameter DRAIN = 3,                  // clocks that the last line takes to its end, 1 or more: 3, product_engine
+    parameter AGAIN = LINES,              // first line, from 0 on, of those played twice: LINES, none
     parameter [LINES*BITS-1:0] TABLE = 0  // the control words, the first line in the top BITS bits
 ) (
     input  wire            clk,
@@ -20,26 +22,28 @@ module engine_program #(
     output reg  [BITS-1:0] out_op
 );
     generate
-        if (LINES < 2 || BITS < 1 || DRAIN < 1) begin : g_illegal
-            engine_program_needs_LINES_from_2_and_BITS_from_1_and_DRAIN_from_1 rule ();
+        if (LINES < 2 || BITS < 1 || DRAIN < 1 || AGAIN < 0 || AGAIN > LINES) begin : g_illegal
+            engine_program_needs_LINES_from_2_and_BITS_from_1_and_DRAIN_from_1_and_AGAIN_to_LINES rule ();
         end
     endgenerate
 
     localparam N = $clog2(LINES + DRAIN);
-    localparam [31:0] LAST = LINES + DRAIN - 1;
+    localparam [31:0] LAST = LINES + DRAIN - 1, TURN = LINES - 1, BACK = AGAIN;
     reg [BITS-1:0] lines[0:(1<<N)-1];
     integer        i;
     initial
         for (i = 0; i < 1 << N; i = i + 1)
             lines[i] = i < LINES ? TABLE[BITS*(LINES-1-i) +: BITS] : {BITS{1'b0}};
 
-    reg          busy;
-    reg  [N-1:0] line;  // the line that out_op is
-    wire [N-1:0] next = busy && !out_done && !rst ? line + 1'b1 : {N{1'b0}};
+    reg          busy, second;  // the second time
+    reg  [N-1:0] line;          // the line that out_op is
+    wire         turn = AGAIN < LINES && line == TURN[N-1:0];
+    wire [N-1:0] next = !busy || out_done || rst ? {N{1'b0}} : turn && !second ? BACK[N-1:0] : line + 1'b1;
     assign       out_idle = !busy;
     assign       out_done = busy && line == LAST[N-1:0];
     always @(posedge clk) begin
         busy   <= !rst && (in_start || busy && !out_done);
+        second <= busy && (second || turn);
         line   <= next;
         out_op <= lines[next];
     end

@@ -13,12 +13,13 @@ module engine_roots #(
     input  wire        in_first,
     input  wire        in_more,
     input  wire        in_wrist,
+    input  wire        in_none,
     input  wire [25:0] in_fold,
     input  wire        in_read,
     input  wire [19:0] in_q,
     output reg  [20:0] out_w,
     output wire [19:0] out_slope,
-    output reg  [25:0] out_power,
+    output wire [25:0] out_power,
     output reg  [25:0] out_four,
     output reg  [13:0] out_twice,
     output wire        out_empty
@@ -31,9 +32,9 @@ module engine_roots #(
             turned[25-i] = in_fold[i] && (i >= WRIST || !in_wrist);
     always @(posedge clk) begin
         if (in_first || in_more)
-            seen <= in_first ? turned : seen | turned;
-        out_power <= seen & (~seen + 26'd1);
+            seen <= in_none ? 26'd0 : in_first ? turned : seen | turned;
     end
+    assign out_power = seen & (~seen + 26'd1);
     assign out_empty = out_power == 26'd0;
     always @* begin
         out_four = 26'd0;

@@ -3,6 +3,7 @@
 ../engine/engine_program.v
 ../six/six_inverse_program.v
 ../engine/engine_ports.v
+../six/six_pose.v
 ../arith/reciprocal_root.v
 ../engine/engine_roots.v
 ../engine/product_engine.v

@@ -3,7 +3,7 @@
 //   c23, n23 = those of q2 + q3; e = first column of R36, f = third; u = both turned by q2 + q3; then by q1
 //   column 2 = column 3 x column 1; tip = (x1 c1 - b n1, x1 n1 + b c1, z1) + l4 column 3
 // Registers have the names of their words, ports I_; lN are the lengths c1 to c4. Line: word = A * B [+- C * D], DEST.
-// One line a clock; a register is read from the second line behind the one that writes it on. Model: six.fk6
+// One line a clock; a register is read from the third line behind the one that writes it on. Model: six.fk6
 `default_nettype none
 module six_forward_program (
     input  wire        clk,
@@ -40,21 +40,21 @@ module six_forward_program (
         /* c23             */ {PORT, I_C3, OF, C2,    N2,  N3,  SUB,  DONE, C23},
         /* n23             */ {PORT, I_C3, OF, N2,    C2,  N3,  ADD,  DONE, N23},
         /* f1              */ {PORT, I_N5, OF, C4,    NIL, NIL, LONE, DONE, F1},
-        /* a2              */ {PORT, I_A2, BY, PLUS,  NIL, NIL, LONE, DONE, A2},
-        /* l2              */ {PORT, I_L2, BY, PLUS,  NIL, NIL, LONE, DONE, L2},
         /* s = c5 n4       */ {PORT, I_C5, OF, N4,    NIL, NIL, LONE, DONE, S},
         /* e1              */ {PORT, I_C6, OF, T,     N4,  N6,  SUB,  DONE, E1},
         /* e3              */ {PORT, I_C6, OF, M5,    NIL, NIL, LONE, DONE, E3},
+        /* l2              */ {PORT, I_L2, BY, PLUS,  NIL, NIL, LONE, DONE, L2},
+        /* a2              */ {PORT, I_A2, BY, PLUS,  NIL, NIL, LONE, DONE, A2},
         /* c1              */ {PORT, I_C1, BY, PLUS,  NIL, NIL, LONE, DONE, C1},
         /* n1              */ {PORT, I_N1, BY, PLUS,  NIL, NIL, LONE, DONE, N1},
         /* f2              */ {PORT, I_N5, OF, N4,    NIL, NIL, LONE, DONE, F2},
         /* u3              */ {PORT, I_C5, OF, N23,   C23, F1,  ADD,  DONE, U3},
         /* e2              */ {PORT, I_C6, OF, S,     C4,  N6,  ADD,  DONE, E2},
         /* u1              */ {REG, C23,   OF, E1,    N23, E3,  ADD,  DONE, U1},
-        /* r33             */ {PORT, I_C5, OF, C23,   N23, F1,  SUB,  DONE, R33},
         /* a1 + l2 n2      */ {PORT, I_A1, BY, PLUS,  L2,  N2,  ADD,  KEEP, NIL},
         /* x1              */ {PORT, I_L3, OF, N23,   A2,  C23, ADD,  DONE, X1},
         /* b               */ {PORT, I_B,  BY, PLUS,  NIL, NIL, LONE, DONE, B},
+        /* r33             */ {PORT, I_C5, OF, C23,   N23, F1,  SUB,  DONE, R33},
         /* r13             */ {REG, C1,    OF, U3,    N1,  F2,  SUB,  DONE, R13},
         /* r23             */ {REG, N1,    OF, U3,    C1,  F2,  ADD,  DONE, R23},
         /* r31             */ {REG, C23,   OF, E3,    N23, E1,  SUB,  DONE, R31},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of six joints given as binary angles: one table codec turns them into unit vectors one after the
 // other, vector_fk6 does the rest. Formats: in_j* angle of A bits, a full turn is 2^A; others as in vector_fk6.
-// Error: page. Latency, II: 57: two clocks a joint and one, then vector_fk6.
+// Error: page. Latency, II: 58: two clocks a joint and one, then vector_fk6.
 // Status: overflow (a coordinate was saturated).
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.table_fk6
 `default_nettype none

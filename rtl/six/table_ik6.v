@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of six joints as binary angles, one of eight branches: vector_ik6, then one table codec that takes
 // its vectors one after the other. Formats: out_j* angle of A bits, a full turn is 2^A, nearest; others as there.
-// Error: page. Latency, II: 98: vector_ik6, a clock a joint and one.
+// Error: page. Latency, II: 102: vector_ik6, a clock a joint and one.
 // Status: as vector_ik6. Of a matrix that is no rotation a joint may have no vector: it has the word of the one before.
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.table_ik6
 `default_nettype none

@@ -2,7 +2,7 @@
 // Forward kinematics of six joints on unit vectors: rotation matrix and tip of an arm with an ortho-parallel base and
 // a spherical wrist. Formats: in_c*, in_n* cos and sin of a joint, s2.U; out_r*, row and column, s2.U; out_x, out_y,
 // out_z s(W-F).F; all to nearest (ties upward), coordinates saturated; cfg_* lengths s(W-F).(F+4), six.forward_config.
-// Error: page. Latency, II: 44.
+// Error: page. Latency, II: 45.
 // Status: overflow (a coordinate was saturated).
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.fk6
 `default_nettype none

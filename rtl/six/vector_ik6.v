@@ -3,7 +3,7 @@
 // spherical wrist. Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_c*,
 // out_n* cos and sin of a joint, s2.U, nearest; cfg_*: six.config.
 //   in_branch[0]: the shoulder looks back; [1]: sin(q3 + psi) < 0; [2]: sin q5 < 0
-// Error: page. Latency, II: 91.
+// Error: page. Latency, II: 95.
 // Status: unreachable (nearest answer), singular (joint 1, 2 or 4 has no direction: its last one is held, (1, 0) after
 // a reset; the others take the rest), bit 3: the matrix is no rotation, by 16 units of 2^-U.
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6
@@ -69,39 +69,21 @@ module vector_ik6 #(
     six_inverse_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
         .out_op(op));
 
-    // Ports as words of the engine
-    reg  [9*U+17:0]  matrix;
-    reg  [3*W-1:0]   tip;
-    reg  [2:0]       signs;
-    wire [6*W+23:0]  lengths = {cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1};
-    wire [23*27-1:0] words;
-    wire [26:0]      port, word;
-    wire [5:0]       dest;
-    assign words[18*27 +: 5*27] = {27'h2000000, 5'd0, cfg_e, 2'd0, cfg_r, cfg_np, cfg_cp};
-    genvar i;
-    generate
-        for (i = 0; i < 9; i = i + 1) begin : g_matrix
-            assign words[27*i +: 27] = {matrix[(U+2)*i +: U+2], {(25-U){1'b0}}};
-        end
-        for (i = 0; i < 3; i = i + 1) begin : g_tip
-            assign words[27*(9+i) +: 27] = {{2{tip[W*i+W-1]}}, tip[W*i +: W], {(25-W){1'b0}}};
-        end
-        for (i = 0; i < 6; i = i + 1) begin : g_length
-            assign words[27*(12+i) +: 27] = {{2{lengths[(W+4)*i+W+3]}}, lengths[(W+4)*i +: W+4], {(21-W){1'b0}}};
-        end
-    endgenerate
-    engine_ports #(.COUNT(23)) operands (.clk(clk), .in_words(words), .in_select(op[43:39]), .out_word(port));
+    reg  [2:0]  signs;
+    wire [26:0] port, word;
+    wire [5:0]  dest;
+    six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(accept),
+        .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
+        .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
+        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_select(op[43:39]), .out_word(port));
     product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
         .in_op(op), .in_port(port), .in_signs(signs), .out_word(word), .out_dest(dest), .out_status(out_status));
     engine_results #(.COUNT(12), .U(U)) joints (.clk(clk), .in_word(word), .in_dest(dest), .out_words({out_n6, out_c6,
         out_n5, out_c5, out_n4, out_c4, out_n3, out_c3, out_n2, out_c2, out_n1, out_c1}));
 
     always @(posedge clk) begin
-        if (accept) begin
-            matrix <= {in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11};
-            tip    <= {in_z, in_y, in_x};
-            signs  <= in_branch;
-        end
+        if (accept)
+            signs <= in_branch;
         out_valid <= !rst && (done || out_valid && !out_ready);
     end
 endmodule

@@ -58,7 +58,8 @@ def poses(core: Core, cfg: dict[str, int], q: np.ndarray, rng: np.random.Generat
     matrix = np.rint(rotation.reshape(-1, 9).T * 2.0 ** p["U"])
     words = {f"in_r{axis}": row for axis, row in zip(six.AXES, matrix)}
     words |= {f"in_{axis}": np.clip(np.rint(tip[:, i] * 2.0 ** p["F"]), -end - 1, end) for i, axis in enumerate("xyz")}
-    return {name: word.astype(np.int64) for name, word in words.items()} | {"in_branch": rng.integers(0, 8, len(q))}
+    branch = {port.name: rng.integers(0, 8, len(q)) for port in core.inputs if port.name == "in_branch"}
+    return {name: word.astype(np.int64) for name, word in words.items()} | branch
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
@@ -71,20 +72,22 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         wild = stimulus.uniform(core, rng, 200)
         extreme = {port.name: rng.choice(stimulus.extremes(port), 100) for port in core.inputs}
         return stimulus.joined(stimulus.joined(found, wild), extreme)
-    q = angles(600, rng)
+    count = 150 if core.function == "ik6_all" else 600  # eight answers a pose
+    q = angles(count, rng)
     q[::5, 4] = np.pi * rng.integers(0, 2, q[::5, 4].shape)  # straight wrist
     found = poses(core, cfg, q, rng)
-    own = rng.random(600) < 0.5
+    own = rng.random(count) < 0.5
     for axis in "xyz":  # another tip: out of reach, near axis 1, the wrist's centre on the shoulder
-        other = rng.integers(-(1 << core.params["W"] - 1), 1 << core.params["W"] - 1, 600) >> rng.integers(
-            0, core.params["W"], 600)
-        found[f"in_{axis}"] = np.where(own | (rng.random(600) < 0.3), found[f"in_{axis}"], other)
+        other = rng.integers(-(1 << core.params["W"] - 1), 1 << core.params["W"] - 1, count) >> rng.integers(
+            0, core.params["W"], count)
+        found[f"in_{axis}"] = np.where(own | (rng.random(count) < 0.3), found[f"in_{axis}"], other)
     slack = six.slack(core.params) - six.H + core.params["U"]  # of 2^-U
     for axis in six.AXES:  # matrices just within the threshold, just beyond, and none at all
-        off = rng.integers(-1, 2, 600) << rng.integers(0, slack + 3, 600)
-        found[f"in_r{axis}"] = found[f"in_r{axis}"] + np.where(rng.random(600) < 0.04, off, 0)
+        off = rng.integers(-1, 2, count) << rng.integers(0, slack + 3, count)
+        found[f"in_r{axis}"] = found[f"in_r{axis}"] + np.where(rng.random(count) < 0.04, off, 0)
     for port in core.inputs:
-        found[port.name] = np.where(rng.random(600) < 0.003, rng.choice(stimulus.extremes(port), 600), found[port.name])
+        extreme = rng.choice(stimulus.extremes(port), count)
+        found[port.name] = np.where(rng.random(count) < 0.003, extreme, found[port.name])
     # first of all a sample with no direction at all: the wrist's centre on the shoulder, a straight wrist
     q0, arm = np.zeros((2, 6)), _arm(core, cfg)
     first = poses(core, cfg, q0, rng)

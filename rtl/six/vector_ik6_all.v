@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of six joints in unit vectors, all eight branches of a pose, for an arm with an ortho-parallel
+// base and a spherical wrist. Formats: those of vector_ik6; out_cjb, out_njb: cos and sin of joint j of branch b, s2.U,
+// nearest. Bits of b: in_branch of vector_ik6.
+//   branches 0 to 3 as vector_ik6; b + 4 with the wrist turned over: the vectors of joints 4 and 6 and sin q5 negated
+// Error: page. Latency, II: 270.
+// Status: unreachable, singular: some branch is, its bit is set in out_far, out_held; a joint without a direction holds
+// the last one, in the order of branches 0, 2, 1, 3. Bit 3: no rotation. As vector_ik6.
+// Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6_all
+`default_nettype none
+module vector_ik6_all #(
+    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, a range of 128 units
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 8, Q7.8
+    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18: 16, 0.0009 degrees
+) (
+    input  wire                clk,
+    input  wire                rst,
+    input  wire signed [W+3:0] cfg_a1,
+    input  wire signed [W+3:0] cfg_b,
+    input  wire signed [W+3:0] cfg_c1,
+    input  wire signed [W+3:0] cfg_c2,
+    input  wire signed [W+3:0] cfg_c4,
+    input  wire signed [W+3:0] cfg_k,
+    input  wire signed [26:0]  cfg_cp,
+    input  wire signed [26:0]  cfg_np,
+    input  wire [24:0]         cfg_r,
+    input  wire [21:0]         cfg_e,
+    input  wire                in_valid,
+    output wire                in_ready,
+    input  wire signed [U+1:0] in_r11,
+    input  wire signed [U+1:0] in_r12,
+    input  wire signed [U+1:0] in_r13,
+    input  wire signed [U+1:0] in_r21,
+    input  wire signed [U+1:0] in_r22,
+    input  wire signed [U+1:0] in_r23,
+    input  wire signed [U+1:0] in_r31,
+    input  wire signed [U+1:0] in_r32,
+    input  wire signed [U+1:0] in_r33,
+    input  wire signed [W-1:0] in_x,
+    input  wire signed [W-1:0] in_y,
+    input  wire signed [W-1:0] in_z,
+    output reg                 out_valid,
+    input  wire                out_ready,
+    output wire signed [U+1:0] out_c10, out_n10, out_c20, out_n20, out_c30, out_n30,
+    output wire signed [U+1:0] out_c40, out_n40, out_c50, out_n50, out_c60, out_n60,
+    output wire signed [U+1:0] out_c11, out_n11, out_c21, out_n21, out_c31, out_n31,
+    output wire signed [U+1:0] out_c41, out_n41, out_c51, out_n51, out_c61, out_n61,
+    output wire signed [U+1:0] out_c12, out_n12, out_c22, out_n22, out_c32, out_n32,
+    output wire signed [U+1:0] out_c42, out_n42, out_c52, out_n52, out_c62, out_n62,
+    output wire signed [U+1:0] out_c13, out_n13, out_c23, out_n23, out_c33, out_n33,
+    output wire signed [U+1:0] out_c43, out_n43, out_c53, out_n53, out_c63, out_n63,
+    output wire signed [U+1:0] out_c14, out_n14, out_c24, out_n24, out_c34, out_n34,
+    output wire signed [U+1:0] out_c44, out_n44, out_c54, out_n54, out_c64, out_n64,
+    output wire signed [U+1:0] out_c15, out_n15, out_c25, out_n25, out_c35, out_n35,
+    output wire signed [U+1:0] out_c45, out_n45, out_c55, out_n55, out_c65, out_n65,
+    output wire signed [U+1:0] out_c16, out_n16, out_c26, out_n26, out_c36, out_n36,
+    output wire signed [U+1:0] out_c46, out_n46, out_c56, out_n56, out_c66, out_n66,
+    output wire signed [U+1:0] out_c17, out_n17, out_c27, out_n27, out_c37, out_n37,
+    output wire signed [U+1:0] out_c47, out_n47, out_c57, out_n57, out_c67, out_n67,
+    output wire [7:0]          out_far,
+    output wire [7:0]          out_held,
+    output wire [3:0]          out_status
+);
+    generate
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18) begin : g_illegal
+            vector_ik6_all_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18 rule ();
+        end
+    endgenerate
+
+    wire        idle, done;
+    wire        accept = in_valid && in_ready;
+    wire [46:0] op;
+    assign      in_ready = idle && (!out_valid || out_ready);
+    six_branches_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+        .out_op(op));
+
+    wire [3:0]  flags;
+    wire [26:0] port, word;
+    wire [5:0]  dest;
+    six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(accept),
+        .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
+        .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
+        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_select(op[43:39]), .out_word(port));
+    product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
+        .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word), .out_dest(dest), .out_status(flags));
+
+    // Results, shifted in from the top: 32 words a shoulder, in the order of the program; flags with joint 5
+    reg  [64*(U+2)-1:0] found;
+    reg  [3:0]          far, held;
+    wire                result = dest[5:4] == 2'd0 && dest[0];
+    wire [U+2:0]        near = word[26:24-U] + 1'b1;
+    wire                unused = &{1'b0, flags[2], near[0], word[23-U:0]};
+
+    // Where a branch's words are: n6, c6 to n1, c1 of elbow up and down; the same with the wrist turned over
+    localparam [4*12*5-1:0] PLACE = {
+        5'd25, 5'd27, 5'd29, 5'd31, 5'd23, 5'd21, 5'd5, 5'd4, 5'd30, 5'd15, 5'd1, 5'd0,
+        5'd17, 5'd19, 5'd12, 5'd8, 5'd10, 5'd14, 5'd3, 5'd2, 5'd7, 5'd6, 5'd1, 5'd0,
+        5'd24, 5'd26, 5'd28, 5'd31, 5'd22, 5'd20, 5'd5, 5'd4, 5'd30, 5'd15, 5'd1, 5'd0,
+        5'd16, 5'd18, 5'd11, 5'd8, 5'd9, 5'd13, 5'd3, 5'd2, 5'd7, 5'd6, 5'd1, 5'd0};
+    genvar i, j;
+    generate
+        for (i = 0; i < 8; i = i + 1) begin : g_branch
+            wire [12*(U+2)-1:0] answer;
+            for (j = 0; j < 12; j = j + 1) begin : g_word
+                localparam [31:0] AT = {27'd0, PLACE[5*(12*(i/2)+j) +: 5]};
+                assign answer[(U+2)*j +: U+2] = found[(U+2)*(32*(i%2)+AT) +: U+2];
+            end
+            assign out_far[i]  = far[2*(i%2)+(i/2)%2];
+            assign out_held[i] = held[2*(i%2)+(i/2)%2];
+        end
+    endgenerate
+    assign {out_n60, out_c60, out_n50, out_c50, out_n40, out_c40, out_n30, out_c30, out_n20, out_c20, out_n10, out_c10}
+        = g_branch[0].answer;
+    assign {out_n61, out_c61, out_n51, out_c51, out_n41, out_c41, out_n31, out_c31, out_n21, out_c21, out_n11, out_c11}
+        = g_branch[1].answer;
+    assign {out_n62, out_c62, out_n52, out_c52, out_n42, out_c42, out_n32, out_c32, out_n22, out_c22, out_n12, out_c12}
+        = g_branch[2].answer;
+    assign {out_n63, out_c63, out_n53, out_c53, out_n43, out_c43, out_n33, out_c33, out_n23, out_c23, out_n13, out_c13}
+        = g_branch[3].answer;
+    assign {out_n64, out_c64, out_n54, out_c54, out_n44, out_c44, out_n34, out_c34, out_n24, out_c24, out_n14, out_c14}
+        = g_branch[4].answer;
+    assign {out_n65, out_c65, out_n55, out_c55, out_n45, out_c45, out_n35, out_c35, out_n25, out_c25, out_n15, out_c15}
+        = g_branch[5].answer;
+    assign {out_n66, out_c66, out_n56, out_c56, out_n46, out_c46, out_n36, out_c36, out_n26, out_c26, out_n16, out_c16}
+        = g_branch[6].answer;
+    assign {out_n67, out_c67, out_n57, out_c57, out_n47, out_c47, out_n37, out_c37, out_n27, out_c27, out_n17, out_c17}
+        = g_branch[7].answer;
+    assign out_status = {flags[3], 1'b0, held != 4'd0, far != 4'd0};
+
+    always @(posedge clk) begin
+        if (result)
+            found <= {near[U+2:1], found[64*(U+2)-1:U+2]};
+        if (result && dest[3:1] == 3'd3) begin
+            far  <= {flags[0], far[3:1]};
+            held <= {flags[1], held[3:1]};
+        end
+        out_valid <= !rst && (done || out_valid && !out_ready);
+    end
+endmodule
+`default_nettype wire
