@@ -40,42 +40,46 @@ module arm_choose #(
 );
     localparam N = U + 2, S = U + 6;  // bits of a word, of a sum of cosines
 
-    // Schedule. start: allowed score last <- in_c in_n
-    localparam [4:0]
-        LIMIT1 = 5'b00_1_0_0,  // allowed <- allowed: joint 1 is within its limits
-        LIMIT2 = 5'b01_1_0_0,  // allowed <- allowed: joint 2
-        LIMIT3 = 5'b10_1_0_0,  // allowed <- allowed: joint 3
-        STEP1  = 5'b00_0_1_0,  // score <- score last: the step of joint 1
-        STEP2  = 5'b01_0_1_0,  // score <- score last: joint 2
-        STEP3  = 5'b10_0_1_0,  // score <- score last: joint 3
-        BETTER = 5'b00_0_0_1;  // best number <- allowed score: it is the answer if it is the best so far
-    localparam [5*5-1:0] TWO = {
-        /* limit 1 */ {LIMIT1},
-        /* step 1  */ {STEP1},
-        /* limit 2 */ {LIMIT2},
-        /* step 2  */ {STEP2},
-        /* decide  */ {BETTER}};
-    localparam [7*5-1:0] THREE = {
-        /* limit 1 */ {LIMIT1},
-        /* step 1  */ {STEP1},
-        /* limit 2 */ {LIMIT2},
-        /* step 2  */ {STEP2},
-        /* limit 3 */ {LIMIT3},
-        /* step 3  */ {STEP3},
-        /* decide  */ {BETTER}};
+    // Schedule. start: allowed score last operands <- in_c in_n
+    // Between branches the operands are those of the first line, joint 1 and the middle of its limits
+    localparam [2:0]        // operands of the next clock
+        MIDDLE1 = 3'b00_0,  // operands <- -: joint 1 and the middle of its limits
+        MIDDLE2 = 3'b01_0,  // operands <- -: joint 2
+        MIDDLE3 = 3'b10_0,  // operands <- -: joint 3
+        LAST1   = 3'b00_1,  // operands <- last: joint 1 and what the last answer has for it
+        LAST2   = 3'b01_1,  // operands <- last: joint 2
+        LAST3   = 3'b10_1;  // operands <- last: joint 3
+    localparam [2:0]        // what the cosine is
+        LIMIT  = 3'b1_0_0,  // allowed <- allowed operands: of a joint with the middle of its limits
+        STEP   = 3'b0_1_0,  // score <- score operands: of the step of a joint
+        BETTER = 3'b0_0_1;  // best number <- allowed score: nothing; the branch is the answer if the best so far
+    localparam [5*6-1:0] TWO = {
+        /* limit 1 */ {LAST1,   LIMIT},
+        /* step 1  */ {MIDDLE2, STEP},
+        /* limit 2 */ {LAST2,   LIMIT},
+        /* step 2  */ {MIDDLE1, STEP},
+        /* decide  */ {MIDDLE1, BETTER}};
+    localparam [7*6-1:0] THREE = {
+        /* limit 1 */ {LAST1,   LIMIT},
+        /* step 1  */ {MIDDLE2, STEP},
+        /* limit 2 */ {LAST2,   LIMIT},
+        /* step 2  */ {MIDDLE3, STEP},
+        /* limit 3 */ {LAST3,   LIMIT},
+        /* step 3  */ {MIDDLE1, STEP},
+        /* decide  */ {MIDDLE1, BETTER}};
     wire [1:0] joint;
-    wire       limit, step, better, idle;
+    wire       to_last, limit, step, better, idle;
     reg        busy, begun;     // a target is in work; its first branch starts
     reg  [1:0] number;
     wire       last_one = number == (BRANCHES == 4 ? 2'd3 : 2'd1);
     wire       start = in_done && idle;
     generate
         if (JOINTS == 2) begin : g_two
-            schedule #(.LINES(5), .BITS(5), .TABLE(TWO)) control (.clk(clk), .rst(rst), .in_start(start),
-                .out_idle(idle), .out_op({joint, limit, step, better}));
+            schedule #(.LINES(5), .BITS(6), .TABLE(TWO)) control (.clk(clk), .rst(rst), .in_start(start),
+                .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
         end else begin : g_three
-            schedule #(.LINES(7), .BITS(5), .TABLE(THREE)) control (.clk(clk), .rst(rst), .in_start(start),
-                .out_idle(idle), .out_op({joint, limit, step, better}));
+            schedule #(.LINES(7), .BITS(6), .TABLE(THREE)) control (.clk(clk), .rst(rst), .in_start(start),
+                .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
         end
     endgenerate
     assign in_ready = !busy && (!out_valid || out_ready);
@@ -84,14 +88,11 @@ module arm_choose #(
     assign out_go = begun || better && !last_one;
     assign out_number = number + {1'b0, better};
 
-    // One cosine a clock: of joint i with the middle of its limits, or with the last answer
+    // One cosine a clock, from registers: of a joint with the middle of its limits, or with the last answer
     reg  [JOINTS*N-1:0] last_c, last_n;
     assign              out_last_c = last_c;
     assign              out_last_n = last_n;
-    wire signed [N-1:0] c = in_c[joint*N +: N], n = in_n[joint*N +: N];
-    wire signed [N-1:0] to_c = limit ? cfg_mc[joint*N +: N] : last_c[joint*N +: N];
-    wire signed [N-1:0] to_n = limit ? cfg_mn[joint*N +: N] : last_n[joint*N +: N];
-    wire signed [N-1:0] h = cfg_h[joint*N +: N];
+    reg  signed [N-1:0] c, n, to_c, to_n, h;
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [2*N-1:0] product1 = c * to_c, product2 = n * to_n;
     /* verilator lint_on UNUSEDSIGNAL */
@@ -106,6 +107,11 @@ module arm_choose #(
     wire         take = better && (number == 0 || key > best);
     assign       out_beyond = !best_allowed;
     always @(posedge clk) begin
+        c    <= in_c[joint*N +: N];
+        n    <= in_n[joint*N +: N];
+        to_c <= to_last ? last_c[joint*N +: N] : cfg_mc[joint*N +: N];
+        to_n <= to_last ? last_n[joint*N +: N] : cfg_mn[joint*N +: N];
+        h    <= cfg_h[joint*N +: N];
         if (start || limit)
             allowed <= start || allowed && !sum[S-1];
         if (start || step)
