@@ -2,8 +2,8 @@
 // Reciprocal square root as a product without an addend, 1/sqrt(q) = out_w * out_slope: the tangent in the middle t of
 // segment a,  q = (a + d) h, d in [0, 1), h = 2^-9, t = (a + 1/2) h:  1/sqrt(q) = (3 t - q) / 2 t^(3/2), and 3 t - q is
 // wiring, one's complement included.
-// Formats: in_q u2.18; out_w u3.18 in the same clock; out_slope u7.13, one clock after in_read, held.
-//   1/sqrt(q) = out_w * out_slope / 2^34
+// Formats: in_q u2.18; out_w u3.18 in the same clock; out_slope u2.18, one clock after in_read, held.
+//   1/sqrt(q) = out_w * out_slope / 2^36
 // Range: 1/4 <= q <= 2; the word of q = 2 is that of segment 0, which none of the others needs.
 // Error, relative: 0.19 * 2^-16 at q = 1/4 by the tangent, half a unit of the slope, 0.71 * 2^-16 at q = 2.
 // Model: vector.reciprocal_root
