@@ -78,6 +78,6 @@ module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8
         if (tail[5:2] != 0) assert (link == 0);
         // an end
         if (inside) assert (out_iters <= cfg_limit);
-        if (tail[7] && \dut.still ) assert (\dut.fine && \dut.big );
+        if (tail[7:4] != 0 && \dut.still ) assert (\dut.fine && \dut.big );
     end
 endmodule
