@@ -148,7 +148,8 @@ def test_the_list_is_in_order():
     for core in listed:
         for port in (*core.inputs, *core.outputs):
             name = port.name.split("_")[1]
-            joint = name in ("j", "angle") or port.name[-2:] in JOINT_PORTS or name[:2] in JOINT_PORTS and len(name) == 3
+            of_branch = len(name) == 3 and name[:2] in JOINT_PORTS
+            joint = name in ("j", "angle") or port.name[-2:] in JOINT_PORTS or of_branch
             if port.name[-2:] not in ("_c", "_n"):  # of a codec: a unit vector, or one of any length, two plain words
                 assert (port.type is not None) == joint, core.id
 
