@@ -22,13 +22,13 @@ module engine_quaternion_gd_n #(
     input  wire [1:0]  in_op,
     input  wire [7:0]  in_n,
     input  wire [2:0]  in_k,
-    input  wire [26:0] in_word,
+    input  wire signed [26:0] in_word,
     output reg         out_valid,
     input  wire        out_ready,
-    output wire [26:0] out_word,
-    output wire [26:0] out_x,
-    output wire [26:0] out_y,
-    output wire [26:0] out_z,
+    output wire signed [26:0] out_word,
+    output wire signed [26:0] out_x,
+    output wire signed [26:0] out_y,
+    output wire signed [26:0] out_z,
     output wire [9:0]  out_iters,
     output wire [3:0]  out_status
 );

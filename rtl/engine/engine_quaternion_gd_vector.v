@@ -107,7 +107,8 @@ module engine_quaternion_gd_vector #(
     // start
     reg  [W-1:0] x, y;
     reg          singular;
-    function none(input [W+1:0] c, input [W+1:0] n);  // not 0.5 <= length < 1.25, which a turn by 1/2 leaves below sqrt(2)
+    // not 0.5 <= length < 1.25, which a turn by 1/2 leaves below sqrt(2)
+    function none(input [W+1:0] c, input [W+1:0] n);
         reg [3:0] u, v;  // sizes in 1/8
         begin
             u = c[W:W-3] ^ {4{c[W+1]}};
