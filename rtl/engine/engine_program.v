@@ -43,7 +43,7 @@ module engine_program #(
     assign       out_done = busy && line == LAST[N-1:0];
     always @(posedge clk) begin
         busy   <= !rst && (in_start || busy && !out_done);
-        second <= busy && (second || turn);
+        second <= busy && !out_done && (second || turn);
         line   <= next;
         out_op <= lines[next];
     end

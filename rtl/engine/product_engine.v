@@ -131,7 +131,7 @@ module product_engine #(
                 q     <= low ? product1[26:7] : sum[31:12];
                 read  <= act[4];
                 check <= act[8];
-                off   <= !in_start && (off || check && (out_word[25:SLACK] ^ {26-SLACK{out_word[26]}}) != 0);
+                off   <= !in_start && (off || in_run && check && (out_word[25:SLACK] ^ {26-SLACK{out_word[26]}}) != 0);
                 if (rst)
                     first <= 3'b111;
             end
