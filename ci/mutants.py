@@ -103,10 +103,10 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
     for mutant in mutants.every:
         if killed_in_bulk(mutants, mutant, seed, FEW) or killed_in_bulk(mutants, mutant, seed):
             verdict.killed += 1
+        elif killed_by_bench(mutants, mutant, seed):  # seconds; a proof of what is not equal takes minutes
+            verdict.bench.append(str(mutant))
         elif prover.equivalent(mutant):
             verdict.equivalent += 1
-        elif killed_by_bench(mutants, mutant, seed):
-            verdict.bench.append(str(mutant))
         else:
             verdict.survivors.append(str(mutant))
     clear(core)
