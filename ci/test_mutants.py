@@ -25,6 +25,7 @@ def test_whole_core_passes_and_mutants_are_killed(made):
     mutants.clear(made.core)
 
 
+@pytest.mark.full
 def test_a_missing_tool_is_no_kill(made, monkeypatch):
     def missing(*_, **__):
         raise SystemExit("iverilog is missing: install it from your system's packages")
