@@ -2,14 +2,14 @@
 // vector_to_angle for engine_rus_ik_angle, its product formed by a multiplier of the leg: out_place goes into one
 // operand's register as the vector comes, out_step is the other one in the clock behind, when in_rise is their product.
 // Formats: in_c, in_n s2.16, in_valid: they are there; in_take, a clock later: take the word; out_j angle of A bits
-// modulo a turn, nearest, held where the vector is none (0 after a reset). Error: that of vector_to_angle. Latency 2.
+// modulo a turn, nearest; the legs give unit vectors alone, also where a length overflowed. Error: that of
+// vector_to_angle. Latency 2.
 // Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_angle
 `default_nettype none
 module engine_rus_angle #(
     parameter A = 18  // bits of the word, 10 to 24: as its user's
 ) (
     input  wire               clk,
-    input  wire               rst,
     input  wire               in_valid,
     input  wire signed [17:0] in_c,
     input  wire signed [17:0] in_n,
@@ -56,17 +56,15 @@ module engine_rus_angle #(
         end
     end
 
-    wire               none;
     wire [1:0]         near;
     wire signed [21:0] sine;
     /* verilator lint_off PINCONNECTEMPTY */
     nearest_axis #(.U(16), .E(4)) coordinate (
-        .in_c(in_c), .in_n(in_n), .out_none(none), .out_axis(near), .out_minor(), .out_sine(sine));
+        .in_c(in_c), .in_n(in_n), .out_none(), .out_axis(near), .out_minor(), .out_sine(sine));
     /* verilator lint_on PINCONNECTEMPTY */
 
     reg  [2*A-7:0] chord;
     reg  [1:0]     axis;
-    reg            lacks;
     wire [A:0]     knot;
     wire [A-8:0]   step;
     assign         {knot, step} = chord;
@@ -82,11 +80,7 @@ module engine_rus_angle #(
     always @(posedge clk) begin
         chord <= chords[sine[20:12]];
         axis  <= near;
-        lacks <= none;
-        if (rst) begin
-            from <= {A+2{1'b0}};
-            rise <= {A-7{1'b0}};
-        end else if (in_take && !lacks) begin
+        if (in_take) begin
             from <= {axis[1] ^ (knot[A] && !axis[0]), axis[0] ^ knot[A], knot[A-1:0]};
             rise <= in_rise[A+4:12];
         end

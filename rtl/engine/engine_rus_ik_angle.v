@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // engine_rus_ik with binary angles: pose and link angle of a parallel robot to the angles of six cranks (or three).
 // Formats: as there; out_j angles of A bits modulo a turn, nearest, those of vector_to_angle by a free product of
-// the legs. A leg without an answer stands at 0; where a length overflowed, the angle of the leg before may stand.
+// the legs. A leg without an answer stands at 0.
 // Error: that of the crank there and of vector_to_angle. Latency 80, II 48. Status: as there.
 // Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik_angle
 `default_nettype none
@@ -55,7 +55,7 @@ module engine_rus_ik_angle #(
         last_turned <= last;
     end
     engine_rus_angle #(.A(A)) codec (
-        .clk(clk), .rst(rst), .in_valid(sine), .in_c(c), .in_n(none ? 18'd0 : word), .in_take(turned),
+        .clk(clk), .in_valid(sine), .in_c(c), .in_n(none ? 18'd0 : word), .in_take(turned),
         .out_place(place), .out_step(step), .in_rise(rise), .out_j(angle));
     engine_rus_results #(.BITS(A)) results (
         .clk(clk), .rst(rst), .in_flags(flags), .in_root(root), .in_far(far), .in_near(near), .in_over(over),

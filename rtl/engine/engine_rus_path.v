@@ -49,7 +49,7 @@ module engine_rus_path (
     wire signed [36:0] sum = ab[52:16] + (pc[52:16] + add);
     /* verilator lint_on UNUSEDSIGNAL */
     wire        [25:0] length = sum[25:0];
-    wire               over = sum[31:25] != {7{sum[25]}};
+    wire               over = sum[29:25] != {5{sum[25]}};
     reg  [17:0]        foot;
     reg  signed [18:0] away;
 

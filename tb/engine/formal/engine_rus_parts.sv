@@ -93,7 +93,7 @@ module engine_rus_path (
 endmodule
 
 module engine_rus_angle #(parameter A = 18) (
-    input clk, rst, in_valid, input [17:0] in_c, in_n, input in_take, output [11:0] out_place, output [16:0] out_step,
+    input clk, in_valid, input [17:0] in_c, in_n, input in_take, output [11:0] out_place, output [16:0] out_step,
     input [28:0] in_rise, output [A-1:0] out_j
 );
     (* anyseq *) wire [A+28:0] any;
