@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quadrance.bounds.six import MINUS
+from quadrance.bounds.six import ROOT as RECIPROCAL
 from quadrance.truth import Floats, floats
 
 FINE = 16  # G and S have 4 fraction bits below the LSB of 18 bits
@@ -73,3 +75,49 @@ def rus_band(distance: ArrayLike, la: float, flat: ArrayLike) -> Floats:
     """
     move = rus_joint() * (1 + floats(distance) / la) + rus_gain(la, flat)
     return 2 * floats(flat) * move + move**2 + 1 / FINE**2
+
+
+def delta_tip(p: dict[str, int], elbows: ArrayLike, tip: ArrayLike, lb: float) -> tuple[Floats, Floats]:
+    """Distance of the tip of `engine_delta_fk` before its rounding from the exact one, and the band of its `gap`.
+
+    Parameters
+    ----------
+    elbows, tip, lb : arrays (N, 3, 3) and (N, 3), and a length, LSB, of `engine_delta.exact`; the spheres meet.
+
+    Returns
+    -------
+    tuple of arrays (N): LSB, and LSB^6.
+
+    Notes
+    -----
+    In words of 2^-25 (e below). A word of k products is off by (1/2 + k / 8) e. Terms:
+
+    - elbows: each is off by 2 e (radius and products 3/4 e each), which moves the tip by the inverse of the rods'
+      directions.
+    - N by 0.75 e a word; V by 0.875 e of each square and 0.75 e of its words, which are scaled up by 1 / A^2 at least,
+      A the longer of |a|, |b|, as are all that follow; so is the gap, D: its words 2 LB N by 5/8 e, their squares by
+      1.25 e.
+    - sqrt(D) by the gap's error over it, by `MINUS` of the table, and 5/8 e.
+    - Q = V x N -+ N sqrt(D) by all of them and twice 0.75 e a word, LB of that over |Q| = 2 LB N^2.
+    - the length LB by `RECIPROCAL`, by half the error of |Q|^2, 0.875 e, and two words.
+    """
+    unit, e = 2.0 ** (p["W"] + 2), 2.0**-25
+    elbows, tip, lb = floats(elbows) / unit, floats(tip) / unit, lb / unit
+    a, b = elbows[..., 1, :] - elbows[..., 0, :], elbows[..., 2, :] - elbows[..., 0, :]
+    one, two = np.linalg.norm(a, axis=-1), np.linalg.norm(b, axis=-1)
+    area = np.maximum(one, two) ** 2
+    n = np.linalg.norm(np.cross(a, b), axis=-1)
+    v = one * two * np.linalg.norm(a - b, axis=-1)
+    d = 4 * lb**2 * n**2 - v**2
+    word = np.sqrt(3) * e
+    off_n = 0.75 * word
+    off_v = 0.875 * e * (one + two) + 0.75 * word * area
+    off_d = 2 * 2 * lb * n * (0.625 * word * area + 2 * lb * off_n) + 2 * v * off_v + 1.25 * e * area**2
+    h = np.sqrt(np.maximum(d, 1e-300))
+    off_h = off_d / h + MINUS * h + 0.625 * e * area
+    off_q = off_v * n + (v + h) * off_n + n * off_h + 1.5 * word * area**2
+    rods = (tip[..., None, :] - elbows) / lb
+    moved = np.linalg.norm(np.linalg.pinv(rods), ord=2, axis=(-2, -1)) * np.sqrt(3) * 2 * e
+    q = 2 * lb * n**2
+    length = lb * (RECIPROCAL + 0.5 * 0.875 * e * area**4 / q**2) + 2 * word
+    return (moved + off_q / (2 * n**2) + length) * unit, off_d * unit**6
