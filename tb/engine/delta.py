@@ -49,11 +49,11 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     own = [name for name in MM if engine_delta.config(core.params, geometry.load(name), scale(core, name))["cfg_la"]
            == cfg["cfg_la"]]
     alpha = [np.full((2, 3), np.arccos(np.clip(-cfg["cfg_base"] / (cfg["cfg_la"] or 1), -1, 1)))]
-    alpha += [workspace(own[0] if own else "klipper_delta", 100, rng), rng.uniform(-np.pi, np.pi, (100, 3)),
-              np.repeat(rng.uniform(-np.pi, np.pi, (40, 1)), 3, axis=1)]
-    axis = np.pi / 2 * rng.integers(0, 4, (60, 3))
-    alpha += [axis[:20], np.repeat(axis[:8, :1], 3, axis=1),
+    alpha += [workspace(own[0] if own else "klipper_delta", 40, rng), rng.uniform(-np.pi, np.pi, (50, 3)),
+              np.repeat(rng.uniform(-np.pi, np.pi, (15, 1)), 3, axis=1)]
+    axis = np.pi / 2 * rng.integers(0, 4, (25, 3))
+    alpha += [axis[:10], np.repeat(axis[:8, :1], 3, axis=1),
               axis + rng.choice([-1, 1], axis.shape) * 2.0 ** -rng.uniform(0, 20, axis.shape)]
-    extreme = {port.name: rng.choice(stimulus.extremes(port), 40) for port in core.inputs}
-    wild = stimulus.uniform(core, rng, 40)
+    extreme = {port.name: rng.choice(stimulus.extremes(port), 20) for port in core.inputs}
+    wild = stimulus.uniform(core, rng, 20)
     return stimulus.joined(stimulus.joined(words(core, np.concatenate(alpha)), extreme), wild)
