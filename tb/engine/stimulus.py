@@ -12,7 +12,8 @@ from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
 ITERATIVE = dict.fromkeys(gradient.MODELS, gradient) | {
-    "iterative.plane.gd": plane, "iterative.space.gd": space, "iterative.newton_fixed.solve": newton}
+    "iterative.plane.gd": plane, "iterative.space.gd": space, "iterative.newton_fixed.solve": newton,
+    "iterative.damped.solve": newton}
 SCALE = {"rus_2x3": 1 / 128, "rotary_stewart": 1 / 640, "klipper_delta": 1 / 128, "linuxcnc_delta": 1 / 128}
 EYE = np.eye(3)
 
