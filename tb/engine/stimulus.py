@@ -13,7 +13,7 @@ from tb.lib.stimulus import Vectors
 
 OTHERS = dict.fromkeys(gradient.MODELS, gradient) | {
     "iterative.plane.gd": plane, "iterative.space.gd": space, "iterative.newton_fixed.solve": newton,
-    "engine_delta.fk": delta, "engine_delta.fk_angle": delta}
+    "iterative.damped.solve": newton, "engine_delta.fk": delta, "engine_delta.fk_angle": delta}
 SCALE = {"rus_2x3": 1 / 128, "rotary_stewart": 1 / 640, "klipper_delta": 1 / 128, "linuxcnc_delta": 1 / 128}
 EYE = np.eye(3)
 
