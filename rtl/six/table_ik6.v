@@ -4,7 +4,7 @@
 // there.
 // Error: page. Latency, II: 96.
 // Status: as vector_ik6. Of a matrix that is no rotation a joint may have no vector: it has the word formed last,
-// in the order 1, 3, 2, 4, 5, 6; 0 after a reset.
+// in the order 1, 3, 2, 4, 5, 6.
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.table_ik6
 `default_nettype none
 module table_ik6 #(
@@ -77,17 +77,18 @@ module table_ik6 #(
     reg  [2:0]          joint;
     wire                have;
     reg  [1:0]          wait6;       // the codec is at joint 6
+    wire                late = wait6[1] || out_valid;  // nothing more is taken: a proof cannot see that no word comes
     engine_results #(.COUNT(2), .U(U)) vector (.clk(clk), .in_word(word), .in_dest({4'd0, part, dest[0]}),
         .out_words({n, c}));
-    vector_to_angle #(.U(U), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(both), .in_ready(), .in_c(c), .in_n(n),
-        .out_valid(have), .out_ready(1'b1), .out_j(out_j6), .out_status());
+    vector_to_angle #(.U(U), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(both && !late), .in_ready(), .in_c(c),
+        .in_n(n), .out_valid(have), .out_ready(1'b1), .out_j(out_j6), .out_status());
     /* verilator lint_on PINCONNECTEMPTY */
 
     always @(posedge clk) begin
         if (part && half)
             joint <= dest[3:1];
         half <= !accept && (half ^ part);
-        if (have)
+        if (have && !late)
             case (joint)
                 3'd1: out_j1 <= out_j6;
                 3'd2: out_j2 <= out_j6;
@@ -99,7 +100,7 @@ module table_ik6 #(
         both      <= !rst && part && half;
         wait6     <= rst ? 2'b00 : {wait6[0], done};
         out_valid <= !rst && (wait6[1] || out_valid && !out_ready);
-        busy    <= !rst && (accept || busy && !(out_valid && out_ready));
+        busy      <= !rst && (accept || busy && !(out_valid && out_ready));
     end
 endmodule
 `default_nettype wire
