@@ -70,10 +70,10 @@ def _answer(p: Params, words: dict[str, Ints], last: Ints, flag: Ints) -> dict[s
         "out_last": last, "out_status": 4 * ints(overflow)}
 
 
-def _positions(p: Params, parts: tuple[Ints, ...], first: Ints, whole: int) -> dict[str, Ints]:
-    """Coordinates from the links' parts, G fraction bits; sums of `whole` bits before the point wrap."""
-    g = sizes(p)[1]
-    return {axis: wrap(sums(part, first) + _half(p, 0), whole + g) >> g for axis, part in zip("xyz", parts)}
+def _positions(p: Params, parts: tuple[Ints, ...], first: Ints, whole: int, more: int = 0) -> dict[str, Ints]:
+    """Coordinates from the links' parts, G + `more` fraction bits; sums of `whole` bits before the point wrap."""
+    g = sizes(p)[1] + more
+    return {axis: wrap(sums(part, first) + _half(p, -more), whole + g) >> g for axis, part in zip("xyz", parts)}
 
 
 def _stream(p: Params, *words: ArrayLike, more: int = 0) -> tuple[Ints, ...]:
@@ -88,20 +88,20 @@ def _stream(p: Params, *words: ArrayLike, more: int = 0) -> tuple[Ints, ...]:
 def table_chain(p: Params, *, in_j1: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:
     """``(x, y) + L (cos, sin)`` of the sum of the joint words; a product is truncated to G bits.
 
-    In space that is ``(rho, z)``, rho with 4 fraction bits and saturated, and the first word is the yaw that turns rho.
+    In space that is (d, z), with one guard bit more, and the first word is the yaw: ``(x, y) + d (cos, sin)`` of it.
     """
     j, length, last, first, beyond = _stream(p, in_j1, in_l, in_last, more=p["SPACE"])
     k, t = table.sizes(p, 2 + p["SPACE"])
     yaw = (np.arange(last.size) == first) & (p["SPACE"] > 0)
     word, (d, g) = wrap(sums(np.where(yaw, 0, j), first), p["A"], signed=False), sizes(p)
+    g = g + p["SPACE"]
     length = np.where(yaw, 0, length)
     parts = [codecs.angle_chord(k, t, p["A"], word, cosine) * length >> k - g for cosine in (True, False)]
     whole = p["W"] + d + 1
     if not p["SPACE"]:
         return _answer(p, _positions(p, parts, first, whole), last, beyond) | {"out_z": 0 * last}
-    turn = tuple(codecs.angle_chord(k, t, p["A"], j[first], cosine) for cosine in (True, False))
-    found, over = _space(p, *parts, turn, k, first, whole)
-    return _answer(p, found, last, beyond | over)
+    along = tuple(parts[0] * codecs.angle_chord(k, t, p["A"], j[first], cosine) >> k for cosine in (True, False))
+    return _answer(p, _positions(p, (*along, parts[1]), first, whole, more=1), last, beyond)
 
 
 def _space(p: Params, rho: Ints, z: Ints, turn: tuple[Ints, Ints], fraction: int, first: Ints, whole: int) -> tuple:
@@ -133,7 +133,7 @@ def vector_directions(p: Params, c: Ints, n: Ints, last: Ints) -> tuple[Ints, In
 def vector_chain(p: Params, *, in_c1: Ints, in_n1: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:
     """``(C, N) <- (C c - N n, C n + N c)``, then ``(x, y) + L (C, N)``; a product is truncated to G bits.
 
-    In space that is ``(rho, z)``, and the first word is the yaw, as in `table_chain`; no direction is turned by it.
+    In space that is ``(rho, z)``, and the first word is the yaw, which turns rho; no direction is turned by it.
     """
     c, n, length, last, first, beyond = _stream(p, in_c1, in_n1, in_l, in_last, more=p["SPACE"])
     yaw = (np.arange(last.size) == first) & (p["SPACE"] > 0)

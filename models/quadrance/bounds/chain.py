@@ -30,11 +30,11 @@ def table_chain(p: Params, lengths: ArrayLike) -> Floats:
 def table_chain_space(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
     """x or y, and z, of table_chain in space after each link (n,), LSB.
 
-    rho has the sum's 1/16, half a unit of its own 1/16 and the sines' errors; the yaw's root errs once more by its own,
-    times rho. Rounding 1/2.
+    Products have one guard bit more than in the plane, so a sum of them has half of `SUM`'s 1/16. In x and y the factor
+    d, itself truncated by less than 2^-(G+1), adds up to 2^-(G+1) a link; the yaw's root errs once more by its own.
     """
     roots = table_sine(p) * np.cumsum(floats(lengths))
-    return SUM + 1 / 32 + 2 * roots, SUM + roots
+    return SUM + 1 / 32 + 2 * roots, SUM - 1 / 32 + roots
 
 
 def vector_chain(p: Params, lengths: ArrayLike) -> Floats:
