@@ -64,11 +64,11 @@ def vector_chain_directions(p: Params, lengths: ArrayLike) -> Floats:
 def vector_chain_space(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
     """x or y, and z, of vector_chain in space against the vectors' directions, after each link (n,), LSB.
 
-    rho as z, and half a unit of its own 1/16; the yaw's length stretches it once more. Rounding 1/2.
+    As in `table_chain_space` z has half of `SUM`'s 1/16, x and y have 1/16 more of d; the yaw's length stretches d.
     """
-    z = vector_chain_directions(p, lengths)
+    z = vector_chain_directions(p, lengths) - 1 / 32
     off = vector_word(p)
-    return 0.5 + (z - 0.5 + 1 / 32) * (1 + off) + off * np.cumsum(floats(lengths)), z
+    return 0.5 + (z - 0.5 + 1 / 16) * (1 + off) + off * np.cumsum(floats(lengths)), z
 
 
 def mff(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
