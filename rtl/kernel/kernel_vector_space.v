@@ -2,8 +2,8 @@
 // kernel_vector_sum in a plane that stands upright and yaws: every joint's position of a chain of any number of links.
 //   (C, N) <- (C c - N n, C n + N c); d = L C; (x, y, z) <- (x, y, z) + (d c3, d n3, L N); in_last ends a chain
 // The first word of a chain is its yaw (c3, n3), which is kept; its length is not looked at, its position the base.
-// Formats: as kernel_vector_sum, with one guard bit more in d and in the sums. Right while the product of the lengths of
-// the vectors, the yaw's too, stays below 2.
+// Formats: as kernel_vector_sum, with one guard bit more in d and in the sums. Right while the product of the lengths
+// of the vectors, the yaw's too, stays below 2.
 // Error beyond that of the directions: z 1/2 + 1/32 LSB, x and y 1/2 + 3/32.
 // Latency 6, II 3: a third multiplier turns d while the others are at the next link. No table: bits name the clock.
 // Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not count.
