@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance import codecs, paper, table
-from quadrance.fixed import Ints, ints, round_shift, saturate, wrap
+from quadrance.fixed import Ints, ints, saturate, wrap
 from quadrance.truth import Floats, floats
 
 Params = dict[str, int]
@@ -56,12 +56,6 @@ def sizes(p: Params) -> tuple[int, int]:
     return d, d + 3
 
 
-def _half(p: Params, below: int) -> int:
-    """What a sum starts from: half a unit of its result, G - `below` bits up, and half of what its products lose."""
-    d, g = sizes(p)
-    return (1 << g - below >> 1) + (1 << d - 1)
-
-
 def _answer(p: Params, words: dict[str, Ints], last: Ints, flag: Ints) -> dict[str, Ints]:
     """Coordinates saturated, and the overflow of any of them or `flag`."""
     pairs = {axis: saturate(word, p["W"]) for axis, word in words.items()}
@@ -70,10 +64,14 @@ def _answer(p: Params, words: dict[str, Ints], last: Ints, flag: Ints) -> dict[s
         "out_last": last, "out_status": 4 * ints(overflow)}
 
 
-def _positions(p: Params, parts: tuple[Ints, ...], first: Ints, whole: int) -> dict[str, Ints]:
-    """Coordinates from the links' parts, G fraction bits; sums of `whole` bits before the point wrap."""
-    g = sizes(p)[1]
-    return {axis: wrap(sums(part, first) + _half(p, 0), whole + g) >> g for axis, part in zip("xyz", parts)}
+def _positions(p: Params, parts: tuple[Ints, ...], first: Ints, whole: int, more: int = 0) -> dict[str, Ints]:
+    """Coordinates from the links' parts, G + `more` fraction bits; sums of `whole` bits before the point wrap.
+
+    A sum starts from half an LSB and half of what N products lose.
+    """
+    d, g = sizes(p)
+    g, half = g + more, (1 << g + more - 1) + (1 << d - 1)
+    return {axis: wrap(sums(part, first) + half, whole + g) >> g for axis, part in zip("xyz", parts)}
 
 
 def _stream(p: Params, *words: ArrayLike, more: int = 0) -> tuple[Ints, ...]:
@@ -88,28 +86,20 @@ def _stream(p: Params, *words: ArrayLike, more: int = 0) -> tuple[Ints, ...]:
 def table_chain(p: Params, *, in_j1: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:
     """``(x, y) + L (cos, sin)`` of the sum of the joint words; a product is truncated to G bits.
 
-    In space that is ``(rho, z)``, rho with 4 fraction bits and saturated, and the first word is the yaw that turns rho.
+    In space that is (d, z), with one guard bit more, and the first word is the yaw: ``(x, y) + d (cos, sin)`` of it.
     """
     j, length, last, first, beyond = _stream(p, in_j1, in_l, in_last, more=p["SPACE"])
     k, t = table.sizes(p, 2 + p["SPACE"])
     yaw = (np.arange(last.size) == first) & (p["SPACE"] > 0)
     word, (d, g) = wrap(sums(np.where(yaw, 0, j), first), p["A"], signed=False), sizes(p)
+    g = g + p["SPACE"]
     length = np.where(yaw, 0, length)
     parts = [codecs.angle_chord(k, t, p["A"], word, cosine) * length >> k - g for cosine in (True, False)]
     whole = p["W"] + d + 1
     if not p["SPACE"]:
         return _answer(p, _positions(p, parts, first, whole), last, beyond) | {"out_z": 0 * last}
-    turn = tuple(codecs.angle_chord(k, t, p["A"], j[first], cosine) for cosine in (True, False))
-    found, over = _space(p, *parts, turn, k, first, whole)
-    return _answer(p, found, last, beyond | over)
-
-
-def _space(p: Params, rho: Ints, z: Ints, turn: tuple[Ints, Ints], fraction: int, first: Ints, whole: int) -> tuple:
-    """Coordinates from the parts of rho and z, and where rho was saturated; rho has 4 fraction bits."""
-    g = sizes(p)[1]
-    along, over = saturate(wrap(sums(rho, first) + _half(p, 4), whole + g) >> g - 4, p["W"] + 4)
-    x, y = (round_shift(along * word, fraction + 4) for word in turn)
-    return {"x": x, "y": y, "z": _positions(p, (z,), first, whole)["x"]}, over
+    along = tuple(parts[0] * codecs.angle_chord(k, t, p["A"], j[first], cosine) >> k for cosine in (True, False))
+    return _answer(p, _positions(p, (*along, parts[1]), first, whole, more=1), last, beyond)
 
 
 def vector_directions(p: Params, c: Ints, n: Ints, last: Ints) -> tuple[Ints, Ints]:
@@ -133,20 +123,20 @@ def vector_directions(p: Params, c: Ints, n: Ints, last: Ints) -> tuple[Ints, In
 def vector_chain(p: Params, *, in_c1: Ints, in_n1: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:
     """``(C, N) <- (C c - N n, C n + N c)``, then ``(x, y) + L (C, N)``; a product is truncated to G bits.
 
-    In space that is ``(rho, z)``, and the first word is the yaw, as in `table_chain`; no direction is turned by it.
+    In space that is (d, z), as in `table_chain`, and the first word is the yaw; no direction is turned by it.
     """
     c, n, length, last, first, beyond = _stream(p, in_c1, in_n1, in_l, in_last, more=p["SPACE"])
     yaw = (np.arange(last.size) == first) & (p["SPACE"] > 0)
     d, g = sizes(p)
-    links, whole = ~yaw, p["W"] + d + 2
+    g, whole, links = g + p["SPACE"], p["W"] + d + 2, ~yaw
     # a chain that is its yaw alone has no link that could end it, nor has it turned anything
     turned = np.zeros((2, last.size), dtype=np.int64)
     turned[:, links] = vector_directions(p, c[links], n[links], last[links])
-    parts = tuple(wrap(part * np.where(yaw, 0, length) >> p["U"], p["W"] + 2 + g) for part in turned)
+    parts = tuple(wrap(part * np.where(yaw, 0, length) >> p["U"] - p["SPACE"], p["W"] + 2 + g) for part in turned)
     if not p["SPACE"]:
         return _answer(p, _positions(p, parts, first, whole), last, beyond) | {"out_z": 0 * last}
-    found, over = _space(p, *parts, (c[first], n[first]), p["U"], first, whole)
-    return _answer(p, found, last, beyond | over)
+    along = tuple(wrap(parts[0] * turn[first] >> p["U"], p["W"] + 2 + g) for turn in (c, n))
+    return _answer(p, _positions(p, (*along, parts[1]), first, whole, more=1), last, beyond)
 
 
 def mff(p: Params, *, in_j1: Ints, in_j2: Ints, in_l: Ints, in_last: Ints) -> dict[str, Ints]:

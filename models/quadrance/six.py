@@ -183,7 +183,7 @@ def _alike(ports: dict[str, Ints]) -> dict[str, Ints]:
 
 
 def _branch(p: Params, **ports: Ints) -> tuple[list[tuple[Ints, Ints]], Ints, Ints, Ints]:
-    """Vectors of the six joints, as words; where the pose is out of reach, a direction is held, R is no rotation."""
+    """Words of the six vectors; where the pose is out of reach, which joints are held (bit j - 1), R is no rotation."""
     branch = ports["in_branch"]
     back, down, flip = (branch >> i & 1 for i in range(3))
     r = {axis: ports[f"in_r{axis}"] << H - p["U"] for axis in AXES}
@@ -221,16 +221,20 @@ def _branch(p: Params, **ports: Ints) -> tuple[list[tuple[Ints, Ints]], Ints, In
     n_6 = _dot((w1, r["11"]), (w2, r["21"]), (w3, r["31"]))
     c_6 = _dot((w1, r["12"]), (w2, r["22"]), (w3, r["32"]))
     vectors = [(c_1, n_1), (c_2, n_2), (c_3, n_3), (c_4, n_4), (c_5, n_5), (c_6, n_6)]
-    return vectors, ints(inside | outside), ints(no1 | no2 | no4), ints(wrong)
+    return vectors, ints(inside | outside), no1 + 2 * ints(no2) + 8 * ints(no4), ints(wrong)
 
 
 def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
     """One branch of a pose."""
-    vectors, far, held, wrong = _branch(p, **_alike(ports))
+    vectors, far, none, wrong = _branch(p, **_alike(ports))
     answer = {}
     for i, (c, n) in enumerate(vectors, 1):
         answer |= {f"out_c{i}": _rounded(p, c), f"out_n{i}": _rounded(p, n)}
-    return answer | {"out_status": far + 2 * held + 8 * wrong}
+    return answer | {"out_status": _status(far, none, wrong)}
+
+
+def _status(far: Ints, none: Ints, wrong: Ints) -> Ints:
+    return far + 2 * (none != 0) + 8 * wrong
 
 
 SOLVED = (0, 2, 1, 3)  # branches of ik6_all in the order in which they hold directions; the others mirror them
@@ -240,7 +244,8 @@ def ik6_all(p: Params, **ports: Ints) -> dict[str, Ints]:
     """All branches of a pose: of `SOLVED`, and those whose wrist is turned over, joints 4 and 6 by half a turn."""
     ports = {name: np.repeat(np.atleast_1d(word), len(SOLVED)) for name, word in _alike(ports).items()}
     order = np.resize(SOLVED, len(ports["in_x"]))
-    vectors, far, held, wrong = _branch(p, **ports, in_branch=order)
+    vectors, far, none, wrong = _branch(p, **ports, in_branch=order)
+    held = ints(none != 0)
     answer, bits = {}, {"far": 0, "held": 0}
     for at, branch in enumerate(SOLVED):
         for i, (c, n) in enumerate(vectors, 1):
@@ -267,9 +272,19 @@ def table_fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
     return fk6(p, **words)
 
 
+FORMED = (1, 3, 2, 4, 5, 6)  # joints of table_ik6 in the order in which its codec takes their vectors
+
+
 def table_ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
-    """`ik6` to binary angles: one vector_to_angle takes the six vectors of a sample in turn."""
-    found = ik6(p, **ports)
-    c, n = (np.stack([found[f"out_{letter}{i}"] for i in range(1, 7)], axis=-1) for letter in "cn")
-    words = conversion.vector_to_angle(p, in_c=c.ravel(), in_n=n.ravel())["out_j"].reshape(-1, 6)
-    return {f"out_j{i}": words[:, i - 1] for i in range(1, 7)} | {"out_status": found["out_status"]}
+    """`ik6` to binary angles: one vector_to_angle takes the vectors of a sample in turn.
+
+    A held joint has its last word, and the codec does not take it again unless it never had a direction.
+    """
+    vectors, far, none, wrong = _branch(p, **_alike(ports))
+    c, n = (np.stack([_rounded(p, vectors[joint - 1][i]) for joint in FORMED], axis=-1) for i in (0, 1))
+    held = np.stack([none >> joint - 1 & 1 > 0 for joint in FORMED], axis=-1)
+    taken = ~(held & np.logical_or.accumulate(~held))
+    words = np.zeros_like(c)
+    words[taken] = conversion.vector_to_angle(p, in_c=c[taken], in_n=n[taken])["out_j"]
+    angles = {f"out_j{joint}": hold_last(words[:, i], taken[:, i]) for i, joint in enumerate(FORMED)}
+    return angles | {"out_status": _status(far, none, wrong)}

@@ -188,7 +188,7 @@ def test_every_position_in_space(core):
 
 @pytest.mark.parametrize("core", SPACE)
 def test_space_beyond_the_word_and_the_parameter(core):
-    """rho saturates at a word, whatever the yaw makes of it; links behind the N-th do not count, the yaw is none."""
+    """Coordinates saturate, each by itself; links behind the N-th do not count, the yaw is none."""
     half, most = 1 << core.params["W"] - 1, core.params["N"]
     for yaw in (0.0, np.pi / 2, np.pi, 0.6):
         for lean in (0.0, np.pi / 2, np.pi, -np.pi / 2):
@@ -196,8 +196,7 @@ def test_space_beyond_the_word_and_the_parameter(core):
             lengths = np.full(6, 5 * half // 8)
             answer, = run(core, [(word, lengths)])
             rho, z = chain.positions(exact[1:], lengths[1:])
-            rho, z = np.clip(rho, -half, half - 1), np.clip(z, -half, half - 1)
-            place = np.stack([rho * np.cos(exact[0]), rho * np.sin(exact[0]), z])
+            place = np.clip([rho * np.cos(exact[0]), rho * np.sin(exact[0]), z], -half, half - 1)
             found = np.stack([answer[f"out_{one}"][1:] for one in "xyz"])
             assert np.all(np.abs(found - place) <= space_bound(core, lengths[1:])[0] + 1)
             assert answer["out_status"].tolist() == [0, 0, OVERFLOW, 0, 0, 0]

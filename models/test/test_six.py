@@ -15,6 +15,7 @@ CORES = [core for core in all_cores() if core.family == "six" and core.name.star
 FORWARD = [core for core in CORES if core.function == "fk6"]
 INVERSE = [core for core in CORES if core.function == "ik6"]
 ALL = [core for core in CORES if core.function == "ik6_all"]
+ANGLES = [core for core in all_cores() if core.function == "ik6_to_angles"]
 ROBOTS = pytest.mark.parametrize("robot", truth_six.known())
 
 
@@ -253,6 +254,30 @@ def test_all_branches(core, robot):
         law = bounds.position(p, arm, rotation, tip, branch & 1)
         assert np.all(np.linalg.norm(again[1] - tip, axis=-1)[ok] <= law[ok])
         assert np.all(truth_six.turned(again[0], rotation)[ok] <= bounds.orientation(p, held)[ok])
+
+
+@ROBOTS
+@cores(ANGLES)
+def test_angles_are_those_of_the_vectors(core, robot):
+    """Within 0.89 LSB and what the vector's length turns, held joints too; without a vector, the word formed last."""
+    unit, arm = _arm(robot, core)
+    p, cfg = core.params, six.config(core.params, **unit._asdict())
+    q = _joints(3000, arm, 9)
+    q[::9, 4] = 0
+    words, *_ = _words(core, *truth_six.fk6(q, arm))
+    branch = np.arange(len(words["in_x"])) & 7
+    answer, found = core.model(p, **words, in_branch=branch, **cfg), six.ik6(p, **words, in_branch=branch, **cfg)
+    assert np.array_equal(answer["out_status"], found["out_status"]) and (found["out_status"] & 2).any()
+    turn = 1 << p["A"]
+    for i in range(1, 7):
+        c, n = (found[f"out_{letter}{i}"] * 2.0 ** -p["U"] for letter in "cn")
+        off = (answer[f"out_j{i}"] - np.arctan2(n, c) * turn / (2 * np.pi) + turn / 2) % turn - turn / 2
+        assert np.all(np.abs(off) <= 0.89 + 1.06 * np.abs(np.hypot(c, n) - 1) * turn / (2 * np.pi))
+    zero = {name: word[:2] * [1, 0] if name.startswith("in_r") else word[:2] for name, word in words.items()}
+    none = core.model(p, **zero, in_branch=np.int64(0), **cfg)
+    assert none["out_status"][1] == 8 | 2 | none["out_status"][1] & 1
+    assert none["out_j4"][0] == none["out_j4"][1]  # held, so joint 2 was formed last
+    assert none["out_j2"][1] == none["out_j5"][1] == none["out_j6"][1]
 
 
 # Programs

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // kernel_link_sum in a plane that stands upright and yaws: every joint's position of a chain of any number of links.
-//   (rho, z) <- (rho, z) + L (c, n), from (0, 0) on; x = rho c3, y = rho n3; in_last ends a chain
+//   d = L c; (x, y, z) <- (x, y, z) + (d c3, d n3, L n), from 0 on; in_last ends a chain
 // The first word of a chain is its yaw (c3, n3), which is kept; its length is not looked at, its position the base.
-// It knows no joint word: out_read, out_kept, in_chord as of kernel_link_sum; out_yaw: the word at the input is a yaw.
-// Formats: root sQ1.K; sums s(W+D+1).G with D = log2 N, G = D + 3, to which products are truncated; rho s(W+4), 4 bits
-// below the LSB, saturated; outputs to nearest, saturated. Error beyond that of the roots: z 1/2 + 1/16 LSB, x, y 1/2 +
-// 3/32. Latency 4, II 2: a third multiplier turns rho while the others are at the next link. Bits name the clock.
-// Overflow: a coordinate or rho was saturated; or the chain has had N links before, and this one does not count.
-// Model: chain.table_chain
+// It knows no joint word: out_cos: the codec reads the cosine of the word last accepted, one clock later its sine;
+// out_end: the sum of joint words starts at 0 again with the next word.
+// Formats: root sQ1.K; sums s(W+D+1).G with D = log2 N, G = D + 4, to which products are truncated, d too; outputs to
+// nearest, saturated (sums are not). Error beyond that of the roots: z 1/2 + 1/32 LSB, x and y 1/2 + 3/32.
+// Latency 6, II 3. Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not
+// count. Model: chain.table_chain
 `default_nettype none
 module kernel_link_space #(
     parameter W = 16,  // bits of a length and of a coordinate, 15 to 20; their fraction bits do not matter here
@@ -20,118 +20,117 @@ module kernel_link_space #(
     input  wire                in_valid,
     output wire                in_ready,
     output wire                out_read,
-    output wire                out_kept,
-    output wire                out_yaw,
+    output wire                out_cos,
+    output wire                out_end,
     input  wire [2*K-T+19:0]   in_chord,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
-    output reg                 out_valid,
+    output wire                out_valid,
     input  wire                out_ready,
     output reg  signed [W-1:0] out_x,
     output wire signed [W-1:0] out_y,
     output reg  signed [W-1:0] out_z,
-    output reg                 out_last,
+    output wire                out_last,
     output wire                out_overflow
 );
-    localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
+    localparam D = $clog2(N), G = D + 4;          // bits of a count below N; guard bits
     localparam M = W + 1 + G, P = W + D + 1 + G;  // bits of a product, of a sum
+    localparam Z = W + T - K - 3;                 // bits that a length has more than a step
     localparam [31:0] MOST = N + 1;
-    // Half of what N products lose, with half a unit of rho, or half an LSB of z
-    localparam [P-1:0] FINE = (1 << G - 4 >> 1) + (1 << D - 1), HALF = (1 << G - 1) + (1 << D - 1);
-    reg  waits, second, third;  // clocks of a link: completes the cosine; the sine, rho; z, x. In out_valid's: y
-    wire move = !out_valid || out_ready;
-    wire accept = in_valid && in_ready;
-    assign in_ready = !waits && move;
-    assign out_read = move;
-    assign out_kept = waits;
+    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half of what N products lose
+    reg  [6:1] at;  // the clock of a link: reads cosine; sine; completes both; d and z; x; y
+    wire       move = !out_valid || out_ready;
+    wire       accept = in_valid && in_ready;
+    assign     in_ready = !at[1] && !at[2] && move;
+    assign     out_valid = at[6];
+    assign     out_read = move;
+    assign     out_cos = at[1];
 
-    wire [K:0]     knot;
-    wire [K-T+3:0] step, rise;
-    wire [14:0]    offset, below;
-    wire           same;  // of signs
+    // A link's length and flags; links counts the words of the chain, to N + 1
+    reg  [W-1:0] length;
+    reg  [2:0]   flags;   // yaw, last of the chain, beyond N links
+    reg  [1:0]   shown;
+    reg  [D:0]   links;
+    wire         full = links == MOST[D:0];
+    wire         yaw = links == 0;
+    assign       out_end = at[2] && move && (flags[2] || flags[1]);
+    assign       out_last = shown[1];
+
+    // First multiplier: the steps of both roots, then d. The step stands at the upper end of the length
+    wire [K:0]          knot;
+    wire [K-T+3:0]      step;
+    wire [14:0]         offset;
+    reg  [W-1:0]        scale;  // the length, in the clock of d, else 0
+    reg  [K:0]          cosine;
     assign {knot, step, offset} = in_chord;
-    assign {same, rise, below} = $signed(step) * $signed({1'b0, offset});
-    reg  [K:0]     root;
+    wire signed [W:0]   left = {at[4] ? {1'b0, scale[W-1:Z]} : step, scale[Z-1:0]};
+    wire signed [K:0]   right = at[4] ? cosine : {{(K-14){1'b0}}, offset};
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [W+K+1:0]      product1 = left * right;
+    /* verilator lint_on UNUSEDSIGNAL */
+    wire [K-T+3:0]      rise = product1[Z+15 +: K-T+4];
+    wire [K:0]          root = knot + {{(T-3){rise[K-T+3]}}, rise};
 
-    // A link's length and flags go with it; links counts the words of the chain, to N + 1
-    reg  [W-1:0]   length0, length1;
-    reg  [2:0]     flags0, flags1;  // yaw, last of the chain, beyond N links
-    reg  [D:0]     links;
-    wire           full = links == MOST[D:0];
-    assign         out_yaw = links == 0;
-    wire [M-1:0]   part;
-    wire [K-G-1:0] rest;
-    wire           copy_too;
-    assign {copy_too, part, rest} = $signed(root) * $signed({1'b0, length1});
-
-    // rho, then z through one adder; they change places
-    reg  [P-1:0]   front, back;
-    wire [P-1:0]   sum = front + {{(P-M){part[M-1]}}, part};
-    wire           over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};
-    wire [W+3:0]   near = over ? {sum[P-1], {(W+3){!sum[P-1]}}} : sum[W+G-1:G-4];
-
+    // Second multiplier: L n, d c3, d n3
+    reg  signed [M-1:0] part;
+    reg  signed [K:0]   factor;
     reg  [K:0]          c3, n3;
-    reg  signed [W+3:0] rho;
-    wire                copy3, half3;
-    wire [W:0]          floor3;
-    wire [K+2:0]        rest3;
-    assign {copy3, floor3, half3, rest3} = rho * $signed(out_valid ? n3 : c3);
-    wire [W:0]          near3 = floor3 + {{W{1'b0}}, half3};
-    wire                over3 = near3[W] ^ near3[W-1];
-    reg                 over_rho, over_before;
-    assign out_y = over3 ? {near3[W], {(W-1){!near3[W]}}} : near3[W-1:0];
-    assign out_overflow = over_before || over3;
-    wire                unused = &{1'b0, same, copy_too, copy3, rest, rest3, below};
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [M+K:0]        product2 = part * factor;
+    /* verilator lint_on UNUSEDSIGNAL */
+
+    // z, x and y pass by one adder in turn
+    reg  [P-1:0]        front, middle, back;
+    wire [P-1:0]        sum = front + {{(P-M){product2[M+K-1]}}, product2[K +: M]};
+    wire                over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};
+    reg                 over_before;
+    assign out_y = over ? {sum[P-1], {(W-1){!sum[P-1]}}} : sum[W+G-1:G];
+    assign out_overflow = over || over_before || shown[0];
 
     always @(posedge clk) begin
         if (accept) begin
-            length0 <= in_l;
-            flags0  <= {out_yaw, in_last, full};
-            links   <= links + {{D{1'b0}}, !full};
+            length <= in_l;
+            flags  <= {yaw, in_last, full};
+            links  <= links + {{D{1'b0}}, !full};
         end
-        if (accept && (full || out_yaw))
-            length0 <= {W{1'b0}};
+        if (accept && (full || yaw))
+            length <= {W{1'b0}};
         if (move) begin
-            root      <= knot + {{(T-3){rise[K-T+3]}}, rise};
-            second    <= waits;
-            third     <= second;
-            out_valid <= third;
-            if (waits) begin
-                length1 <= length0;
-                flags1  <= flags0;
-            end
-            if (second) begin
-                rho      <= near;
-                over_rho <= over;
-            end
-            if (second && flags1[2])
+            at     <= {at[5:1], accept};
+            scale  <= at[3] ? length : {W{1'b0}};
+            factor <= at[3] ? root : at[4] ? c3 : n3;
+            if (at[2])
+                cosine <= root;
+            if (at[2] && flags[2])
                 c3 <= root;
-            if (third && flags1[2])
+            if (at[3] && flags[2])
                 n3 <= root;
-            if (third) begin
-                out_x       <= out_y;
-                out_z       <= near[W+3:4];
-                over_before <= over_rho || over || over3 || flags1[0];
-                out_last    <= flags1[1];
+            if (at[3]) begin
+                part  <= {1'b0, length, {G{1'b0}}};
+                shown <= flags[1:0];
             end
-            if (second || third) begin
-                front <= back;
-                back  <= sum;
+            if (at[4]) begin
+                part  <= product1[K-G +: M];
+                out_z <= out_y;
+            end
+            if (at[5])
+                out_x <= out_y;
+            over_before <= !at[3] && (over_before || over);
+            if (at[4] || at[5] || at[6]) begin
+                front  <= middle;
+                middle <= back;
+                back   <= sum;
             end
         end
-        waits <= accept || (waits && !move);
         if (rst || (accept && in_last))
             links <= {(D+1){1'b0}};
-        if (rst || (third && move && flags1[1])) begin
-            front <= FINE;
-            back  <= HALF;
+        if (rst || (at[6] && move && out_last)) begin
+            front  <= HALF;
+            middle <= HALF;
+            back   <= HALF;
         end
-        if (rst) begin
-            waits     <= 1'b0;
-            second    <= 1'b0;
-            third     <= 1'b0;
-            out_valid <= 1'b0;
-        end
+        if (rst)
+            at <= 6'd0;
     end
 endmodule
 `default_nettype wire

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // kernel_vector_sum in a plane that stands upright and yaws: every joint's position of a chain of any number of links.
-//   (C, N) <- (C c - N n, C n + N c); (rho, z) <- (rho, z) + L (C, N); x = rho c3, y = rho n3; in_last ends a chain
+//   (C, N) <- (C c - N n, C n + N c); d = L C; (x, y, z) <- (x, y, z) + (d c3, d n3, L N); in_last ends a chain
 // The first word of a chain is its yaw (c3, n3), which is kept; its length is not looked at, its position the base.
-// Formats: as kernel_vector_sum; rho s(W+4), 4 bits below the LSB, saturated. Right while the product of the lengths of
-// the vectors stays below 2.
-// Error beyond that of the directions: z 1/2 + 1/16 LSB, x and y 1/2 + 3/32.
-// Latency 5, II 3: a third multiplier turns rho while the others are at the next link. No table: bits name the clock.
-// Overflow: a coordinate or rho was saturated; or the chain has had N links before, and this one does not count.
+// Formats: as kernel_vector_sum, with one guard bit more in d and in the sums. Right while the product of the lengths
+// of the vectors, the yaw's too, stays below 2.
+// Error beyond that of the directions: z 1/2 + 1/32 LSB, x and y 1/2 + 3/32.
+// Latency 6, II 3: a third multiplier turns d while the others are at the next link. No table: bits name the clock.
+// Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not count.
 // Model: chain.vector_chain
 `default_nettype none
 module kernel_vector_space #(
@@ -22,25 +22,25 @@ module kernel_vector_space #(
     input  wire signed [U+1:0] in_n1,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
-    output reg                 out_valid,
+    output wire                out_valid,
     input  wire                out_ready,
     output reg  signed [W-1:0] out_x,
     output wire signed [W-1:0] out_y,
     output reg  signed [W-1:0] out_z,
-    output reg                 out_last,
+    output wire                out_last,
     output wire                out_overflow
 );
-    localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
-    localparam V = U + 2 + G, M = W + 2 + G, P = W + D + 2 + G;  // bits of C and N, of a product, of a sum
+    localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits of directions, one more of positions
+    localparam V = U + 2 + G, M = W + 3 + G, P = W + D + 3 + G;  // bits of C and N, of a product, of a sum
     localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with zeros behind
     localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
+    localparam [P-1:0] HALF = (1 << G) + (1 << D - 1);  // half an LSB, and half of what N products lose
     localparam [31:0] MOST = N + 1;
-    // Half of what N products lose, with half a unit of rho, or half an LSB of z
-    localparam [P-1:0] FINE = (1 << G - 4 >> 1) + (1 << D - 1), HALF = (1 << G - 1) + (1 << D - 1);
-    reg  waits, turn, last, third;  // clocks of a link: cosine; sine; rho; z, x. In that of out_valid: y
+    reg  [6:1] at;  // the clock of a link: cosine; sine; products d, z; x; y. Sums: one later
     wire move = !out_valid || out_ready;
     wire accept = in_valid && in_ready;
-    assign in_ready = !waits && !turn && move;
+    assign in_ready = !at[1] && !at[2] && move;
+    assign out_valid = at[6];
 
     // The joint's word passes by both multipliers: (c, n), then (n, c), then the length twice
     reg  signed [V-1:0] cosine, sine;  // of the link; in the first two clocks of the one before it
@@ -54,33 +54,29 @@ module kernel_vector_space #(
     wire [V-1:0] cut1 = product1[U+G +: V], cut2 = product2[U+G +: V];
     wire [V-1:0] turned = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both cuts
 
-    // rho, then z through one adder; they change places
-    reg  [P-1:0] front, back;
-    reg  [M-1:0] z_part;
-    wire [M-1:0] part = last ? product1[U+G +: M] : z_part;
-    wire [P-1:0] sum = front + {{(P-M){part[M-1]}}, part};
-    wire         over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};
-    wire [W+3:0] near = over ? {sum[P-1], {(W+3){!sum[P-1]}}} : sum[W+G-1:G-4];
-
+    // The third multiplier turns d
+    reg  signed [M-1:0] d;
     reg  signed [U+1:0] c3, n3;
-    reg  signed [W+3:0] rho;
-    wire                half3;
-    wire [W+1:0]        floor3;
-    wire [U+2:0]        rest3;
-    wire signed [U+1:0] factor3 = out_valid ? n3 : c3;
-    assign {floor3, half3, rest3} = rho * factor3;
-    wire [W+1:0]        near3 = floor3 + {{(W+1){1'b0}}, half3};
-    wire                over3 = near3[W+1:W-1] != {3{near3[W+1]}};
-    assign out_y = over3 ? {near3[W+1], {(W-1){!near3[W+1]}}} : near3[W-1:0];
+    wire signed [U+1:0] factor = at[5] ? n3 : c3;
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [M+U+1:0]      product3 = d * factor;
+    /* verilator lint_on UNUSEDSIGNAL */
+
+    // z, x and y pass by one adder in turn
+    reg  [P-1:0] front, middle, back;
+    reg  [M-1:0] part;
+    wire [P-1:0] sum = front + {{(P-M){part[M-1]}}, part};
+    wire         over = sum[P-1:W+G] != {(P-W-G){sum[P-1]}};
+    assign out_y = over ? {sum[P-1], {(W-1){!sum[P-1]}}} : sum[W+G:G+1];
 
     // Words of the chain so far, N + 1 at most; the flags of a link go with it
     reg  [D:0]   links;
     reg  [2:0]   flags;  // yaw, last of the chain, beyond N links
-    reg  [1:0]   flags1;
-    reg          over_rho, over_before;
+    reg  [1:0]   shown;
+    reg          over_before;
     wire         full = links == MOST[D:0], yaw = links == 0;
-    assign       out_overflow = over_before || over3;
-    wire         unused = &{1'b0, rest3};
+    assign       out_last = shown[1];
+    assign       out_overflow = over || over_before || shown[0];
 
     always @(posedge clk) begin
         if (accept) begin
@@ -91,56 +87,47 @@ module kernel_vector_space #(
         if (accept && (full || yaw))
             length <= {W{1'b0}};
         if (move) begin
-            r1    <= turn ? {{(B-W){1'b0}}, length} : waits ? ~r2 : {{(B-U-1){in_c1[U+1]}}, in_c1[U:0]};
-            r2    <= turn ? {{(B-W){1'b0}}, length} : waits ? r1 : ~{{(B-U-1){in_n1[U+1]}}, in_n1[U:0]};
-            minus <= !turn && !waits;
+            at    <= {at[5:1], accept};
+            r1    <= at[2] ? {{(B-W){1'b0}}, length} : at[1] ? ~r2 : {{(B-U-1){in_c1[U+1]}}, in_c1[U:0]};
+            r2    <= at[2] ? {{(B-W){1'b0}}, length} : at[1] ? r1 : ~{{(B-U-1){in_n1[U+1]}}, in_n1[U:0]};
+            minus <= !at[2] && !at[1];
             next  <= turned;
-            if (turn && flags[2]) begin
+            if (at[2] && flags[2]) begin
                 c3 <= r2[U+1:0];
                 n3 <= r1[U+1:0];
-            end else if (turn) begin
+            end else if (at[2]) begin
                 cosine <= next;
                 sine   <= turned;
             end
-            if (last) begin
-                z_part   <= product2[U+G +: M];
-                rho      <= near;
-                over_rho <= over;
-                flags1   <= flags[1:0];
+            if (at[3]) begin
+                d     <= product1[U+G-1 +: M];
+                shown <= flags[1:0];
             end
-            if (third) begin
-                out_x       <= out_y;
-                out_z       <= near[W+3:4];
-                over_before <= over_rho || over || over3 || flags1[0];
-                out_last    <= flags1[1];
+            part <= at[3] ? product2[U+G-1 +: M] : product3[U +: M];
+            if (at[4])
+                out_z <= out_y;
+            if (at[5])
+                out_x <= out_y;
+            over_before <= over || (at[5] && over_before);
+            if (at[4] || at[5] || at[6]) begin
+                front  <= middle;
+                middle <= back;
+                back   <= sum;
             end
-            if (last || third) begin
-                front <= back;
-                back  <= sum;
-            end
-            turn      <= waits;
-            last      <= turn;
-            third     <= last;
-            out_valid <= third;
         end
-        waits <= accept || (waits && !move);
         if (rst || (accept && in_last))
             links <= {(D+1){1'b0}};
-        if (rst || (last && move && flags[1])) begin
+        if (rst || (at[3] && move && flags[1])) begin
             cosine <= ONE;
             sine   <= {V{1'b0}};
         end
-        if (rst || (third && move && flags1[1])) begin
-            front <= FINE;
-            back  <= HALF;
+        if (rst || (at[6] && move && out_last)) begin
+            front  <= HALF;
+            middle <= HALF;
+            back   <= HALF;
         end
-        if (rst) begin
-            waits     <= 1'b0;
-            turn      <= 1'b0;
-            last      <= 1'b0;
-            third     <= 1'b0;
-            out_valid <= 1'b0;
-        end
+        if (rst)
+            at <= 6'd0;
     end
 endmodule
 `default_nettype wire

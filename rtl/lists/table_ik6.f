@@ -7,8 +7,8 @@
 ../arith/reciprocal_root.v
 ../engine/engine_roots.v
 ../engine/product_engine.v
+../six/six_inverse_path.v
 ../engine/engine_results.v
-../six/vector_ik6.v
 ../codec/nearest_axis.v
 ../codec/vector_to_angle.v
 ../six/table_ik6.v

@@ -7,5 +7,6 @@
 ../arith/reciprocal_root.v
 ../engine/engine_roots.v
 ../engine/product_engine.v
+../six/six_inverse_path.v
 ../engine/engine_results.v
 ../six/vector_ik6.v

@@ -28,17 +28,17 @@ module six_inverse_program (
         C6 = 6'd12, N6 = 6'd13, L4 = 6'd14, PZ = 6'd14, MAU = 6'd14, R32 = 6'd14, R13 = 6'd15, R31 = 6'd15, R23 = 6'd16,
         Gd = 6'd16, N23 = 6'd16, W2 = 6'd16, B = 6'd17, NN = 6'd17, PSI = 6'd17, MBU = 6'd17, C23 = 6'd17, W3 = 6'd17,
         PX = 6'd18, NAU = 6'd18, CE = 6'd18, M23 = 6'd18, PY = 6'd19, NBU = 6'd19, R11 = 6'd19, R33 = 6'd20,
-        M23U = 6'd20, T4 = 6'd20, Q = 6'd21, L2 = 6'd21, TT = 6'd21, R21 = 6'd21, Ta = 6'd22, K = 6'd22, R12 = 6'd22,
+        Q = 6'd21, L2 = 6'd21, TT = 6'd21, R21 = 6'd21, Ta = 6'd22, K = 6'd22, R12 = 6'd22,
         Ga = 6'd23, X1 = 6'd23, CU = 6'd23, YY = 6'd23, R22 = 6'd23, XX = 6'd24, M13 = 6'd24, NA = 6'd25, Gb = 6'd25,
-        K1 = 6'd25, M13U = 6'd25, W1 = 6'd25, NB = 6'd26, U3 = 6'd26, Ge = 6'd26, Tc = 6'd27, K2 = 6'd27, Gc = 6'd28,
-        NE = 6'd28, MA = 6'd29, MB = 6'd30;
+        K1 = 6'd25, M13U = 6'd25, W1 = 6'd25, NB = 6'd26, U3 = 6'd26, Tc = 6'd27, K2 = 6'd27, M23U = 6'd27, Gc = 6'd28,
+        NE = 6'd28, Ge = 6'd28, MA = 6'd29, T4 = 6'd29, MB = 6'd30;
     localparam [5:0]
         I_R11 = 6'd0, I_R12 = 6'd1, I_R13 = 6'd2, I_R21 = 6'd3, I_R22 = 6'd4, I_R23 = 6'd5, I_R31 = 6'd6,
         I_R32 = 6'd7, I_R33 = 6'd8, I_X = 6'd9, I_Y = 6'd10, I_Z = 6'd11, I_A1 = 6'd12, I_B = 6'd13, I_L1 = 6'd14,
         I_L2 = 6'd15, I_L4 = 6'd16, I_K = 6'd17, I_PC = 6'd18, I_PSI = 6'd19, I_RR = 6'd20, I_E = 6'd21,
         I_UNIT = 6'd22;
     //                           A              B           C     D     sum   keep  align dest  act
-    localparam [91*47-1:0] LINES = {
+    localparam [90*47-1:0] LINES = {
         /* l4                */ {PORT,  I_L4,   BY, PLUS,   NIL,  NIL,  LONE, DONE, HIGH, L4,   OTHER},
         /* r13               */ {PORT,  I_R13,  BY, PLUS,   NIL,  NIL,  LONE, DONE, HIGH, R13,  OTHER},
         /* r23               */ {PORT,  I_R23,  BY, PLUS,   NIL,  NIL,  LONE, DONE, HIGH, R23,  OTHER},
@@ -106,7 +106,8 @@ module six_inverse_program (
         /* -r13              */ {PORT,  I_R13,  BY, MINUS,  NIL,  NIL,  LONE, KEEP, HIGH, NIL,  OTHER},
         /* cross 1           */ {REG,   R21,    OF, R32,    R31,  R22,  SUB,  DONE, HIGH, NIL,  CHECK},
         /* m13               */ {REG,   C23,    OF, U3,     N23,  R33,  SUB,  DONE, HIGH, M13,  MORE | WRIST},
-        /* c5                */ {REG,   N23,    OF, U3,     C23,  R33,  ADD,  DONE, HIGH, C5,   OTHER},
+        /* r11 r12 + r21 r22 */ {REG,   R11,    OF, R12,    R21,  R22,  ADD,  KEEP, HIGH, NIL,  OTHER},
+        /* skew              */ {REG,   R31,    OF, R32,    NIL,  NIL,  LONE, DONE, HIGH, NIL,  CHECK},
         /* M23 up            */ {REG,   M23,    BY, POWER,  NIL,  NIL,  LONE, DONE, LOW,  M23U, OTHER},
         /* M13 up            */ {REG,   M13,    BY, POWER,  NIL,  NIL,  LONE, DONE, LOW,  M13U, OTHER},
         /* r11^2 - 1         */ {PORT,  I_UNIT, BY, MINUS,  R11,  R11,  ADD,  KEEP, HIGH, NIL,  OTHER},
@@ -116,21 +117,19 @@ module six_inverse_program (
         /* column 2          */ {REG,   R22,    OF, R22,    R32,  R32,  ADD,  DONE, HIGH, NIL,  CHECK},
         /* 1 / root          */ {TABLE, NIL,    BY, FLIP,   NIL,  NIL,  LONE, DONE, MID,  Ge,   OTHER},
         /* n4                */ {LAST,  NIL,    OF, M23U,   NIL,  NIL,  LONE, DONE, HIGH, N4,   HOLD},
-        /* r11 r12 + r21 r22 */ {REG,   R11,    OF, R12,    R21,  R22,  ADD,  KEEP, HIGH, NIL,  OTHER},
-        /* skew              */ {REG,   R31,    OF, R32,    NIL,  NIL,  LONE, DONE, HIGH, NIL,  CHECK},
-        /* -n4 c23           */ {PORT,  I_UNIT, BY, NOUGHT, N4,   C23,  SUB,  DONE, HIGH, T4,   OTHER},
+        /*                   */ {PORT,  NIL,    BY, NOUGHT, NIL,  NIL,  LONE, DONE, HIGH, NIL,  OTHER},
         /* c4                */ {REG,   Ge,     OF, M13U,   NIL,  NIL,  LONE, DONE, HIGH, C4,   HOLD},
+        /* -n4 c23           */ {PORT,  I_UNIT, BY, NOUGHT, N4,   C23,  SUB,  DONE, HIGH, T4,   OTHER},
+        /* c5                */ {REG,   N23,    OF, U3,     C23,  R33,  ADD,  DONE, HIGH, C5,   OTHER},
         /* w3                */ {REG,   N4,     OF, N23,    NIL,  NIL,  LONE, DONE, HIGH, W3,   OTHER},
-        /*                   */ {PORT,  NIL,    BY, NOUGHT, NIL,  NIL,  LONE, DONE, HIGH, NIL,  OTHER},
-        /* w2                */ {REG,   T4,     OF, N1,     C4,   C1,   ADD,  DONE, HIGH, W2,   OTHER},
         /* w1                */ {REG,   T4,     OF, C1,     C4,   N1,   SUB,  DONE, HIGH, W1,   OTHER},
+        /* w2                */ {REG,   T4,     OF, N1,     C4,   C1,   ADD,  DONE, HIGH, W2,   OTHER},
         /* n5                */ {REG,   C4,     OF, M13,    N4,   M23,  ADD,  DONE, HIGH, N5,   OTHER},
-        /*                   */ {PORT,  NIL,    BY, NOUGHT, NIL,  NIL,  LONE, DONE, HIGH, NIL,  OTHER},
-        /* n6, two of 3      */ {REG,   W1,     OF, R11,    W2,   R21,  ADD,  KEEP, HIGH, NIL,  OTHER},
-        /* n6                */ {REG,   W3,     OF, R31,    NIL,  NIL,  LONE, DONE, HIGH, N6,   OTHER},
-        /* c6, two of 3      */ {REG,   W1,     OF, R12,    W2,   R22,  ADD,  KEEP, HIGH, NIL,  OTHER},
-        /* c6                */ {REG,   W3,     OF, R32,    NIL,  NIL,  LONE, DONE, HIGH, C6,   OTHER}};
-    engine_program #(.LINES(91), .BITS(47), .TABLE(LINES)) control (
+        /* n6, one of 3      */ {REG,   W3,     OF, R31,    NIL,  NIL,  LONE, KEEP, HIGH, NIL,  OTHER},
+        /* n6                */ {REG,   W1,     OF, R11,    W2,   R21,  ADD,  DONE, HIGH, N6,   OTHER},
+        /* c6, one of 3      */ {REG,   W3,     OF, R32,    NIL,  NIL,  LONE, KEEP, HIGH, NIL,  OTHER},
+        /* c6                */ {REG,   W1,     OF, R12,    W2,   R22,  ADD,  DONE, HIGH, C6,   OTHER}};
+    engine_program #(.LINES(90), .BITS(47), .TABLE(LINES)) control (
         .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(out_op));
 endmodule
 `default_nettype wire

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of six joints as binary angles, one of eight branches: vector_ik6, then one table codec that takes
-// its vectors one after the other. Formats: out_j* angle of A bits, a full turn is 2^A, nearest; others as there.
-// Error: page. Latency, II: 102: vector_ik6, a clock a joint and one.
-// Status: as vector_ik6. Of a matrix that is no rotation a joint may have no vector: it has the word of the one before.
+// Inverse kinematics of six joints as binary angles, one of eight branches: the program of vector_ik6, and one table
+// codec that takes its vectors as they come. Formats: out_j* angle of A bits, a full turn is 2^A, nearest; others as
+// there.
+// Error: page. Latency, II: 96.
+// Status: as vector_ik6. Of a matrix that is no rotation a joint may have no vector: it has the word formed last,
+// in the order 1, 3, 2, 4, 5, 6.
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.table_ik6
 `default_nettype none
 module table_ik6 #(
@@ -38,13 +40,13 @@ module table_ik6 #(
     input  wire signed [W-1:0] in_y,
     input  wire signed [W-1:0] in_z,
     input  wire [2:0]          in_branch,
-    output wire                out_valid,
+    output reg                 out_valid,
     input  wire                out_ready,
-    output wire [A-1:0]        out_j1,
-    output wire [A-1:0]        out_j2,
-    output wire [A-1:0]        out_j3,
-    output wire [A-1:0]        out_j4,
-    output wire [A-1:0]        out_j5,
+    output reg  [A-1:0]        out_j1,
+    output reg  [A-1:0]        out_j2,
+    output reg  [A-1:0]        out_j3,
+    output reg  [A-1:0]        out_j4,
+    output reg  [A-1:0]        out_j5,
     output wire [A-1:0]        out_j6,
     output wire [3:0]          out_status
 );
@@ -54,53 +56,51 @@ module table_ik6 #(
         end
     endgenerate
 
-    wire            solved, have, last;
-    wire            accept = in_valid && in_ready;
-    wire [12*U+23:0] found;
+    wire        done;
+    wire        accept = in_valid && in_ready;
+    wire [26:0] word;
+    wire [5:0]  dest;
+    reg         busy;  // a sample is in work, or its result waits
+    assign      in_ready = !busy || out_valid && out_ready;
     /* verilator lint_off PINCONNECTEMPTY */
-    vector_ik6 #(.W(W), .F(F), .U(U)) kernel (.clk(clk), .rst(rst), .cfg_a1(cfg_a1), .cfg_b(cfg_b), .cfg_c1(cfg_c1),
-        .cfg_c2(cfg_c2), .cfg_c4(cfg_c4), .cfg_k(cfg_k), .cfg_cp(cfg_cp), .cfg_np(cfg_np), .cfg_r(cfg_r), .cfg_e(cfg_e),
-        .in_valid(accept), .in_ready(), .in_r11(in_r11), .in_r12(in_r12), .in_r13(in_r13), .in_r21(in_r21),
-        .in_r22(in_r22), .in_r23(in_r23), .in_r31(in_r31), .in_r32(in_r32), .in_r33(in_r33), .in_x(in_x), .in_y(in_y),
-        .in_z(in_z), .in_branch(in_branch), .out_valid(solved), .out_ready(last),
-        .out_c1(found[0 +: U+2]), .out_n1(found[U+2 +: U+2]), .out_c2(found[2*U+4 +: U+2]),
-        .out_n2(found[3*U+6 +: U+2]), .out_c3(found[4*U+8 +: U+2]), .out_n3(found[5*U+10 +: U+2]),
-        .out_c4(found[6*U+12 +: U+2]), .out_n4(found[7*U+14 +: U+2]), .out_c5(found[8*U+16 +: U+2]),
-        .out_n5(found[9*U+18 +: U+2]), .out_c6(found[10*U+20 +: U+2]), .out_n6(found[11*U+22 +: U+2]),
-        .out_status(out_status));
+    six_inverse_path #(.W(W), .U(U)) path (.clk(clk), .rst(rst), .in_start(accept),
+        .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
+        .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
+        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_signs(in_branch), .out_idle(), .out_done(done),
+        .out_word(word), .out_dest(dest), .out_status(out_status));
 
-    reg  [2:0]       joint;  // 0 to 5, the next one to the codec
-    reg  [6:1]       coded;  // one-hot: the joint that the codec gives next, 0 where no sample is inside or waits
-    wire             step = have && (!coded[6] || out_ready);
-    wire [2*U+3:0]   vector;
-    wire [A-1:0]     angle;
-    genvar           b, i;
-    generate
-        for (i = 0; i < 8; i = i + 1) begin : g_joint
-            wire [2*U+3:0] one = found[(2*U+4)*(i < 6 ? i : 5) +: 2*U+4];
-        end
-        for (b = 0; b < 2 * U + 4; b = b + 1) begin : g_bit
-            wire [7:0] column;
-            for (i = 0; i < 8; i = i + 1) begin : g_row
-                assign column[i] = g_joint[i].one[b];
-            end
-            assign vector[b] = column[joint];
-        end
-    endgenerate
-    vector_to_angle #(.U(U), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(solved), .in_ready(), .in_c(vector[U+1:0]),
-        .in_n(vector[2*U+3:U+2]), .out_valid(have), .out_ready(!coded[6] || out_ready), .out_j(angle), .out_status());
+    // One pair of registers takes the vectors one after the other. The codec has an angle three clocks behind the
+    // second word of a vector, whichever that is, before the next vector is complete
+    wire                part = dest[5:4] == 2'd0 && dest[3:1] != 3'd0 && dest[3:1] != 3'd7;
+    wire signed [U+1:0] c, n;
+    reg                 half, both;  // the vector's first word is in; so is the second
+    reg  [2:0]          joint;
+    wire                have;
+    reg  [1:0]          wait6;       // the codec is at joint 6
+    wire                late = wait6[1] || out_valid;  // nothing more is taken: a proof cannot see that no word comes
+    engine_results #(.COUNT(2), .U(U)) vector (.clk(clk), .in_word(word), .in_dest({4'd0, part, dest[0]}),
+        .out_words({n, c}));
+    vector_to_angle #(.U(U), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(both && !late), .in_ready(), .in_c(c),
+        .in_n(n), .out_valid(have), .out_ready(1'b1), .out_j(out_j6), .out_status());
     /* verilator lint_on PINCONNECTEMPTY */
-    assign last = joint == 3'd5;
-    assign out_valid = have && coded[6];
-    assign in_ready = coded == 0 || out_valid && out_ready;
 
-    reg [5*A-1:0] first;  // words of joints 1 to 5, the last one on top
-    assign        {out_j6, out_j5, out_j4, out_j3, out_j2, out_j1} = {angle, first};
     always @(posedge clk) begin
-        if (have && !coded[6])
-            first <= {angle, first[5*A-1:A]};
-        joint <= accept ? 3'd0 : joint + {2'd0, solved};
-        coded <= rst ? 6'd0 : accept ? 6'd1 : step ? coded << 1 : coded;
+        if (part && half)
+            joint <= dest[3:1];
+        half <= !accept && (half ^ part);
+        if (have && !late)
+            case (joint)
+                3'd1: out_j1 <= out_j6;
+                3'd2: out_j2 <= out_j6;
+                3'd3: out_j3 <= out_j6;
+                3'd4: out_j4 <= out_j6;
+                3'd5: out_j5 <= out_j6;
+                default: ;
+            endcase
+        both      <= !rst && part && half;
+        wait6     <= rst ? 2'b00 : {wait6[0], done};
+        out_valid <= !rst && (wait6[1] || out_valid && !out_ready);
+        busy      <= !rst && (accept || busy && !(out_valid && out_ready));
     end
 endmodule
 `default_nettype wire

@@ -3,7 +3,7 @@
 // spherical wrist. Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_c*,
 // out_n* cos and sin of a joint, s2.U, nearest; cfg_*: six.config.
 //   in_branch[0]: the shoulder looks back; [1]: sin(q3 + psi) < 0; [2]: sin q5 < 0
-// Error: page. Latency, II: 95.
+// Error: page. Latency, II: 94.
 // Status: unreachable (nearest answer), singular (joint 1, 2 or 4 has no direction: its last one is held, (1, 0) after
 // a reset; the others take the rest), bit 3: the matrix is no rotation, by 16 units of 2^-U.
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6
@@ -64,27 +64,17 @@ module vector_ik6 #(
 
     wire        idle, done;
     wire        accept = in_valid && in_ready;
-    wire [46:0] op;
-    assign      in_ready = idle && (!out_valid || out_ready);
-    six_inverse_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-        .out_op(op));
-
-    reg  [2:0]  signs;
-    wire [26:0] port, word;
+    wire [26:0] word;
     wire [5:0]  dest;
-    six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(accept),
+    assign      in_ready = idle && (!out_valid || out_ready);
+    six_inverse_path #(.W(W), .U(U)) path (.clk(clk), .rst(rst), .in_start(accept),
         .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
         .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
-        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_select(op[43:39]), .out_word(port));
-    product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
-        .in_op(op), .in_port(port), .in_signs(signs), .out_word(word), .out_dest(dest), .out_status(out_status));
+        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_signs(in_branch), .out_idle(idle), .out_done(done),
+        .out_word(word), .out_dest(dest), .out_status(out_status));
     engine_results #(.COUNT(12), .U(U)) joints (.clk(clk), .in_word(word), .in_dest(dest), .out_words({out_n6, out_c6,
         out_n5, out_c5, out_n4, out_c4, out_n3, out_c3, out_n2, out_c2, out_n1, out_c1}));
-
-    always @(posedge clk) begin
-        if (accept)
-            signs <= in_branch;
+    always @(posedge clk)
         out_valid <= !rst && (done || out_valid && !out_ready);
-    end
 endmodule
 `default_nettype wire

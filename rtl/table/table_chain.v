@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every joint's position of a chain of any number of links, streamed from the base: a link in, a position out.
 //   (x, y) <- (x, y) + L (cos j, sin j) with j the sum of the joint words so far; in_last ends a chain
-// SPACE = 1: (rho, z) for (x, y), x = rho cos j0, y = rho sin j0, where j0, the yaw, is the first word of the chain.
+// SPACE = 1: (x, y, z) <- (x, y, z) + L (cos j cos j0, cos j sin j0, sin j), j0, the yaw, the first word of the chain.
 // Formats: in_j1 angle of A bits; in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, nearest, saturated (the sums are not).
-// Error of a coordinate: 0.57 + 1.63 (L1 + ... + Lk) / 2^16 LSB after k links, lengths in LSB; in space z 0.57 + 1.06
+// Error of a coordinate: 0.57 + 1.63 (L1 + ... + Lk) / 2^16 LSB after k links, lengths in LSB; in space z 0.54 + 1.06
 // times that, x and y 0.60 + 2.11 times.
-// Latency 3 + SPACE, II 2 a link: the first clock of a link is the last of one before it.
-// Status: overflow (a coordinate or rho was saturated; or the chain has had N links before, this one does not count).
+// Latency 3 and II 2 a link, in space 6 and 3: the first clocks of a link are the last of the one before it.
+// Status: overflow (a coordinate was saturated; or the chain has had N links before, this one does not count).
 // Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions.
 // Model: chain.table_chain
 `default_nettype none
@@ -42,35 +42,46 @@ module table_chain #(
     localparam K = W + 1;  // fraction bits of a root
     localparam C = (W + 3) / 2 + (SPACE > 0 ? 1 : 0), T = A < C + 1 ? A - 1 : C;  // address bits of its table
 
-    reg  [A-1:0]      base;  // sum of the joint words of the chain
-    reg  [T-1:0]      upper;
-    wire [A-1:0]      word = base + in_j1;
-    wire              read, kept, yaw, overflow;
+    wire [A-1:0]      word;  // sum of the joint words of the chain
+    wire              read, kept, cosine, overflow;
     wire [2*K-T+19:0] chord;
     assign            out_status = {1'b0, overflow, 2'b00};
-    always @(posedge clk) begin
-        if (!kept)
-            upper <= word[A-1:A-T];
-        if (in_valid && in_ready)
-            base <= word;
-        if (rst || (in_valid && in_ready && (in_last || yaw)))
-            base <= {A{1'b0}};
-    end
-    angle_chord #(.A(A), .K(K), .T(T)) codec (.clk(clk), .in_read(read), .in_keep(kept), .in_cos(!kept),
-        .in_j({kept ? upper : word[A-1:A-T], word[A-T-1:0]}), .out_chord(chord));
+    angle_chord #(.A(A), .K(K), .T(T)) codec (.clk(clk), .in_read(read), .in_keep(kept), .in_cos(cosine), .in_j(word),
+        .out_chord(chord));
+    reg  [A-1:0]      base;
+    wire [A-1:0]      next = base + in_j1;
     generate
         if (SPACE == 0) begin : g_plane
-            assign yaw = 1'b0;
-            assign out_z = {W{1'b0}};
+            reg  [T-1:0] upper;
+            assign       word = {kept ? upper : next[A-1:A-T], next[A-T-1:0]};
+            assign       cosine = !kept;
+            assign       out_z = {W{1'b0}};
+            always @(posedge clk) begin
+                if (!kept)
+                    upper <= next[A-1:A-T];
+                if (in_valid && in_ready)
+                    base <= next;
+                if (rst || (in_valid && in_ready && in_last))
+                    base <= {A{1'b0}};
+            end
             kernel_link_sum #(.W(W), .K(K), .T(T), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
                 .in_ready(in_ready), .out_read(read), .out_kept(kept), .in_chord(chord), .in_l(in_l),
                 .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y),
                 .out_last(out_last), .out_overflow(overflow));
         end else begin : g_space
+            wire   restart;
+            assign word = base;
+            assign kept = 1'b0;
+            always @(posedge clk) begin
+                if (in_valid && in_ready)
+                    base <= next;
+                if (rst || restart)
+                    base <= {A{1'b0}};
+            end
             kernel_link_space #(.W(W), .K(K), .T(T), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
-                .in_ready(in_ready), .out_read(read), .out_kept(kept), .out_yaw(yaw), .in_chord(chord), .in_l(in_l),
-                .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y),
-                .out_z(out_z), .out_last(out_last), .out_overflow(overflow));
+                .in_ready(in_ready), .out_read(read), .out_cos(cosine), .out_end(restart), .in_chord(chord),
+                .in_l(in_l), .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x),
+                .out_y(out_y), .out_z(out_z), .out_last(out_last), .out_overflow(overflow));
         end
     endgenerate
 endmodule

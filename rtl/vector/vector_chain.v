@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every joint's position of a chain of any number of links, streamed from the base: a link in, a position out.
 //   (C, N) <- (C c - N n, C n + N c), from (1, 0) on; (x, y) <- (x, y) + L (C, N), from (0, 0) on; in_last ends a chain
-// SPACE = 1: (rho, z) for (x, y), x = rho c3, y = rho n3, where (c3, n3), the yaw, is the first word of the chain.
+// SPACE = 1: (x, y, z) <- (x, y, z) + L (C c3, C n3, N), where (c3, n3), the yaw, is the first word of the chain.
 // Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, saturated (sums are not).
 // Right while the product of the lengths of the vectors stays below 2; beyond it the chain wraps, the next does not.
 // Error of a coordinate after k links: 0.57 (in space x, y 0.60) + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB with
-// G = log2 N + 3. Latency 4, in space 5; II 3 a link.
-// Status: overflow (a coordinate or rho was saturated; or the chain has had N links before, this one does not count).
+// G = log2 N + 3. Latency 4, in space 6; II 3 a link.
+// Status: overflow (a coordinate was saturated; or the chain has had N links before, this one does not count).
 // Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions.
 // Model: chain.vector_chain
 `default_nettype none

@@ -30,11 +30,11 @@ def table_chain(p: Params, lengths: ArrayLike) -> Floats:
 def table_chain_space(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
     """x or y, and z, of table_chain in space after each link (n,), LSB.
 
-    rho has the sum's 1/16, half a unit of its own 1/16 and the sines' errors; the yaw's root errs once more by its own,
-    times rho. Rounding 1/2.
+    Products have one guard bit more than in the plane, so a sum of them has half of `SUM`'s 1/16. In x and y the factor
+    d, itself truncated by less than 2^-(G+1), adds up to 2^-(G+1) a link; the yaw's root errs once more by its own.
     """
     roots = table_sine(p) * np.cumsum(floats(lengths))
-    return SUM + 1 / 32 + 2 * roots, SUM + roots
+    return SUM + 1 / 32 + 2 * roots, SUM - 1 / 32 + roots
 
 
 def vector_chain(p: Params, lengths: ArrayLike) -> Floats:
@@ -64,11 +64,11 @@ def vector_chain_directions(p: Params, lengths: ArrayLike) -> Floats:
 def vector_chain_space(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
     """x or y, and z, of vector_chain in space against the vectors' directions, after each link (n,), LSB.
 
-    rho as z, and half a unit of its own 1/16; the yaw's length stretches it once more. Rounding 1/2.
+    As in `table_chain_space` z has half of `SUM`'s 1/16, x and y have 1/16 more of d; the yaw's length stretches d.
     """
-    z = vector_chain_directions(p, lengths)
+    z = vector_chain_directions(p, lengths) - 1 / 32
     off = vector_word(p)
-    return 0.5 + (z - 0.5 + 1 / 32) * (1 + off) + off * np.cumsum(floats(lengths)), z
+    return 0.5 + (z - 0.5 + 1 / 16) * (1 + off) + off * np.cumsum(floats(lengths)), z
 
 
 def mff(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:

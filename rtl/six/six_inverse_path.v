@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What vector_ik6 and table_ik6 have in common: the pose, its program and the engine that plays it.
+//   out_word, out_dest: a word and its register, joint j's cosine 2j, its sine 2j + 1; both words of a joint before the
+//   next one's, in the order 1, 3, 2, 4, 5, 6; none of a joint that has no direction and had one before
+// Formats: as six_pose; in_signs: in_branch of vector_ik6; out_word s2.25.
+// Latency: out_done in the 93rd clock behind in_start, with the last word, n6 or c6. Status: as vector_ik6, from there
+// on. in_start in a clock with rst is not taken; the user starts it only when out_idle. Model: six._branch
+`default_nettype none
+module six_inverse_path #(
+    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, as the cores
+    parameter U = 16   // fraction bits of the matrix, 8 to 18: 16, as the cores
+) (
+    input  wire            clk,
+    input  wire            rst,
+    input  wire            in_start,
+    input  wire [9*U+17:0] in_matrix,
+    input  wire [3*W-1:0]  in_tip,
+    input  wire [6*W+23:0] in_lengths,
+    input  wire [26:0]     in_cp,
+    input  wire [26:0]     in_np,
+    input  wire [24:0]     in_r,
+    input  wire [21:0]     in_e,
+    input  wire [2:0]      in_signs,
+    output wire            out_idle,
+    output wire            out_done,
+    output wire [26:0]     out_word,
+    output wire [5:0]      out_dest,
+    output wire [3:0]      out_status
+);
+    generate
+        if (W < 4 || W > 16 || U < 8 || U > 18) begin : g_illegal
+            six_inverse_path_needs_W_from_4_to_16_and_U_from_8_to_18 rule ();
+        end
+    endgenerate
+
+    wire [46:0] op;
+    wire [26:0] port;
+    reg  [2:0]  signs;
+    six_inverse_program control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done),
+        .out_op(op));
+    six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(in_start), .in_matrix(in_matrix), .in_tip(in_tip),
+        .in_lengths(in_lengths), .in_cp(in_cp), .in_np(in_np), .in_r(in_r), .in_e(in_e), .in_select(op[43:39]),
+        .out_word(port));
+    product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(in_start), .in_run(!out_idle),
+        .in_op(op), .in_port(port), .in_signs(signs), .out_word(out_word), .out_dest(out_dest),
+        .out_status(out_status));
+    always @(posedge clk)
+        if (in_start)
+            signs <= in_signs;
+endmodule
+`default_nettype wire
