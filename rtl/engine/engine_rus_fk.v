@@ -58,8 +58,8 @@ module engine_rus_fk #(
     wire [39:0] control;
     wire [26:0] read;
     engine_rus_fk_steps steps (.clk(clk), .rst(rst), .cfg_limit(cfg_limit), .in_clear(accept), .in_start(begins),
-        .in_fresh(fresh), .in_act(act), .in_over(over), .in_off(off), .in_size(size), .in_negative(negative), .out_run(run),
-        .out_next(line), .out_i(i), .out_j(j), .out_range(range), .out_halt(halt), .out_lost(lost),
+        .in_fresh(fresh), .in_act(act), .in_over(over), .in_off(off), .in_size(size), .in_negative(negative),
+        .out_run(run), .out_next(line), .out_i(i), .out_j(j), .out_range(range), .out_halt(halt), .out_lost(lost),
         .out_side(side), .out_failed(failed), .out_overflow(overflow), .out_singular(singular), .out_iters(out_iters));
     engine_rus_fk_program program_ (.clk(clk), .in_line(line), .out_op(control));
     engine_rus_fk_products products (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .in_op(control), .in_run(run), .in_i(i),

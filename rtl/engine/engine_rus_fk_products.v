@@ -78,7 +78,7 @@ module engine_rus_fk_products (
                 file[132] = 27'h0000000;
                 file[133] = 27'h3000000;  // 3/2
                 file[134] = 27'd44809508;          // 1 / (2 sqrt(s)) = P0 + P1 s + P2 s^2 to 2.4 %, s from 1/4 to 1
-                file[135] = 27'd134217728 - 27'd55119815;
+                file[135] = -27'd55119815;
                 file[136] = 27'd27490843;
             end
             always @(posedge clk) begin

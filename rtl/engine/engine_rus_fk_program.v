@@ -2,8 +2,8 @@
 // Program of engine_rus_fk: out_op is line in_line, a clock later; engine_rus_fk_steps says which line comes next.
 // A line is DEST = A B + C D, with SUB or SUBK A B - C D; after KEEP, SUBK the next line goes on with this sum.
 // A register is kind 16 + word, kinds as below. It is read from the fourth line behind its writer on; t, in PAIR, as it
-// was before by the first two. ACT: NONE; MISS and UNIT, a miss of a rod and of the quaternion's length; SCALE, the
-// constant I4 is I4, I1 or MAX as RANGE found |row|^2; SIDE, its sign says on which side of a singularity the pose is.
+// was before by the first two. ACT: NONE; MISS and UNIT, a miss of a rod and of the quaternion's length; SCALE, I4 is
+// I4, I1 or nearly 2 as RANGE found |row|^2; SIDE, its sign says on which side of a singularity the pose is.
 // LOOSE, RANGE, SIDE: the word may overflow. Model: engine_rus_fk
 `default_nettype none
 module engine_rus_fk_program (
@@ -18,7 +18,7 @@ module engine_rus_fk_program (
         w = 7'd16, x = 7'd17, y = 7'd18, z = 7'd19, px = 7'd20, py = 7'd21, pz = 7'd22, r11 = 7'd23, r12 =
         7'd24, r13 = 7'd25, r21 = 7'd26, r22 = 7'd27, r23 = 7'd28, r31 = 7'd29, r32 = 7'd30, r33 = 7'd31;
     localparam [6:0]  // page 8: constants, and words that are soon read
-        I4 = 7'd32, I2 = 7'd33, I1 = 7'd34, MAX = 7'd35, O = 7'd36, I3 = 7'd37, P0 = 7'd38, P1 = 7'd39, P2 =
+        I4 = 7'd32, I2 = 7'd33, I1 = 7'd34, O = 7'd36, I3 = 7'd37, P0 = 7'd38, P1 = 7'd39, P2 =
         7'd40, v1 = 7'd41, v2 = 7'd42, v3 = 7'd43, qw = 7'd44, qx = 7'd45, qy = 7'd46, nil = 7'd47;
     localparam [6:0]  // page 15: the step, q6 of the last pass
         s1 = 7'd48, s2 = 7'd49, s3 = 7'd50, s4 = 7'd51, s5 = 7'd52, s6 = 7'd53, t = 7'd54, nn = 7'd55, e1 =

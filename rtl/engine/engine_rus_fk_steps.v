@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which line of engine_rus_fk_program comes next, and how a solution ends.
-//   elbows of six legs, start; then passes: matrix, rows of six legs, JUDGE; NORM row i (SCALE while |row|^2 < 1/4), DOT
-//   and PAIR for the rows behind it; SIDE, MOVE. DONE writes the pose.
+//   elbows of six legs, start; then passes: matrix, rows of six legs, JUDGE; each row i NORM (SCALE while its square is
+//   no 1/4), DOT and PAIR for the rows behind it; SIDE, MOVE. DONE writes the pose.
 // in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_fresh: there is no pose before, whose side
 // counts. out_halt: the last clock of a solution; out_failed and the flags stand from the next one on.
 // A pass ends; cfg_limit steps and SCALINGS of a row bound it. Model: engine_rus_fk
