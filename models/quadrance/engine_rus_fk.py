@@ -22,7 +22,7 @@ LEGS, POSE, LAST, CRANK = 6, 9, 13, 11  # words of page 0, of a leg, and where i
 ONE, HALF, QUARTER, MOST = 1 << 25, 1 << 24, 1 << 23, (1 << 26) - 1
 ROOT = (44809508, -55119815, 27490843)  # 1 / (2 sqrt(s)) = ROOT[0] + s ROOT[1] + s^2 ROOT[2] to 2.4 %, s from 1/4 to 1
 SCALINGS = 7  # of a row, by 4; with more there is nothing left of it
-UNEVEN = 13  # lowest bit of the quaternion's square, less 1, that is an error
+UNEVEN = 5  # lowest bit of the square of the quaternion, less 1, that is an error
 
 
 # Words

@@ -104,7 +104,7 @@ module engine_rus_fk_products (
     wire [25:0] fold = word[25:0] ^ {26{word[26]}};
     assign      word = sum[29:3];
     assign      out_over = sum[31:30] != {2{sum[29]}};
-    assign      out_off = add[1] ? fold[25:13] != 13'd0 : fold[25:22] != 4'd0 || fold[21:0] >= cfg_tol;
+    assign      out_off = add[1] ? fold[25:5] != 21'd0 : fold[25:22] != 4'd0 || fold[21:0] >= cfg_tol;
     assign      out_size = sum[31:28] != 4'd0 ? 2'd0 : sum[27:26] != 2'd0 ? 2'd1 : sum[25:24] != 2'd0 ? 2'd2 : 2'd3;
     assign      out_negative = sum[31];
     always @(posedge clk) begin
