@@ -209,12 +209,25 @@ def _moved(line: _Sums, q: list[int], p: list[int], x: list[int]) -> tuple[list[
     return [line(one, f, 0, 0, 1) for one in q], p
 
 
+def _side(line: _Sums, rows: list[list[int]]) -> bool:
+    """Sign of the determinant of orthonormal rows: of one half of rows 1 to 3 by the other half of rows 4, 6, 5.
+
+    The blocks of an orthogonal matrix [[A, B], [C, D]] obey det A = det D times the determinant.
+    """
+    side = False
+    for (one, two, three), first in (((0, 1, 2), 0), ((3, 5, 4), 3)):
+        a, b, c = (rows[i][first:first + 3] for i in (one, two, three))
+        n = [line(a[i - 2], b[i - 1], a[i - 1], b[i - 2], 0) for i in range(3)]
+        side ^= line.total(n[0], c[0], n[1], c[1], 1, n[2], c[2], 0, 0, 1) < 0
+    return side
+
+
 class _State:
-    """What the core keeps: words, and row 6 of the last step as a unit vector (None: it belongs to another start)."""
+    """What the core keeps: words, and the side of singularities on which the robot is, None if that is not known."""
 
     def __init__(self) -> None:
         self.words: list[list[int]] = [[]]
-        self.side: list[int] | None = None
+        self.side: bool | None = None
 
 
 def _newton(state: _State, tol: int, limit: int) -> tuple[int, int]:
@@ -222,7 +235,7 @@ def _newton(state: _State, tol: int, limit: int) -> tuple[int, int]:
     line = _Sums()
     start, legs = state.words[0], state.words[1:]
     elbows = [_elbow(line, leg, *start[7:9]) for leg in legs]
-    q, p, count, crossed = [line(one, ONE, 0, 0, 1) for one in start[:4]], start[4:7], 0, False
+    q, p, count, wanted, crossed = start[:4], start[4:7], 0, state.side, False
     while True:
         uneven = line(q[0], q[0], q[1], q[1], 1, q[2], q[2], q[3], q[3], 1, 0, 0, ONE, ONE, 0)
         matrix = _matrix(line, q)
@@ -233,17 +246,15 @@ def _newton(state: _State, tol: int, limit: int) -> tuple[int, int]:
             break
         x, regular = _steps(line, rows)
         if not regular:
-            state.side = None
             return count, NOT_CONVERGED + OVERFLOW * line.over + SINGULAR * (not line.over)
-        if state.side is not None:
-            crossed ^= _along(line, rows[5], state.side) < 0
-        state.side = rows[5][:6]
+        side = _side(line, rows)
+        wanted = side if wanted is None else wanted
+        crossed = side != wanted
         q, p = _moved(line, q, p, x)
         count += 1
     if done and not line.over and not crossed:
-        state.words[0][:7] = [*q, *p]
+        state.words[0][:7], state.side = [*q, *p], wanted
         return count, 0
-    state.side = None
     return count, NOT_CONVERGED + OVERFLOW * line.over + SINGULAR * crossed
 
 
@@ -264,7 +275,7 @@ def fk(p: Params, *, in_op: Ints, in_n: Ints, in_k: Ints, in_word: Ints, cfg_tol
             table[n][k:k + 1] = [value << pad]
             if len(table[-1]) == (LAST if len(table) > 1 else POSE):
                 table.append([])
-            if (n, k) == (0, 0):
+            if (n, k) == (1, 0):
                 state.side = None
         if op == SOLVE:
             table.pop()

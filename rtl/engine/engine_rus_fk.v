@@ -5,7 +5,7 @@
 // Page 0: start, then pose: w, x, y, z, position (k = 0 to 6); link angle (7, 8). Pages 1 to 6, a leg: ball joint, foot
 // (0 to 5), crank's azimuth cos, sin (6, 7), link, crank, rod (8 to 10), crank vector cos, sin (11, 12). Written from
 // (0, 0) on; a reset forgets them. Formats: words s2.(W-2); cfg_tol, of |d|^2 - LB^2, 2^-25. Error: page.
-// Latency 3; of a solution 54 + 112 a pass + 674 a step + 14 each time a row is scaled; II the same.
+// Latency 3; of a solution 183 + 675 a step + 14 each time a row is scaled; II the same.
 // Status: unreachable (word not written: nothing is done, out_word is 0), singular (a row depends on those before, or a
 // singularity lies between start and end), overflow, not converged; but for 0 the start stays. Model: engine_rus_fk.fk
 `default_nettype none
@@ -42,7 +42,6 @@ module engine_rus_fk #(
     reg  [3:0]  k;
     reg  [26:0] word;
     reg  [6:0]  fill;   // the word to be written next, {n, k}; page 7: all are there
-    reg         fresh;  // no pose whose side counts: a start was written, or the last solution failed
     wire        accept = in_valid && in_ready;
     wire        solve_op = op == 2'd0, write_op = op == 2'd1, full = fill[6:4] == 3'd7;
     wire        there = {n, k} < fill && k < (n == 3'd0 ? POSE : LEG), next = {n, k} == fill && !full;
@@ -51,16 +50,17 @@ module engine_rus_fk #(
     wire        page_ends = k == (n == 3'd0 ? POSE : LEG) - 4'd1;
     assign      in_ready = !busy && (!out_valid || out_ready);
 
-    wire        run, halt, lost, side, failed, overflow, singular, over, off, negative;
+    wire        run, halt, failed, overflow, singular, over, off, negative;
     wire [7:0]  line;
     wire [2:0]  i, j, act;
     wire [1:0]  range, size;
     wire [39:0] control;
     wire [26:0] read;
     engine_rus_fk_steps steps (.clk(clk), .rst(rst), .cfg_limit(cfg_limit), .in_clear(accept), .in_start(begins),
-        .in_fresh(fresh), .in_act(act), .in_over(over), .in_off(off), .in_size(size), .in_negative(negative),
-        .out_run(run), .out_next(line), .out_i(i), .out_j(j), .out_range(range), .out_halt(halt), .out_lost(lost),
-        .out_side(side), .out_failed(failed), .out_overflow(overflow), .out_singular(singular), .out_iters(out_iters));
+        .in_forget(set && {n, k} == 7'h10), .in_jump(control[2:0] == 3'd7), .in_act(act), .in_over(over), .in_off(off),
+        .in_size(size), .in_negative(negative), .out_run(run), .out_next(line), .out_i(i), .out_j(j),
+        .out_range(range), .out_halt(halt), .out_failed(failed), .out_overflow(overflow), .out_singular(singular),
+        .out_iters(out_iters));
     engine_rus_fk_program program_ (.clk(clk), .in_line(line), .out_op(control));
     engine_rus_fk_products products (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .in_op(control), .in_run(run), .in_i(i),
         .in_j(j), .in_range(range), .in_set(set), .in_own(no_word ? 8'h84 : {1'b0, n, k}), .in_word(word),
@@ -88,16 +88,12 @@ module engine_rus_fk #(
             fill <= page_ends ? {n + 3'd1, 4'd0} : fill + 7'd1;
         if (accept || check)
             no_word <= check && !ok;
-        if (lost || side || set && {n, k} == 7'd0)
-            fresh <= !side;
         check     <= accept && !rst;
         answer    <= ((check && !begins) || halt) && !rst;
         busy      <= (accept || (busy && !answer)) && !rst;
         out_valid <= (answer || (out_valid && !out_ready)) && !rst;
-        if (rst) begin
-            fill  <= 7'd0;
-            fresh <= 1'b1;
-        end
+        if (rst)
+            fill <= 7'd0;
     end
 endmodule
 `default_nettype wire

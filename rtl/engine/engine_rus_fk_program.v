@@ -3,8 +3,8 @@
 // A line is DEST = A B + C D, with SUB or SUBK A B - C D; after KEEP, SUBK the next line goes on with this sum.
 // A register is kind 16 + word, kinds as below. It is read from the fourth line behind its writer on; t, in PAIR, as it
 // was before by the first two. ACT: NONE; MISS and UNIT, a miss of a rod and of the quaternion's length; SCALE, I4 is
-// I4, I1 or nearly 2 as RANGE found |row|^2; SIDE, its sign says on which side of a singularity the pose is.
-// LOOSE, RANGE, SIDE: the word may overflow. Model: engine_rus_fk
+// I4, I1 or nearly 2 as RANGE found |row|^2; SIDE, its sign is one of two that say on which side of the singularities
+// the pose is; JUMP, j grows. LOOSE, RANGE, SIDE: the word may overflow. Model: engine_rus_fk
 `default_nettype none
 module engine_rus_fk_program (
     input  wire        clk,
@@ -20,9 +20,9 @@ module engine_rus_fk_program (
     localparam [6:0]  // page 8: constants, and words that are soon read
         I4 = 7'd32, I2 = 7'd33, I1 = 7'd34, O = 7'd36, I3 = 7'd37, P0 = 7'd38, P1 = 7'd39, P2 =
         7'd40, v1 = 7'd41, v2 = 7'd42, v3 = 7'd43, qw = 7'd44, qx = 7'd45, qy = 7'd46, nil = 7'd47;
-    localparam [6:0]  // page 15: the step, q6 of the last pass
+    localparam [6:0]  // page 15: the step, and words that are soon read
         s1 = 7'd48, s2 = 7'd49, s3 = 7'd50, s4 = 7'd51, s5 = 7'd52, s6 = 7'd53, t = 7'd54, nn = 7'd55, e1 =
-        7'd56, e2 = 7'd57, e3 = 7'd58, e4 = 7'd59, e5 = 7'd60, e6 = 7'd61, qz = 7'd62, ff = 7'd63;
+        7'd56, e2 = 7'd57, e3 = 7'd58, qz = 7'd59, ff = 7'd60;
     localparam [6:0]  // page i: leg i, its elbow
         c1 = 7'd64, c2 = 7'd65, c3 = 7'd66, fx = 7'd67, fy = 7'd68, fz = 7'd69, rx = 7'd70, rz = 7'd71, link
         = 7'd72, la = 7'd73, lb = 7'd74, c = 7'd75, n = 7'd76, bx = 7'd77, by = 7'd78, bz = 7'd79;
@@ -34,9 +34,11 @@ module engine_rus_fk_program (
     localparam [6:0]  // page 9 + j: the row behind it
         K1 = 7'd112, K2 = 7'd113, K3 = 7'd114, K4 = 7'd115, K5 = 7'd116, K6 = 7'd117;
     localparam [1:0] ADD = 2'd0, KEEP = 2'd1, SUB = 2'd2, SUBK = 2'd3;
-    localparam [2:0] NONE = 3'd0, MISS = 3'd1, UNIT = 3'd2, SCALE = 3'd3, LOOSE = 3'd4, RANGE = 3'd5, SIDE = 3'd6;
+    localparam [2:0] NONE = 3'd0, MISS = 3'd1, UNIT = 3'd2, SCALE = 3'd3, LOOSE = 3'd4, RANGE = 3'd5, SIDE = 3'd6,
+                     JUMP = 3'd7;
     localparam [39:0] NOP = {O, O, O, O, nil, ADD, LOOSE};
-    localparam [40*186-1:0] LINES = {
+    localparam [39:0] NEXT = {O, O, O, O, nil, ADD, JUMP};
+    localparam [40*192-1:0] LINES = {
         /* ELBOW: elbow      */ {la,  c,  link, cb, ss,   ADD,  NONE},
         /*                   */ {la,  n,  link, nb, nil, KEEP, LOOSE},
         /*                   */ {I1,  fy, O,    O,  by,  ADD,  NONE},
@@ -149,15 +151,19 @@ module engine_rus_fk_program (
         /*                   */ {R5,  I4, R5,   I4, R5,  ADD,  SCALE},
         /*                   */ {R6,  I4, R6,   I4, R6,  ADD,  SCALE},
         /*                   */ {R7,  I4, R7,   I4, R7,  ADD,  SCALE},
-        /* SIDE: side        */ {e1,  R1, e2,   R2, nil, KEEP, LOOSE},
-        /*                   */ {e3,  R3, e4,   R4, nil, KEEP, LOOSE},
-        /*                   */ {e5,  R5, e6,   R6, nil, ADD,  SIDE},
-        /*                   */ {R1,  I1, O,    O,  e1,  ADD,  NONE},
-        /*                   */ {R2,  I1, O,    O,  e2,  ADD,  NONE},
-        /*                   */ {R3,  I1, O,    O,  e3,  ADD,  NONE},
-        /*                   */ {R4,  I1, O,    O,  e4,  ADD,  NONE},
-        /*                   */ {R5,  I1, O,    O,  e5,  ADD,  NONE},
-        /*                   */ {R6,  I1, O,    O,  e6,  ADD,  NONE},
+        /* SIDE: rows 1, 2   */ {J2,  K3, J3,   K2, e1,  SUB,  NONE},
+        /*                   */ {J3,  K1, J1,   K3, e2,  SUB,  NONE},
+        /*                   */ {J1,  K2, J2,   K1, e3,  SUB,  NONE},
+        /*                   */ NEXT, NOP,
+        /* and 3             */ {e1,  K1, e2,   K2, nil, KEEP, LOOSE},
+        /*                   */ {e3,  K3, O,    O,  nil, ADD,  SIDE},
+        /*                   */ NEXT,
+        /* rows 4, 6         */ {K5,  R6, K6,   R5, e1,  SUB,  NONE},
+        /*                   */ {K6,  R4, K4,   R6, e2,  SUB,  NONE},
+        /*                   */ {K4,  R5, K5,   R4, e3,  SUB,  NONE},
+        /*                   */ NEXT, NOP,
+        /* and 5             */ {e1,  K4, e2,   K5, nil, KEEP, LOOSE},
+        /*                   */ {e3,  K6, O,    O,  nil, ADD,  SIDE},
         /* MOVE: turn        */ {O,   O,  s4,   I4, v1,  SUB,  NONE},
         /*                   */ {O,   O,  s5,   I4, v2,  SUB,  NONE},
         /*                   */ {O,   O,  s6,   I4, v3,  SUB,  NONE},
@@ -195,7 +201,7 @@ module engine_rus_fk_program (
     integer    i;
     initial
         for (i = 0; i < 256; i = i + 1)
-            lines[i] = i < 186 ? LINES[40*(185-i) +: 40] : 40'd0;
+            lines[i] = i < 192 ? LINES[40*(191-i) +: 40] : 40'd0;
     always @(posedge clk)
         out_op <= lines[in_line];
 endmodule

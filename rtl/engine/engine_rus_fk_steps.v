@@ -2,8 +2,8 @@
 // Which line of engine_rus_fk_program comes next, and how a solution ends.
 //   elbows of six legs, start; then passes: matrix, rows of six legs, JUDGE; each row i NORM (SCALE while its square is
 //   no 1/4), DOT and PAIR for the rows behind it; SIDE, MOVE. DONE writes the pose.
-// in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_fresh: there is no pose before, whose side
-// counts. out_halt: the last clock of a solution; out_failed and the flags stand from the next one on.
+// in_jump: of the line that is read; in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_forget:
+// another robot, whose side is not known. out_halt: the last clock of a solution; out_failed and the flags stand from the next one on.
 // A pass ends; cfg_limit steps and SCALINGS of a row bound it. Model: engine_rus_fk
 `default_nettype none
 module engine_rus_fk_steps #(
@@ -14,7 +14,8 @@ module engine_rus_fk_steps #(
     input  wire [5:0] cfg_limit,
     input  wire       in_clear,      // a sample is taken
     input  wire       in_start,
-    input  wire       in_fresh,
+    input  wire       in_forget,
+    input  wire       in_jump,
     input  wire [2:0] in_act,
     input  wire       in_over,
     input  wire       in_off,
@@ -26,31 +27,30 @@ module engine_rus_fk_steps #(
     output reg  [2:0] out_j,
     output reg  [1:0] out_range,
     output wire       out_halt,
-    output wire       out_lost,      // it ends without a pose
-    output wire       out_side,      // row 6 of this pass is kept
     output reg        out_failed,
     output reg        out_overflow,
     output reg        out_singular,
     output reg  [5:0] out_iters
 );
     localparam [7:0] ELBOW = 8'd0, COPY = 8'd6, TURN = 8'd13, LEG = 8'd40, JUDGE = 8'd56, NORM = 8'd60, DOT = 8'd111,
-                     PAIR = 8'd117, SCALE = 8'd128, SIDE = 8'd135, MOVE = 8'd144, DONE = 8'd176, END = 8'd186;
+                     PAIR = 8'd117, SCALE = 8'd128, SIDE = 8'd135, MOVE = 8'd150, DONE = 8'd182, END = 8'd192;
     localparam [7:0] SIZE = NORM + 8'd6;  // the line of NORM in which the square's size is known
     reg  [7:0] line;
-    reg        over, off, crossed;
+    reg        over, off;
+    reg        side, wanted, known;  // the side of this pass, of the robot, and whether that is known
     reg  [2:0] count;  // of scalings
     wire       over_elbow = line == COPY - 8'd1, over_leg = line == JUDGE - 8'd1, judge = line == NORM - 8'd1,
                size = line == SIZE, over_norm = line == DOT - 8'd1, over_pair = line == SCALE - 8'd1,
-               over_scale = line == SIDE - 8'd1, over_side = line == MOVE - 8'd1, over_move = line == DONE - 8'd1,
+               over_scale = line == SIDE - 8'd1, over_move = line == DONE - 8'd1,
                over_done = line == END - 8'd1;
     wire       last_i = out_i == 3'd6, last_j = out_j == 3'd6;
     wire       fits = out_range == 2'd1;
-    wire       good = !off && !over;
+    wire       crossed = out_iters != 6'd0 && side != wanted;
+    wire       good = !off && !over && !crossed;
     wire       lost = size && (over || !fits && count == SCALINGS[2:0]);
     wire       stop = judge && (over || !off && crossed || off && out_iters == cfg_limit);
-    assign     out_lost = out_run && (lost || stop);
-    assign     out_halt = out_lost || out_run && over_done;
-    assign     out_side = out_run && over_side;
+    wire       fails = out_run && (lost || stop);  // it ends without a pose
+    assign     out_halt = fails || out_run && over_done;
 
     reg  [7:0] jump;
     always @* begin
@@ -82,24 +82,31 @@ module engine_rus_fk_steps #(
             out_i <= 3'd1;
         else if (over_elbow || over_leg || over_pair && last_j || over_move)
             out_i <= last_i ? 3'd1 : out_i + 3'd1;
-        if (over_norm || over_pair)
-            out_j <= (over_norm ? out_i : out_j) + 3'd1;
+        if (over_norm || over_pair || in_jump)
+            out_j <= over_norm && last_i ? 3'd1 : (over_norm ? out_i : out_j) + 3'd1;
         if (over_scale || size && fits || in_clear)
             count <= over_scale ? count + 3'd1 : 3'd0;
         if (in_act == 3'd5)
             out_range <= in_size;
         over    <= !in_clear && (over || !in_act[2] && in_over);
         off     <= !in_clear && !over_move && (off || (in_act == 3'd1 || in_act == 3'd2) && in_off);
-        crossed <= !in_clear && (crossed ^ (in_act == 3'd6 && in_negative && !in_fresh));
+        if (over_norm || in_act == 3'd6)
+            side <= !over_norm && (side ^ in_negative);
+        if (over_move && !known && out_iters == 6'd0)
+            wanted <= side;
+        if (in_forget || over_done && out_run && out_iters != 6'd0)
+            known <= !in_forget;
         if (in_clear)
             out_iters <= 6'd0;
         else if (out_run && over_move)
             out_iters <= out_iters + 6'd1;
-        if (in_clear || out_lost) begin
+        if (in_clear || fails) begin
             out_failed   <= !in_clear;
             out_overflow <= !in_clear && over;
             out_singular <= !in_clear && (size ? !over : crossed);
         end
+        if (rst)
+            known <= 1'b0;
         out_run <= !rst && (in_start || out_run && !out_halt);
     end
 endmodule

@@ -54,10 +54,10 @@ module engine_rus_fk_props #(parameter W = 27) (
         if (inside) assert (out_iters <= cfg_limit);
         if (\dut.check ) assert (out_iters == 0 && out_status == 0);
         if (run) begin
-            assert (fill == 7'h70 && line < 186 && i != 0 && i != 7);
-            if (line >= 60 && line < 176) assert (out_iters < cfg_limit);
+            assert (fill == 7'h70 && line < 192 && i != 0 && i != 7);
+            if (line >= 60 && line < 182) assert (out_iters < cfg_limit);
             if (line >= 111 && line < 128) assert (i != 6 && j > i && j != 7);
-            if (line >= 135 && line < 176) assert (i == 6);
+            if (line >= 135 && line < 182) assert (i == 6);
         end
         if (run) assert (out_status == 0);
     end

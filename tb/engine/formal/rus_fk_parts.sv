@@ -2,7 +2,9 @@
 // until the next.
 module engine_rus_fk_program (input clk, input [7:0] in_line, output [39:0] out_op);
     (* anyseq *) wire [39:0] op;
-    assign out_op = op;
+    reg [7:0] line;
+    always @(posedge clk) line <= in_line;
+    assign out_op = {op[39:3], op[2:0] == 3'd7 && line < 135 ? 3'd4 : op[2:0]};  // no JUMP before SIDE
 endmodule
 
 module engine_rus_fk_products (
