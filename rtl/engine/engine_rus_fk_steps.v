@@ -2,8 +2,8 @@
 // Which line of engine_rus_fk_program comes next, and how a solution ends.
 //   elbows of six legs, start; then passes: matrix, rows of six legs, JUDGE; each row i NORM (SCALE while its square is
 //   no 1/4), DOT and PAIR for the rows behind it; SIDE, MOVE. DONE writes the pose.
-// in_jump: of the line that is read; in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_forget:
-// another robot, whose side is not known. out_halt: the last clock of a solution; out_failed and the flags stand from the next one on.
+// in_jump: of the line that is read; in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_forget: it
+// is another robot, whose side is not known. out_halt: the last clock of a solution; the flags stand from the next one.
 // A pass ends; cfg_limit steps and SCALINGS of a row bound it. Model: engine_rus_fk
 `default_nettype none
 module engine_rus_fk_steps #(
@@ -33,7 +33,7 @@ module engine_rus_fk_steps #(
     output reg  [5:0] out_iters
 );
     localparam [7:0] ELBOW = 8'd0, COPY = 8'd6, TURN = 8'd13, LEG = 8'd40, JUDGE = 8'd56, NORM = 8'd60, DOT = 8'd111,
-                     PAIR = 8'd117, SCALE = 8'd128, SIDE = 8'd135, MOVE = 8'd150, DONE = 8'd182, END = 8'd192;
+                     PAIR = 8'd117, SCALE = 8'd128, SIDE = 8'd135, DONE = 8'd182, END = 8'd192;
     localparam [7:0] SIZE = NORM + 8'd6;  // the line of NORM in which the square's size is known
     reg  [7:0] line;
     reg        over, off;

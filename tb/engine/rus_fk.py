@@ -30,6 +30,18 @@ def poses(name: str, count: int, rng: np.random.Generator) -> tuple[np.ndarray, 
     return turn[keep], place[keep], beta[keep], found.alpha[keep]
 
 
+def assembled(p: dict[str, int], robot: geometry.Robot, right: bool) -> list[fk.Row]:
+    """The paper's robot at the paper's pose: everything, with a start near it, or a start near its other assembly."""
+    turn = geometry.rotation(("z", 5), ("y", -15), ("x", 10))
+    beta = np.radians(-11.45)
+    if not right:
+        near = geometry.rotation(("z", 3.6), ("y", 6.4), ("x", 4.9)) @ turn
+        return fk.start(p, robot, UNIT["rus_2x3"], near, [0.8, -350.5, 0.1])
+    alpha = position.inverse(robot, turn, np.array([0, -350.0, 0]), beta).alpha
+    near = geometry.rotation(("z", 0.2), ("x", 0.1)) @ turn
+    return fk.loads(p, robot, UNIT["rus_2x3"], near, [0.1, -350.1, 0], alpha, beta)
+
+
 def _solved(core: Core, name: str, count: int, rng: np.random.Generator) -> list[fk.Row]:
     """A robot, a start near and far from each pose, then the cranks a little on, from the last pose."""
     p, robot, rows = core.params, geometry.load(name), []
@@ -52,6 +64,9 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     rows += first[:50] + fk.solve() + first[50:]
     for n, k in ((0, 9), (0, 15), (1, 13), (6, 15), (7, 0), (7, 3)):
         rows += [{"in_op": int(op), "in_n": n, "in_k": k, "in_word": 5} for op in range(3)]
+    right, other = (assembled(p, geometry.load("rus_2x3"), side) for side in (True, False))
+    rows += right + fk.solve() + other + fk.solve() + right[:7] + fk.solve() + fk.reads()
+    rows += other + right[9:10] + fk.solve() + other + fk.solve() + right[:7] + fk.solve()  # of another robot
     every = fk.loads(p, geometry.load("rus_2x3"), 512.0, np.eye(3), [0, -300, 0], np.zeros(6))
     twice = [{**row, "in_n": n} for n in (1, 2) for row in every if row["in_n"] == 1]
     rows += every + twice + fk.solve() + fk.reads()[:1]
