@@ -50,7 +50,7 @@ module engine_rus_fk #(
     wire        page_ends = k == (n == 3'd0 ? POSE : LEG) - 4'd1;
     assign      in_ready = !busy && (!out_valid || out_ready);
 
-    wire        run, halt, failed, overflow, singular, over, off, negative;
+    wire        run, adds, halt, failed, overflow, singular, over, off, negative;
     wire [7:0]  line;
     wire [2:0]  i, j, act;
     wire [1:0]  range, size;
@@ -58,12 +58,12 @@ module engine_rus_fk #(
     wire [26:0] read;
     engine_rus_fk_steps steps (.clk(clk), .rst(rst), .cfg_limit(cfg_limit), .in_clear(accept), .in_start(begins),
         .in_forget(set && {n, k} == 7'h10), .in_jump(control[2:0] == 3'd7), .in_act(act), .in_over(over), .in_off(off),
-        .in_size(size), .in_negative(negative), .out_run(run), .out_next(line), .out_i(i), .out_j(j),
+        .in_size(size), .in_negative(negative), .out_run(run), .out_adds(adds), .out_next(line), .out_i(i), .out_j(j),
         .out_range(range), .out_halt(halt), .out_failed(failed), .out_overflow(overflow), .out_singular(singular),
         .out_iters(out_iters));
     engine_rus_fk_program program_ (.clk(clk), .in_line(line), .out_op(control));
-    engine_rus_fk_products products (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .in_op(control), .in_run(run), .in_i(i),
-        .in_j(j), .in_range(range), .in_set(set), .in_own(no_word ? 8'h84 : {1'b0, n, k}), .in_word(word),
+    engine_rus_fk_products products (.clk(clk), .cfg_tol(cfg_tol), .in_op(control), .in_run(run), .in_adds(adds),
+        .in_i(i), .in_j(j), .in_range(range), .in_set(set), .in_own(no_word ? 8'h84 : {1'b0, n, k}), .in_word(word),
         .in_fetch(answer), .out_read(read), .out_act(act), .out_over(over), .out_off(off), .out_size(size),
         .out_negative(negative));
 

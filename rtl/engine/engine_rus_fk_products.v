@@ -11,10 +11,10 @@
 `default_nettype none
 module engine_rus_fk_products (
     input  wire        clk,
-    input  wire        rst,
     input  wire [21:0] cfg_tol,
     input  wire [39:0] in_op,
-    input  wire        in_run,
+    input  wire        in_run,        // a line reads
+    input  wire        in_adds,       // one adds, and writes
     input  wire [2:0]  in_i,
     input  wire [2:0]  in_j,
     input  wire [1:0]  in_range,
@@ -47,19 +47,15 @@ module engine_rus_fk_products (
         end
     endgenerate
 
-    // The lines that load, multiply and add; only the file's writes and the flags know in_run
+    // The lines that load, multiply and add
     reg [12:0] load, multiply, add;  // {DEST, SUB, KEEP, ACT}
-    reg        load_run, multiply_run, add_run;
     always @(posedge clk) begin
-        load         <= {at[7:0], in_op[4:0]};
-        multiply     <= load;
-        add          <= multiply;
-        load_run     <= in_run && !rst;
-        multiply_run <= load_run && !rst;
-        add_run      <= multiply_run && !rst;
+        load     <= {at[7:0], in_op[4:0]};
+        multiply <= load;
+        add      <= multiply;
     end
     wire subtract = add[4], keep = add[3];
-    assign out_act = add_run ? add[2:0] : 3'd4;
+    assign out_act = in_adds ? add[2:0] : 3'd4;
 
     // Register file, operands, products
     wire [7:0]   to = in_set ? in_own : add[12:5];
@@ -85,7 +81,7 @@ module engine_rus_fk_products (
                 if (i != 3 || in_run || in_fetch)  // a word that was fetched waits
                     read <= file[i == 3 && in_fetch ? in_own : at[8*i+8 +: 8]];
                 data <= read;
-                if (add_run || in_set)
+                if (in_adds || in_set)
                     file[to] <= value;
             end
             assign operand[27*i +: 27] = data;

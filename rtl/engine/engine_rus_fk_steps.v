@@ -22,6 +22,7 @@ module engine_rus_fk_steps #(
     input  wire [1:0] in_size,
     input  wire       in_negative,
     output reg        out_run,
+    output reg        out_adds,      // of the lines that were read three clocks ago
     output wire [7:0] out_next,      // the line that is read, for the next clock
     output reg  [2:0] out_i,
     output reg  [2:0] out_j,
@@ -36,7 +37,7 @@ module engine_rus_fk_steps #(
                      PAIR = 8'd117, SCALE = 8'd128, SIDE = 8'd135, DONE = 8'd182, END = 8'd192;
     localparam [7:0] SIZE = NORM + 8'd6;  // the line of NORM in which the square's size is known
     reg  [7:0] line;
-    reg        over, off;
+    reg        over, off, loads, multiplies;
     reg        side, wanted, known;  // the side of this pass, of the robot, and whether that is known
     reg  [2:0] count;  // of scalings
     wire       over_elbow = line == COPY - 8'd1, over_leg = line == JUDGE - 8'd1, judge = line == NORM - 8'd1,
@@ -105,8 +106,10 @@ module engine_rus_fk_steps #(
             out_overflow <= !in_clear && over;
             out_singular <= !in_clear && (size ? !over : crossed);
         end
-        if (rst)
-            known <= 1'b0;
+        // A line that reads when a reset comes would write behind the next sample's word; those before it do not
+        loads      <= out_run && !rst;
+        multiplies <= loads;
+        out_adds   <= multiplies;
         out_run <= !rst && (in_start || out_run && !out_halt);
     end
 endmodule

@@ -56,6 +56,23 @@ def _solved(core: Core, name: str, count: int, rng: np.random.Generator) -> list
     return rows
 
 
+def _alone(p: dict[str, int]) -> list[fk.Row]:
+    """A robot that fits; one word of it at an end, and back; a quaternion next to length 1; legs nearly alike."""
+    robot, place, top = geometry.load("rus_2x3"), np.array([0, -300.0, 0]), (1 << p["W"] - 1) - 1
+    every = fk.loads(p, robot, 512.0, np.eye(3), place, position.inverse(robot, np.eye(3), place, 0.0).alpha)
+    rows = every + fk.solve()
+    for at in (*range(4, 9), *range(35, 48)):  # page 0; leg 3
+        for end in (top, ~top):
+            rows += [{**every[at], "in_word": end}] + fk.solve() + [every[at]]
+    for more in (-33, -32, -17, -16, -15, 14, 15, 16, 17, 31, 32, 33):
+        rows += [{**every[0], "in_word": (1 << p["W"] - 2) + more}] + fk.solve()
+    rows += every[:1] + [{**row, "in_n": 2} for row in every if row["in_n"] == 1]
+    for more in range(p["W"] - 10):
+        rows += [{**every[4], "in_word": 1 << p["W"] - 12}, {**every[22], "in_word": every[9]["in_word"] + (1 << more)},
+                 *fk.solve()]
+    return rows
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Nothing written, some of it; robots; a leg twice, so that rows depend; words at their ends, and wild ones."""
     rng, p = np.random.default_rng(1), core.params
@@ -67,6 +84,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     right, other = (assembled(p, geometry.load("rus_2x3"), side) for side in (True, False))
     rows += right + fk.solve() + other + fk.solve() + right[:7] + fk.solve() + fk.reads()
     rows += other + right[9:10] + fk.solve() + other + fk.solve() + right[:7] + fk.solve()  # of another robot
+    rows += _alone(p)
     every = fk.loads(p, geometry.load("rus_2x3"), 512.0, np.eye(3), [0, -300, 0], np.zeros(6))
     twice = [{**row, "in_n": n} for n in (1, 2) for row in every if row["in_n"] == 1]
     rows += every + twice + fk.solve() + fk.reads()[:1]

@@ -1,6 +1,7 @@
 // The contract where the latency varies: nothing lost, doubled or made up, results that wait unchanged, and an end: a
 // sample inside that solves is at a line of the program, its legs, rows and scalings are counted, and so are its steps,
-// up to cfg_limit. One clock of reset is enough, from any state.
+// up to cfg_limit. No line writes behind the word of a sample that comes after it. One clock of reset is enough, from
+// any state.
 // rtl: engine/engine_rus_fk.v engine/engine_rus_fk_steps.v
 // with: rus_fk_parts.sv
 // proof W27 mode=prove depth=2 W=27
@@ -27,6 +28,8 @@ module engine_rus_fk_props #(parameter W = 27) (
     (* hierconn *) wire [7:0] \dut.steps.line ;
     (* hierconn *) wire [2:0] \dut.i ;
     (* hierconn *) wire [2:0] \dut.j ;
+    (* hierconn *) wire \dut.steps.loads ;
+    (* hierconn *) wire \dut.steps.multiplies ;
     wire [7:0] line = \dut.steps.line ;
     wire [6:0] fill = \dut.fill ;
     wire [2:0] i = \dut.i , j = \dut.j ;
@@ -52,6 +55,7 @@ module engine_rus_fk_props #(parameter W = 27) (
         assert (\dut.check + \dut.answer + run < 2);
         assert (fill[3:0] < (fill[6:4] == 0 ? 9 : fill[6:4] == 7 ? 1 : 13));
         if (inside) assert (out_iters <= cfg_limit);
+        if (\dut.check ) assert (!\dut.steps.loads && !\dut.steps.multiplies );
         if (\dut.check ) assert (out_iters == 0 && out_status == 0);
         if (run) begin
             assert (fill == 7'h70 && line < 192 && i != 0 && i != 7);

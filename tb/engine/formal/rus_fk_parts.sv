@@ -8,7 +8,7 @@ module engine_rus_fk_program (input clk, input [7:0] in_line, output [39:0] out_
 endmodule
 
 module engine_rus_fk_products (
-    input clk, rst, input [21:0] cfg_tol, input [39:0] in_op, input in_run, input [2:0] in_i, in_j, input [1:0] in_range,
+    input clk, input [21:0] cfg_tol, input [39:0] in_op, input in_run, in_adds, input [2:0] in_i, in_j, input [1:0] in_range,
     input in_set, input [7:0] in_own, input [26:0] in_word, input in_fetch, output reg [26:0] out_read,
     output [2:0] out_act, output out_over, out_off, output [1:0] out_size, output out_negative
 );
