@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which line of engine_rus_fk_program comes next, and how a solution ends.
-//   elbows of six legs, start; then passes: matrix, rows of six legs, JUDGE; each row i NORM (SCALE while its square is
-//   no 1/4), DOT and PAIR for the rows behind it; SIDE, MOVE. DONE writes the pose.
-// in_jump: of the line that is read; in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_forget: it
-// is another robot, whose side is not known. out_halt: the last clock of a solution; the flags stand from the next one.
-// A pass ends; cfg_limit steps and SCALINGS of a row bound it. Model: engine_rus_fk
+//   elbows of six legs, start; passes: matrix, rows of legs, JUDGE; for each row i NORM (SCALE while its square is
+//   not from 1/4 to 1), DOT and PAIR with the rows behind it; SIDE, the move. DONE writes the pose.
+// in_jump: of the line that is read; in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_forget:
+// another robot, whose side is not known. out_halt: the last clock of a solution; the flags stand from the next one on.
+// cfg_limit steps and SCALINGS of a row bound a solution. Model: engine_rus_fk
 `default_nettype none
 module engine_rus_fk_steps #(
     parameter SCALINGS = 7  // by 4, of a row, 1 to 7: 7, below 2^-15 there is nothing left of it
