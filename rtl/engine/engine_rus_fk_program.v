@@ -12,23 +12,22 @@ module engine_rus_fk_program (
     output reg  [39:0] out_op
 );
     localparam [6:0]  // page 0: start and link angle
-        gw = 7'd0, gx = 7'd1, gy = 7'd2, gz = 7'd3, gpx = 7'd4, gpy = 7'd5, gpz = 7'd6, cb = 7'd7, nb =
-        7'd8;
+        gw = 7'd0, gx = 7'd1, gy = 7'd2, gz = 7'd3, gpx = 7'd4, gpy = 7'd5, gpz = 7'd6, cb = 7'd7, nb = 7'd8;
     localparam [6:0]  // page 7: the pose and its matrix
-        w = 7'd16, x = 7'd17, y = 7'd18, z = 7'd19, px = 7'd20, py = 7'd21, pz = 7'd22, r11 = 7'd23, r12 =
-        7'd24, r13 = 7'd25, r21 = 7'd26, r22 = 7'd27, r23 = 7'd28, r31 = 7'd29, r32 = 7'd30, r33 = 7'd31;
+        w = 7'd16, x = 7'd17, y = 7'd18, z = 7'd19, px = 7'd20, py = 7'd21, pz = 7'd22, r11 = 7'd23, r12 = 7'd24,
+        r13 = 7'd25, r21 = 7'd26, r22 = 7'd27, r23 = 7'd28, r31 = 7'd29, r32 = 7'd30, r33 = 7'd31;
     localparam [6:0]  // page 8: constants, and words that are soon read
-        I4 = 7'd32, I2 = 7'd33, I1 = 7'd34, O = 7'd36, I3 = 7'd37, P0 = 7'd38, P1 = 7'd39, P2 =
-        7'd40, v1 = 7'd41, v2 = 7'd42, v3 = 7'd43, qw = 7'd44, qx = 7'd45, qy = 7'd46, nil = 7'd47;
+        I4 = 7'd32, I2 = 7'd33, I1 = 7'd34, O = 7'd36, I3 = 7'd37, P0 = 7'd38, P1 = 7'd39, P2 = 7'd40, v1 = 7'd41,
+        v2 = 7'd42, v3 = 7'd43, qw = 7'd44, qx = 7'd45, qy = 7'd46, nil = 7'd47;
     localparam [6:0]  // page 15: the step, and words that are soon read
-        s1 = 7'd48, s2 = 7'd49, s3 = 7'd50, s4 = 7'd51, s5 = 7'd52, s6 = 7'd53, t = 7'd54, nn = 7'd55, e1 =
-        7'd56, e2 = 7'd57, e3 = 7'd58, qz = 7'd59, ff = 7'd60;
+        s1 = 7'd48, s2 = 7'd49, s3 = 7'd50, s4 = 7'd51, s5 = 7'd52, s6 = 7'd53, t = 7'd54, nn = 7'd55, e1 = 7'd56,
+        e2 = 7'd57, e3 = 7'd58, qz = 7'd59, ff = 7'd60;
     localparam [6:0]  // page i: leg i, its elbow
-        c1 = 7'd64, c2 = 7'd65, c3 = 7'd66, fx = 7'd67, fy = 7'd68, fz = 7'd69, rx = 7'd70, rz = 7'd71, link
-        = 7'd72, la = 7'd73, lb = 7'd74, c = 7'd75, n = 7'd76, bx = 7'd77, by = 7'd78, bz = 7'd79;
+        c1 = 7'd64, c2 = 7'd65, c3 = 7'd66, fx = 7'd67, fy = 7'd68, fz = 7'd69, rx = 7'd70, rz = 7'd71, link = 7'd72,
+        la = 7'd73, lb = 7'd74, c = 7'd75, n = 7'd76, bx = 7'd77, by = 7'd78, bz = 7'd79;
     localparam [6:0]  // page 8 + i: row i, its miss, and what belongs to it
-        R1 = 7'd80, R2 = 7'd81, R3 = 7'd82, R4 = 7'd83, R5 = 7'd84, R6 = 7'd85, R7 = 7'd86, ss = 7'd87, h =
-        7'd88, g = 7'd89, gg = 7'd90, f = 7'd91, ax = 7'd92, ay = 7'd93, az = 7'd94;
+        R1 = 7'd80, R2 = 7'd81, R3 = 7'd82, R4 = 7'd83, R5 = 7'd84, R6 = 7'd85, R7 = 7'd86, ss = 7'd87, h = 7'd88,
+        g = 7'd89, gg = 7'd90, f = 7'd91, ax = 7'd92, ay = 7'd93, az = 7'd94;
     localparam [6:0]  // page 8 + j: row j
         J1 = 7'd96, J2 = 7'd97, J3 = 7'd98, J4 = 7'd99, J5 = 7'd100, J6 = 7'd101, J7 = 7'd102;
     localparam [6:0]  // page 9 + j: the row behind it

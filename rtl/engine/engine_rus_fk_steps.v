@@ -6,9 +6,7 @@
 // another robot, whose side is not known. out_halt: the last clock of a solution; the flags stand from the next one on.
 // cfg_limit steps and SCALINGS of a row bound a solution. Model: engine_rus_fk
 `default_nettype none
-module engine_rus_fk_steps #(
-    parameter SCALINGS = 7  // by 4, of a row, 1 to 7: 7, below 2^-15 there is nothing left of it
-) (
+module engine_rus_fk_steps (
     input  wire       clk,
     input  wire       rst,
     input  wire [5:0] cfg_limit,
@@ -36,6 +34,7 @@ module engine_rus_fk_steps #(
     localparam [7:0] ELBOW = 8'd0, COPY = 8'd6, TURN = 8'd13, LEG = 8'd40, JUDGE = 8'd56, NORM = 8'd60, DOT = 8'd111,
                      PAIR = 8'd117, SCALE = 8'd128, SIDE = 8'd135, DONE = 8'd182, END = 8'd192;
     localparam [7:0] SIZE = NORM + 8'd6;  // the line of NORM in which the square's size is known
+    localparam [2:0] SCALINGS = 3'd7;     // by 4, of a row: below 2^-15 there is nothing left of it
     reg  [7:0] line;
     reg        over, off, loads, multiplies;
     reg        side, wanted, known;  // the side of this pass, of the robot, and whether that is known
@@ -48,7 +47,7 @@ module engine_rus_fk_steps #(
     wire       fits = out_range == 2'd1;
     wire       crossed = out_iters != 6'd0 && side != wanted;
     wire       good = !off && !over && !crossed;
-    wire       lost = size && (over || !fits && count == SCALINGS[2:0]);
+    wire       lost = size && (over || !fits && count == SCALINGS);
     wire       stop = judge && (over || !off && crossed || off && out_iters == cfg_limit);
     wire       fails = out_run && (lost || stop);  // it ends without a pose
     assign     out_halt = fails || out_run && over_done;
