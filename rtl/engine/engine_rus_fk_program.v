@@ -98,7 +98,7 @@ module engine_rus_fk_program (
         /*                   */ {R3,  R3, R4,   R4, nil, KEEP, LOOSE},
         /*                   */ {R5,  R5, R6,   R6, ss,  ADD,  RANGE},
         /*                   */ NOP, NOP, NOP,
-        /* 1 / 2|row|        */ {P2,  ss, P1,   I1, g,   ADD,  NONE},
+        /* 1 / 2|row|        */ {P2,  ss, P1,   I1, g,   ADD,  LOOSE},
         /*                   */ {ss,  I1, ss,   I1, h,   ADD,  NONE},
         /*                   */ NOP, NOP,
         /*                   */ {g,   ss, P0,   I1, g,   ADD,  NONE},

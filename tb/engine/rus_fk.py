@@ -42,15 +42,15 @@ def assembled(p: dict[str, int], robot: geometry.Robot, right: bool) -> list[fk.
     return fk.loads(p, robot, UNIT["rus_2x3"], near, [0.1, -350.1, 0], alpha, beta)
 
 
-def _solved(core: Core, name: str, count: int, rng: np.random.Generator) -> list[fk.Row]:
+def _solved(core: Core, name: str, count: int, rng: np.random.Generator, unit: float | None = None) -> list[fk.Row]:
     """A robot, a start near and far from each pose, then the cranks a little on, from the last pose."""
-    p, robot, rows = core.params, geometry.load(name), []
+    p, robot, unit, rows = core.params, geometry.load(name), unit or UNIT[name], []
     for turn, place, beta, alpha in zip(*poses(name, count, rng)):
         spread = rng.choice([0, 1, 1, 10])
         near = geometry.rotation(*zip("zyx", rng.uniform(-spread, spread, 3))) @ turn
         at = place + rng.uniform(-2, 2, 3) * spread
-        load = fk.loads(p, robot, UNIT[name], near, at, alpha, beta)
-        rows += (rows and fk.start(p, robot, UNIT[name], near, at) + fk.link(p, beta) + fk.cranks(p, alpha)) or load
+        load = fk.loads(p, robot, unit, near, at, alpha, beta)
+        rows += (rows and fk.start(p, robot, unit, near, at) + fk.link(p, beta) + fk.cranks(p, alpha)) or load
         rows += fk.solve() + fk.reads()[::3]
         rows += fk.cranks(p, alpha + rng.normal(size=6) * 0.01) + fk.solve() + fk.reads()[1::4]
     return rows
@@ -96,6 +96,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     rows += [{**row, "in_word": 0} for row in start[:4]] + fk.solve()
     stewart = fk.loads(p, geometry.load("rotary_stewart"), 128.0, np.eye(3), [0, 0, 140], np.zeros(6))
     rows += stewart + _solved(core, "rotary_stewart", 3 if cfg["cfg_limit"] < 40 else 1, rng)
+    rows += _solved(core, "rotary_stewart", 2, rng, 100.0)  # rows longer than sqrt(2)
     for _ in range(8):
         rows += [{"in_op": fk.WRITE, "in_n": int(rng.integers(0, 7)), "in_k": int(rng.integers(0, 13)),
                   "in_word": int(rng.choice(extremes(core.inputs[3])))} for _ in range(2)] + fk.solve()
