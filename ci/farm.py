@@ -96,8 +96,9 @@ def _here(log: Path) -> Iterator:
 
     log.parent.mkdir(parents=True, exist_ok=True)
     with distributed.LocalCluster(
-            n_workers=min(8, os.cpu_count() or 1), threads_per_worker=1, host="127.0.0.1", dashboard_address=None,
-            memory_limit=0, local_directory=str(tools.BUILD / "dask"), silence_logs=logging.CRITICAL) as cluster, \
+            n_workers=min(8, os.cpu_count() or 1), threads_per_worker=1, host="127.0.0.1",
+            dashboard_address="127.0.0.1:0", memory_limit=0, local_directory=str(tools.BUILD / "dask"),
+            silence_logs=logging.CRITICAL) as cluster, \
             distributed.Client(cluster) as client:
         client.register_worker_callbacks(functools.partial(_begin, log))  # of those that replace a dead one too
         workers = list(client.run(os.getpid).values())

@@ -82,7 +82,9 @@ def killed_by_bench(mutants: Mutants, mutant: Mutant | None, seed: int) -> bool:
             for simulator, tests in (("verilator", None), ("icarus", UNKNOWN)):
                 simulate(built, simulator, tests=tests, seed=seed, parameters=False, label=LABEL, failures=1,
                          plusargs=plusargs)
-        except SystemExit:
+        except SystemExit as error:
+            if not str(error).startswith("FAILED"):  # a tool is missing: nothing was tried
+                raise
             return True
     return False
 
@@ -103,10 +105,10 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
     for mutant in mutants.every:
         if killed_in_bulk(mutants, mutant, seed, FEW) or killed_in_bulk(mutants, mutant, seed):
             verdict.killed += 1
+        elif killed_by_bench(mutants, mutant, seed):  # seconds; a proof of what is not equal takes minutes
+            verdict.bench.append(str(mutant))
         elif prover.equivalent(mutant):
             verdict.equivalent += 1
-        elif killed_by_bench(mutants, mutant, seed):
-            verdict.bench.append(str(mutant))
         else:
             verdict.survivors.append(str(mutant))
     clear(core)

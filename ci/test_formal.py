@@ -8,7 +8,9 @@ from quadrance import cores
 
 from ci import contract, formal
 from tb.lib import tools
+from tb.lib.simulate import available
 
+ICARUS = pytest.mark.skipif(not available("icarus"), reason="a core's states are found by simulation in Icarus")
 FAULTS = [
     ("isqrt_comb-W15F1", "isqrt_digits.v", "~pair[0]} : {rem[D-1:0], pair}", "pair[0]} : {rem[D-1:0], pair}", "FAIL"),
     ("divide_comb-8by8", "divide_digits.v", "= |in_d[WD-1:B+1]", "= in_d[WD-1]", "FAIL"),
@@ -63,6 +65,7 @@ def _contract(tmp_path: Path, sound: str, broken: str) -> str:
         dataclasses.replace(core, sources=(tmp_path / "paper_fk1.v", *core.sources[1:])), tmp_path))
 
 
+@ICARUS
 @pytest.mark.parametrize(("sound", "broken"), [
     pytest.param(*one[1:], id=one[0], marks=pytest.mark.full if index == 0 else pytest.mark.slow)
     for index, one in enumerate(CONTRACT)])
@@ -70,6 +73,7 @@ def test_broken_contract_is_refuted(sound: str, broken: str, tmp_path: Path) -> 
     assert _contract(tmp_path, sound, broken) in ("FAIL", "UNKNOWN")
 
 
+@ICARUS
 @pytest.mark.full
 def test_sound_contract_is_proved(tmp_path: Path) -> None:
     assert _contract(tmp_path, "// SPDX", "// SPDX") == "PASS"

@@ -4,6 +4,7 @@ import pytest
 from quadrance.cores import find
 
 from ci import equivalence, mutants, mutate
+from tb.lib.simulate import available
 
 SEED = 5
 
@@ -15,12 +16,23 @@ def made():
 
 
 @pytest.mark.full
+@pytest.mark.skipif(not available("icarus"), reason="unknown registers need Icarus")
 def test_whole_core_passes_and_mutants_are_killed(made):
     assert not mutants.killed_in_bulk(made, None, SEED), "without a plusarg the netlist is the core"
     assert not mutants.killed_by_bench(made, None, SEED)
     lives = [one for one in made.every if not mutants.killed_in_bulk(made, one, SEED)]
     assert len(lives) < len(made.every) // 2
     mutants.clear(made.core)
+
+
+@pytest.mark.full
+def test_a_missing_tool_is_no_kill(made, monkeypatch):
+    def missing(*_, **__):
+        raise SystemExit("iverilog is missing: install it from your system's packages")
+
+    monkeypatch.setattr(mutants, "simulate", missing)
+    with pytest.raises(SystemExit, match="iverilog is missing"):
+        mutants.killed_by_bench(made, made.every[0], SEED)
 
 
 @pytest.mark.full

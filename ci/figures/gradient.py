@@ -26,7 +26,7 @@ def printed(theta: truth.Floats) -> tuple[truth.Floats, truth.Floats]:
     rho = l1 * c2 + l2 * s23
     return TOUCH(theta)[0], np.array([[-s1 * rho, -c1 * (l1 * s2 + l2 * c23), c1 * (l1 * c2 + l2 * c23)],
                                       [0, rho, l1 * s2 + l2 * s23],
-                                      [c1 * rho, -s1 * (l1 * s2 + l2 * c23), s1 * (l1 * c2 + l2 * c23)]])
+                                      [c1 * rho, -s1 * (l1 * s2 + l2 * c23), s1 * rho]])
 
 
 def error(arm: gradient.Kinematics, theta: truth.Floats, goal: truth.Floats) -> truth.Floats:
@@ -170,7 +170,7 @@ def claims() -> str:
               _vector(path[-1])),
              ("Touch: after 30 iterations", "converged", f"{error(TOUCH, path[30], ORIGIN) * 1e6:.3f} µm off"),
              ("Touch: with the Jacobian as printed", "converges",
-              f"wanders: {wrong[30]:.2f} m off after 30 iterations, never nearer than {wrong.min():.2f} m in 2000"),
+              f"stalls: {wrong[30]:.2f} m off after 30 iterations, never nearer than {wrong.min():.2f} m in 2000"),
              ("Touch: on the haptic circle at 1 kHz", "follows (a picture; iterations a sample not said)",
               "; ".join(f"{row['iterations']}: {row['lag_um']:.3g} µm"
                         for row in track.summary(track.followers()["touch"])) + " (rms behind the target)"),

@@ -19,7 +19,9 @@ from quadrance.vector_solve import _slopes
 Params = dict[str, int]
 LEGS = 6
 ONE = 1 << 16  # 1.0 of rotations, link vectors and answers
-FINE = 4  # fraction bits of lengths inside; x, y, z have two more
+FINE = 4  # fraction bits of G and S
+JOINT = 8  # fraction bits of the ball joint: x, y, z, e, f, h
+LOST = 2  # of cfg_k, on the average, by truncating the sum of squares
 ROWS = "132"  # rows of the pose as a leg takes them: x, z, y
 SHORTEST = 1 << 12  # LSB, of a crank: below it cfg_c does not fit
 
@@ -62,24 +64,18 @@ def leg(row: dict[str, Ints], words: dict[str, Ints], cb: Ints, nb: Ints, cfg_k:
     over: list[Ints] = []
 
     def place(total: Ints) -> Ints:
-        total = wrap(total, 30)
-        over.append(total != wrap(total, 24))
-        return wrap(total, 24)
-
-    def length(total: Ints) -> Ints:
-        return wrap(place(total + 3) >> 2, 22)
+        over.append(total != wrap(total, 26))
+        return wrap(total, 26)
 
     joint, across, turn = ([words[f"{i}{j}"] for j in (1, 2, 3)] for i in ROWS)
-    x, z, y = (place((row[f"{i}1"] * joint[0] + row[f"{i}2"] * joint[1] >> 10) + (row[f"{i}3"] * joint[2] >> 10)
-                     + (row[i] + words[i]) * 64 + more) for i, more in zip(ROWS, (1, 1, 3)))
-    e = length((x * turn[0] + z * turn[1] >> 16) + (cb * turn[2] >> 10))
-    f = wrap(y + wrap(nb * turn[2] >> 10, 25), 25)
-    over.append(f != wrap(f, 24))
-    f = wrap(f >> 2, 22)
-    h = length(x * across[0] + z * across[1] >> 16)
+    x, z, y = (place((row[f"{i}1"] * joint[0] + row[f"{i}2"] * joint[1] >> 8) + (row[f"{i}3"] * joint[2] >> 8)
+                     + ((row[i] + words[i]) << JOINT) + 1) for i in ROWS)
+    e = place((x * turn[0] + z * turn[1] >> 16) + (cb * turn[2] >> 8) + 1)
+    f = place(y + (nb * turn[2] >> 8))
+    h = place((x * across[0] + z * across[1] >> 16) + 1)
     square = e * e + f * f
-    q = wrap(square, 44, signed=False)
-    product = wrap((square >> 16) + (h * h >> 16) + cfg_k >> 2, 27) * cfg_c
+    q = square >> 8
+    product = wrap((square >> 16) + (h * h >> 16) + (cfg_k << 8) >> 10, 27) * cfg_c
     g, wide, minus = wrap(product >> 25, 23), product != wrap(product, 48), product < 0
     gap = wrap(q - g * g, 46)
     beyond = (gap < 0) | wide
@@ -89,7 +85,8 @@ def leg(row: dict[str, Ints], words: dict[str, Ints], cb: Ints, nb: Ints, cfg_k:
     signed = [root ^ -ints(np.where(beyond, minus, (words[f"{ROWS[1]}3"] & 1) ^ first))
               for first in (1, 0)]
     g = np.where(beyond, 0, g)
-    numerators = (e * g + np.where(beyond, e, f) * signed[0], f * g + np.where(beyond, f, e) * signed[1])
+    numerators = [one >> 4 for one in (e * g + np.where(beyond, e, f) * signed[0],
+                                       f * g + np.where(beyond, f, e) * signed[1])]
     shift = _spare(q)
     divisor = _window(q, shift)
     reciprocal = wrap(_table(divisor, True) >> 23, 27)
@@ -189,7 +186,7 @@ def config(p: Params, robot: Robot, mm_per_lsb: float, near: float = 0.0) -> dic
     if la < SHORTEST + 1 or max(la, lb) >= 1 << 17:
         raise PoseError(f"{robot.id}: a crank has {SHORTEST + 1} LSB and more, crank and rod less than 2^17; "
                         f"they have {la:.0f} and {lb:.0f}")
-    lost = 3 + la * 2.0 ** (FINE - 16)  # on the average, by truncating the squares and G
+    lost = LOST + la * 2.0 ** (FINE - 16)  # by truncating the squares and G
     return {"cfg_k": round((la * la - lb * lb) * 2.0 ** (2 * FINE - 16) + lost),
             "cfg_c": round(2.0 ** (42 - FINE) / la),
             "cfg_near": min(math.ceil(near / mm_per_lsb / 64), 0xFFF)}
@@ -267,7 +264,7 @@ def exact(p: Params, columns: dict[str, Ints], cfg_k: int, cfg_c: int) -> dict[s
         ct, st, link = of["in_r21"] / ONE, of["in_r22"] / ONE, of["in_r23"]
         e, f = x * ct + z * st + link * value["in_cb"] / ONE, y + link * value["in_nb"] / ONE
         h = x * of["in_r31"] / ONE + z * of["in_r32"] / ONE
-        g = (e * e + f * f + h * h + (cfg_k - 3 - la * 2.0 ** (FINE - 16)) * 2.0 ** (16 - 2 * FINE)) / (2 * la)
+        g = (e * e + f * f + h * h + (cfg_k - LOST - la * 2.0 ** (FINE - 16)) * 2.0 ** (16 - 2 * FINE)) / (2 * la)
         gap = e * e + f * f - g * g
         root = np.sqrt(np.maximum(gap, 0))
         g = np.where(gap < 0, np.copysign(np.hypot(e, f), g), g)

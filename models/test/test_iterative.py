@@ -49,6 +49,23 @@ def test_touch_iterates() -> None:
     assert np.abs(theta[-1] - (0, 0.7349599929948536, 0.543811818377492)).max() < 1e-9
 
 
+def printed(theta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The tip of the Touch with J as the paper prints it: s23, c23."""
+    s1, s2, _ = np.sin(theta)
+    c1, c2, _ = np.cos(theta)
+    s23, c23 = (0.135 * fn(theta[1] + theta[2]) for fn in (np.sin, np.cos))
+    along, up = 0.135 * c2 + s23, 0.135 * s2 + c23
+    return TOUCH(theta)[0], np.array([[-s1 * along, -c1 * up, c1 * (0.135 * c2 + c23)],
+                                      [0, along, 0.135 * s2 + s23], [c1 * along, -s1 * up, s1 * along]])
+
+
+@pytest.mark.parametrize("start", [(1.0, -1.0, 0.0), (1.0, 0.0, -1.0)])
+def test_the_printed_jacobian_stalls(start: tuple[float, float, float]) -> None:
+    """0.17 m off the target, from the start whose tip the paper prints and from the one that it prints."""
+    off = np.linalg.norm(TOUCH(gradient.path(printed, start, np.zeros(3), 19.0, 2000))[0], axis=-1)
+    assert np.abs(off[200:] - 0.1696).max() < 5e-5 and off[1:].min() > 0.169
+
+
 @pytest.mark.parametrize(("iterations", "lag"), [(1, 37.6), (2, 14.4), (5, 2.52), (30, 0.002)])
 def test_lag_on_the_circle(iterations: int, lag: float) -> None:
     """The haptic circle at 1 kHz, rms behind the target once the start is forgotten, micrometres."""

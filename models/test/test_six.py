@@ -258,10 +258,11 @@ def test_all_branches(core, robot):
 # Programs
 
 
-@pytest.mark.parametrize("name", ["six_forward_program", "six_inverse_program", "six_branches_program"])
+@pytest.mark.parametrize("name", ["six/six_forward_program", "six/six_inverse_program", "six/six_branches_program",
+                                  "engine/engine_delta_program"])
 def test_program_reads_what_is_written(name):
     """No register is read before the third line behind its writer, LAST only behind a written word, NIL by none."""
-    text = (RTL / "six" / f"{name}.v").read_text()
+    text = (RTL / f"{name}.v").read_text()
     lines = [[cell.strip() for cell in cells.split(",")] for cells in re.findall(r"/\* .*? \*/ \{(.*?)\}", text)]
     again = re.search(r"AGAIN\((\d+)\)", text)
     lines += lines[int(again[1]):] if again else []  # played twice

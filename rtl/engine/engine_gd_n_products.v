@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums of four products a clock on a register file, for engine_gd_n_program: one coordinate of a quaternion product.
 //   word = A B + C D + E F - G H to nearest 2^-25, written to DEST; with STEP 16 times that, between -1/4 and 1/4
-// A line reads in one clock and computes in the next: its word can be read from the second line behind it on.
+// A line reads in one clock, multiplies in the next and adds in the third: its word can be read three lines later.
 // Formats: words s2.25; sum s4.28, each product truncated to 2^-28; it wraps, and out_over says where the word did.
 //   in_op {A, B, C, D, E, F, G, H, DEST: 6 bits each; ACT: 0, 1 an error, 2 STEP, 3 a square}: 0 to 31 a register, 32
-//   to 47 a word of page in_page; in_still: STEP gives 0
+//   to 47 a word of page in_page, 48 to 63 of page in_next; in_still: STEP gives 0
 //   in_set: in_word goes to address in_own; in_fetch: out_read is the word there
 // Registers 4 to 7 are 1, 1/2, 3/2, 0. The file is stored eight times, for eight reads a clock. Model: iterative.space
 `default_nettype none
@@ -17,28 +17,30 @@ module engine_gd_n_products #(
     input  wire         in_run,
     input  wire         in_still,
     input  wire [P-1:0] in_page,
+    input  wire [P-1:0] in_next,
     input  wire         in_set,
     input  wire [P+3:0] in_own,
     input  wire [26:0]  in_word,
     input  wire         in_fetch,
     output wire [26:0]  out_read,
-    output wire [26:0]  out_word,   // of the line before, if it is one of those that are marked, out_error
+    output wire [26:0]  out_word,   // of the line that adds; out_error: that is marked an error
     output wire         out_error,
     output wire         out_over,
     output wire         out_close,  // its magnitude is below cfg_tol
     output wire         out_off     // a square that is off 1 by 2^-12
 );
-    // the line that computes
-    reg          write, step, still, error, square;
-    reg  [P+3:0] dest;
+    // the line that multiplies, the line that adds
+    reg          write0, step0, still0, error0, square0, write, step, still, error, square;
+    reg  [P+3:0] dest0, dest;
     wire [P+3:0] dest_now;
     always @(posedge clk) begin
-        write  <= in_run;
-        step   <= in_op[1] && !in_op[0];
-        error  <= in_op[0] && !in_op[1] && in_run;
-        square <= in_op[1] && in_op[0] && in_run;
-        still  <= in_still;
-        dest   <= dest_now;
+        write0  <= in_run;
+        step0   <= in_op[1] && !in_op[0];
+        error0  <= in_op[0] && !in_op[1] && in_run;
+        square0 <= in_op[1] && in_op[0] && in_run;
+        still0  <= in_still;
+        dest0   <= dest_now;
+        {write, step, still, error, square, dest} <= {write0, step0, still0, error0, square0, dest0};
     end
 
     // register file
@@ -50,7 +52,8 @@ module engine_gd_n_products #(
     generate
         for (i = 0; i < 9; i = i + 1) begin : g_place
             wire [5:0] place = in_op[2+6*i +: 6];
-            assign at[(P+4)*i +: P+4] = place[5] ? {in_page, place[3:0]} : {{(P-1){1'b0}}, place[4:0]};
+            assign at[(P+4)*i +: P+4] = place[5] ? {place[4] ? in_next : in_page, place[3:0]}
+                                               : {{(P-1){1'b0}}, place[4:0]};
         end
         for (i = 0; i < 8; i = i + 1) begin : g_file
             (* no_rw_check *) reg [26:0] file[0:(1<<P+4)-1];
@@ -73,13 +76,16 @@ module engine_gd_n_products #(
     assign dest_now = at[P+3:0];
     assign out_read = read[27*7 +: 27];
 
-    // products and their sum
+    // products, then their sum; half a unit is added to EF
     /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [53:0] ab = $signed(read[27*7 +: 27]) * $signed(read[27*6 +: 27]);
-    wire signed [53:0] cd = $signed(read[27*5 +: 27]) * $signed(read[27*4 +: 27]);
-    wire signed [53:0] ef = $signed(read[27*3 +: 27]) * $signed(read[27*2 +: 27]);
-    wire signed [53:0] gh = $signed(read[27*1 +: 27]) * $signed(read[27*0 +: 27]);
-    wire [31:0]        sum = (ab[53:22] + cd[53:22]) + ((ef[53:22] + {29'd0, !step, 1'b0, step}) - gh[53:22]);
+    wire signed [53:0] ab_now = $signed(read[27*7 +: 27]) * $signed(read[27*6 +: 27]);
+    wire signed [53:0] cd_now = $signed(read[27*5 +: 27]) * $signed(read[27*4 +: 27]);
+    wire signed [53:0] ef_now = $signed(read[27*3 +: 27]) * $signed(read[27*2 +: 27]);
+    wire signed [53:0] gh_now = $signed(read[27*1 +: 27]) * $signed(read[27*0 +: 27]);
+    reg  [31:0]        ab, cd, ef, gh;
+    always @(posedge clk)
+        {ab, cd, ef, gh} <= {ab_now[53:22], cd_now[53:22], ef_now[53:22], gh_now[53:22]};
+    wire [31:0] sum = (ab + cd) + ((ef + {29'd0, !step, 1'b0, step}) - gh);
     /* verilator lint_on UNUSEDSIGNAL */
     wire        beyond = sum[31:22] != {10{sum[31]}};
     wire [26:0] stepped = beyond ? {{4{sum[31]}}, {23{!sum[31]}}} : {{4{sum[22]}}, sum[21:0], 1'b0};

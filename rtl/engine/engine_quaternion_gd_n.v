@@ -5,7 +5,7 @@
 // in_op: 0 solve with joints 1 to in_n; 1 write in_word; 2, 3 read. Joint 0: target x, y, z, step (k = 0 to 3); others:
 // axis (0 to 2), twice the link (3 to 5), c, s (6, 7). Words are written from (0, 0) on; a reset forgets them.
 // Formats: words s2.25; cfg_tol 2^-25, on each coordinate of E; step and unit of length: iterative.space.config.
-// Error: a converged tip is within cfg_tol and bounds.space_end. Latency 3; of a solution 13 + (30 in_n + 10) a pass,
+// Error: a converged tip is within cfg_tol and bounds.space_end. Latency 3; of a solution 14 + (30 in_n + 11) a pass,
 // out_iters + 1 passes; II the same. Status: unreachable (joint in_n is not written: nothing is done, out_word is 0),
 // overflow (a link ends beyond 2 in some coordinate), not converged (the limit was reached).
 // Source: quaternion gradient paper, eqs. 9, 18, 31. Model: iterative.space.gd
@@ -54,10 +54,10 @@ module engine_quaternion_gd_n #(
     wire        halt;
     assign      in_ready = !busy && (!out_valid || out_ready);
 
-    // Program: line 0 begins a pass, line 10 a joint; the next line is read while one is played
-    localparam [5:0] JOINT = 6'd10, END = 6'd39;
+    // Program: line 0 begins a pass, line 11 a joint; the next line is read while one is played
+    localparam [5:0] JOINT = 6'd11, END = 6'd40;
     reg  [5:0]   line;
-    reg  [P-1:0] page;
+    reg  [P-1:0] page, behind;  // of the joint, and of the next: joint 1 where a pass begins
     wire         over_pass = line == JOINT - 6'd1, over_joint = line == END, last = page == n[P-1:0] + 1'b1;
     wire [5:0]   then = !run || (over_joint && last) ? 6'd0 : over_joint ? JOINT : line + 6'd1;
     wire [55:0]  control;
@@ -69,10 +69,9 @@ module engine_quaternion_gd_n #(
     wire [26:0]  result;
     reg          still;
     engine_gd_n_products #(.P(P)) products (.clk(clk), .cfg_tol(cfg_tol), .in_op(control), .in_run(run),
-        .in_still(still), .in_page(page), .in_set(check && ok && write_op), .in_own(own), .in_word(word),
-        .in_fetch(answer), .out_read(out_word), .out_word(result), .out_error(error), .out_over(over),
-        .out_close(close),
-        .out_off(off));
+        .in_still(still), .in_page(page), .in_next(behind), .in_set(check && ok && write_op), .in_own(own),
+        .in_word(word), .in_fetch(answer), .out_read(out_word), .out_word(result), .out_error(error),
+        .out_over(over), .out_close(close), .out_off(off));
 
     // End
     reg  [80:0] e;
@@ -98,8 +97,10 @@ module engine_quaternion_gd_n #(
         if (accept || check)
             no_word <= check && !ok;
         line <= then;
-        if (over_joint || over_pass)
-            page <= over_pass ? {{(P-2){1'b0}}, 2'd2} : page + 1'b1;
+        if (!run || over_joint || over_pass) begin
+            page   <= behind;
+            behind <= then == 6'd0 ? {{(P-2){1'b0}}, 2'd2} : behind + 1'b1;
+        end
         still <= accept || (still && !(over_joint && last));  // no joint moves in the first pass
         if (error) begin
             e    <= {e[53:0], result};

@@ -40,13 +40,15 @@ module engine_rus_ik #(
     wire               flags, sine, last, none, far, near, over;
     wire signed [17:0] c, word;
     wire [21:0]        root;
+    /* verilator lint_off PINCONNECTEMPTY */
     engine_rus_poses #(.W(W)) poses (
         .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_valid(in_valid),
         .in_ready(in_ready), .in_free(free), .in_load(in_load), .in_leg(in_leg), .in_r11(in_r11), .in_r12(in_r12),
         .in_r13(in_r13), .in_r21(in_r21), .in_r22(in_r22), .in_r23(in_r23), .in_r31(in_r31), .in_r32(in_r32),
-        .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb), .out_flags(flags),
-        .out_sine(sine), .out_last(last), .out_c(c), .out_word(word), .out_root(root), .out_none(none), .out_far(far),
-        .out_near(near), .out_over(over));
+        .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb),
+        .in_place(12'd0), .in_step(17'd0), .out_rise(), .out_flags(flags), .out_sine(sine), .out_last(last), .out_c(c),
+        .out_word(word), .out_root(root), .out_none(none), .out_far(far), .out_near(near), .out_over(over));
+    /* verilator lint_on PINCONNECTEMPTY */
     reg  [35:0] leg6;
     always @(posedge clk)
         if (sine)

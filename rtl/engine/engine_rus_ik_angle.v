@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // engine_rus_ik with binary angles: pose and link angle of a parallel robot to the angles of six cranks (or three).
-// Formats: as there; out_j angles of A bits modulo a turn, nearest, by vector_to_angle, a leg while the next one is
-// computed. A leg without an answer stands at 0; where a length overflowed, the angle of the leg before may stand.
+// Formats: as there; out_j angles of A bits modulo a turn, nearest, those of vector_to_angle by a free product of
+// the legs. A leg without an answer stands at 0.
 // Error: that of the crank there and of vector_to_angle. Latency 80, II 48. Status: as there.
 // Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik_angle
 `default_nettype none
@@ -37,13 +37,16 @@ module engine_rus_ik_angle #(
     wire               flags, sine, last, none, far, near, over;
     wire signed [17:0] c, word;
     wire [21:0]        root;
+    wire [11:0]        place;
+    wire [16:0]        step;
+    wire [28:0]        rise;
     engine_rus_poses #(.W(W)) poses (
         .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_valid(in_valid),
         .in_ready(in_ready), .in_free(free), .in_load(in_load), .in_leg(in_leg), .in_r11(in_r11), .in_r12(in_r12),
         .in_r13(in_r13), .in_r21(in_r21), .in_r22(in_r22), .in_r23(in_r23), .in_r31(in_r31), .in_r32(in_r32),
-        .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb), .out_flags(flags),
-        .out_sine(sine), .out_last(last), .out_c(c), .out_word(word), .out_root(root), .out_none(none), .out_far(far),
-        .out_near(near), .out_over(over));
+        .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb),
+        .in_place(place), .in_step(step), .out_rise(rise), .out_flags(flags), .out_sine(sine), .out_last(last),
+        .out_c(c), .out_word(word), .out_root(root), .out_none(none), .out_far(far), .out_near(near), .out_over(over));
     // its second register is that of leg 6
     wire [A-1:0] angle;
     reg          turned, last_turned;
@@ -51,11 +54,9 @@ module engine_rus_ik_angle #(
         turned      <= sine && !rst;
         last_turned <= last;
     end
-    /* verilator lint_off PINCONNECTEMPTY */
-    vector_to_angle #(.U(16), .A(A)) codec (
-        .clk(clk), .rst(rst), .in_valid(sine), .in_ready(), .in_c(c), .in_n(none ? 18'd0 : word), .out_valid(),
-        .out_ready(1'b1), .out_j(angle), .out_status());
-    /* verilator lint_on PINCONNECTEMPTY */
+    engine_rus_angle #(.A(A)) codec (
+        .clk(clk), .in_valid(sine), .in_c(c), .in_n(none ? 18'd0 : word), .in_take(turned),
+        .out_place(place), .out_step(step), .in_rise(rise), .out_j(angle));
     engine_rus_results #(.BITS(A)) results (
         .clk(clk), .rst(rst), .in_flags(flags), .in_root(root), .in_far(far), .in_near(near), .in_over(over),
         .in_move(turned), .in_last(last_turned), .in_leg6(angle), .out_valid(out_valid), .out_ready(out_ready),

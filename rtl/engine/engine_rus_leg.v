@@ -5,7 +5,7 @@
 // Formats: engine_rus_ik, engine_rus_path. in_tag {leg 6, dead: no answer, ..} goes with the leg. When out_flags the
 // root stands with far (out of reach), none (no direction, or dead), near (to a singular leg) and over. out_word is the
 // cosine when out_cosine, the sine when out_sine.
-// Latency 37; II 8.
+// in_place, in_step, out_rise: engine_rus_path. Latency 37; II 8.
 // Model: engine_rus.leg
 `default_nettype none
 module engine_rus_leg (
@@ -20,6 +20,9 @@ module engine_rus_leg (
     input  wire signed [17:0] in_cb,
     input  wire signed [17:0] in_nb,
     input  wire [2:0]         in_tag,
+    input  wire [11:0]        in_place,
+    input  wire [16:0]        in_step,
+    output wire [28:0]        out_rise,
     output wire               out_x,
     output wire               out_z,
     output wire               out_y,
@@ -79,7 +82,7 @@ module engine_rus_leg (
         NUM     = 19'h08000,     // n shift <- a b kept: a numerator
         RATE    = 19'h10000,     // reciprocal flags <- d s none beyond2 tag: the reciprocal; flags
         OUT_C   = 19'h20000,     // - <- d: the cosine
-        OUT_N   = 19'h40000;     // - <- d: the sine
+        OUT_N   = 19'h40000;     // d <- d: the sine; the next product is its codec's
     //                      A, B     C        D        add    behind
     localparam [37*34-1:0] LEG = {
         /* row x            */ {ROW_X,  IDLE_C, IDLE_D, HALF,  NONE},
@@ -126,8 +129,9 @@ module engine_rus_leg (
     reg  [2:0]  tag2, tag3, tag4;
     engine_rus_path path (
         .clk(clk), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_op(op), .in_row(in_row), .in_words(in_words),
-        .in_cb(in_cb), .in_nb(in_nb), .in_dead(tag4[1]), .out_word(out_word), .out_root(out_root), .out_far(out_far),
-        .out_none(out_none), .out_near(out_near), .out_over(out_over));
+        .in_cb(in_cb), .in_nb(in_nb), .in_dead(tag4[1]), .in_place(in_place), .in_step(in_step), .out_rise(out_rise),
+        .out_word(out_word), .out_root(out_root), .out_far(out_far), .out_none(out_none), .out_near(out_near),
+        .out_over(out_over));
     // which words of the leg are read: by the line that is played
     assign out_x = op[27];
     assign out_z = op[28];

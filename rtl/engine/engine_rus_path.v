@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Datapath of engine_rus_leg, whose table says what happens when: in_op is its lines, column by column.
-// Lengths e, f, h, G, S have 4 fraction bits below the position word of 18 bits; x, z, y and sums 6, squares of
-// lengths 16 less than those. Out of reach the root is that of e^2 + f^2 and (cos, sin) = +-(e, f) R / R^2, the sign
-// that of G.
+// Lengths x, z, y, e, f, h have 8 fraction bits below the position word of 18 bits, G and S 4; sums 8, of squares 0
+// (q 8). Out of reach the root is that of e^2 + f^2 and (cos, sin) = +-(e, f) R / R^2, the sign that of G.
 // Operands come through gates: registers that are 0 but in the clock for which they open, so that an OR selects.
+// in_place at OUT_N, in_step in the clock behind: then multiplier D, its dr cleared, forms out_rise, their product.
 // Formats: engine_rus_ik, engine_rus_leg. Error: engine_rus_root, and what is truncated.
 // Model: engine_rus.leg
 `default_nettype none
@@ -18,6 +18,9 @@ module engine_rus_path (
     input  wire signed [17:0] in_cb,
     input  wire signed [17:0] in_nb,
     input  wire               in_dead,
+    input  wire [11:0]        in_place,
+    input  wire [16:0]        in_step,
+    output wire [28:0]        out_rise,
     output wire signed [17:0] out_word,
     output reg  [21:0]        out_root,
     output reg                out_far,
@@ -27,43 +30,43 @@ module engine_rus_path (
 );
     wire sine, cosine, turn, words, y_row, z_row, x_row, gain, height, link, next_d, divide, table_d, with_k, place;
     wire rec, num, divisor, to_s, copy, root, fine, find, gate, disc, keep, to_g, to_q, to_e, to_y, to_z, to_x;
-    wire unused = &{1'b0, in_op[18:17]};
+    wire out_n = in_op[18];
+    wire unused = &{1'b0, in_op[17]};
     assign {sine, cosine, turn, words, y_row, z_row, x_row, gain, height, link, next_d, divide, table_d, with_k, place}
         = in_op[33:19];
     assign {rec, num, divisor, to_s, copy, root, fine, find, gate, disc, keep, to_g, to_q, to_e, to_y, to_z, to_x}
         = in_op[16:0];
 
     // Products, and the sum behind them: A + B + C
-    reg  signed [23:0] al, bl;
-    reg  signed [22:0] ar, br;
+    reg  signed [25:0] al, ar, bl, br;
     reg  signed [26:0] cl, cr, dl, dr;
-    reg  signed [46:0] pa, pb;
+    reg  signed [51:0] pa, pb;
     /* verilator lint_off UNUSEDSIGNAL */
     reg  signed [53:0] pc, pd;
-    reg  signed [29:0] add;
-    wire signed [47:0] ab = pa + pb;
-    wire signed [29:0] sum = ab[45:16] + (pc[45:16] + add);
+    wire signed [53:0] product_d = dl * $signed(dr | {10'd0, in_step});
+    reg  signed [36:0] add;
+    wire signed [52:0] ab = pa + pb;
+    wire signed [36:0] sum = ab[52:16] + (pc[52:16] + add);
     /* verilator lint_on UNUSEDSIGNAL */
-    wire        [21:0] length = sum[23:2];
-    wire               over = sum[29:23] != {7{sum[23]}};
+    wire        [25:0] length = sum[25:0];
+    wire               over = sum[29:25] != {5{sum[25]}};
     reg  [17:0]        foot;
     reg  signed [18:0] away;
 
     // Registers of a leg, and those that outlive the next one's
-    reg  [23:0] x, y;
-    reg  [21:0] e, f, e2, f2, e3, f3;
+    reg  [25:0] x, y, e, f, e2, f2, e3, f3;
     reg  [22:0] g, g2;
     reg  [26:0] t, reciprocal;
     reg         wide, minus, minus2, beyond2, elbow, elbow2, elbow3, elbow4, over1, over2, over3, over4;
     /* verilator lint_off UNUSEDSIGNAL */
-    wire [24:0] f_sum = {y[23], y} + pd[40:16];
+    wire [26:0] f_sum = {y[25], y} + pd[42:16];
     /* verilator lint_on UNUSEDSIGNAL */
 
     // Gates
     reg  [71:0] row;
     reg  [17:0] word1, word2, word3, open_cb, open_nb;
-    reg  [23:0] open_x, open_z;
-    reg  [21:0] open_e, open_f, e_a, f_a, e_b, f_b, open_s;
+    reg  [25:0] open_x, open_z, open_e, open_f, e_a, f_a, e_b, f_b;
+    reg  [21:0] open_s;
     reg  [22:0] open_g, g_a;
     reg  [26:0] open_t;
     reg  [25:0] open_c;
@@ -74,11 +77,13 @@ module engine_rus_path (
     wire [19:0] slope;
     wire        beyond, none;
     engine_rus_root roots (.clk(clk), .in_op({num, divisor, to_s, copy, root, fine, find, gate, disc, to_q}),
-        .in_ab(ab[45:0]), .in_square(pc[45:0]), .in_wide(wide), .in_product(pd[48:27]), .out_word(word), .out_w(w),
-        .out_slope(slope), .out_beyond(beyond), .out_none(none), .out_root(s));
+        .in_q(ab[51:8]), .in_num(ab[49:4]),
+        .in_square(pc[45:0]), .in_wide(wide), .in_product(pd[48:27]), .out_word(word), .out_w(w), .out_slope(slope),
+        .out_beyond(beyond), .out_none(none), .out_root(s));
 
+    assign out_rise = product_d[28:0];
     assign out_word = pd[50:33] + {17'd0, pd[32]};
-    wire [26:0] h = {{5{sum[23]}}, length} & {27{height}};
+    wire [26:0] h = {sum[25], length} & {27{height}};
     always @(posedge clk) begin
         row     <= x_row || z_row || y_row ? in_row : 72'd0;
         word1   <= words ? in_words[71:54] : 18'd0;
@@ -88,57 +93,58 @@ module engine_rus_path (
         away    <= $signed(row[17:0]) + $signed(foot);
         open_cb <= link ? in_cb : 18'd0;
         open_nb <= link ? in_nb : 18'd0;
-        open_x  <= turn ? x : 24'd0;
-        open_e  <= to_e ? length : 22'd0;
-        open_f  <= to_e ? f_sum[23:2] : 22'd0;
+        open_x  <= turn ? x : 26'd0;
+        open_e  <= to_e ? length : 26'd0;
+        open_f  <= to_e ? f_sum[25:0] : 26'd0;
         open_t  <= gain ? t : 27'd0;
         open_c  <= gain ? cfg_c : 26'd0;
         open_g  <= to_g ? pc[47:25] : 23'd0;
-        e_a     <= cosine ? e3 : 22'd0;
-        f_a     <= sine ? f3 : 22'd0;
-        e_b     <= cosine && beyond2 || sine && !beyond2 ? e3 : 22'd0;
-        f_b     <= cosine && !beyond2 || sine && beyond2 ? f3 : 22'd0;
+        e_a     <= cosine ? e3 : 26'd0;
+        f_a     <= sine ? f3 : 26'd0;
+        e_b     <= cosine && beyond2 || sine && !beyond2 ? e3 : 26'd0;
+        f_b     <= cosine && !beyond2 || sine && beyond2 ? f3 : 26'd0;
         g_a     <= (cosine || sine) && !beyond2 ? g2 : 23'd0;
         open_s  <= cosine || sine ? s : 22'd0;
         invert  <= (cosine || sine) && (beyond2 ? minus2 : elbow4 ^ cosine);
         if (to_z)
-            open_z <= sum[23:0];
+            open_z <= length;
         else if (!turn)
-            open_z <= 24'd0;
+            open_z <= 26'd0;
 
-        al <= {row[71:54], 6'd0} | open_x | {{2{open_e[21] | e_a[21] | f_a[21]}}, open_e | e_a | f_a};
-        bl <= {row[53:36], 6'd0} | open_z | {{2{open_f[21] | e_b[21] | f_b[21]}}, open_f | e_b | f_b};
-        cl <= {{5{row[35] | open_cb[17]}}, row[35:18] | open_cb, 4'd0} | h | open_t | {{4{open_g[22]}}, open_g};
+        al <= {row[71:54], 8'd0} | open_x | open_e | e_a | f_a;
+        bl <= {row[53:36], 8'd0} | open_z | open_f | e_b | f_b;
+        cl <= {{3{row[35] | open_cb[17]}}, row[35:18] | open_cb, 6'd0} | h | open_t | {{4{open_g[22]}}, open_g};
         if (!y_row && !to_x) begin  // the joint's coordinates stay for three rows
-            ar <= {{5{word1[17]}}, word1} | {open_e[21], open_e} | g_a;
-            br <= {{5{word2[17]}}, word2} | {open_f[21], open_f} | ({1'b0, open_s} ^ {23{invert}});
+            ar <= {{8{word1[17]}}, word1} | open_e | {{3{g_a[22]}}, g_a};
+            br <= {{8{word2[17]}}, word2} | open_f | ({4'd0, open_s} ^ {26{invert}});
             cr <= {{7{word3[17]}}, word3, 2'd0} | h | {1'b0, open_c} | {{4{open_g[22]}}, open_g};
         end
-        dl <= (next_d ? word : 27'd0) | (table_d ? {1'b0, w, 4'd8} : 27'd0) | {{5{open_nb[17]}}, open_nb, 4'd0};
-        if (to_y || table_d || divide)
+        dl <= (next_d ? word : 27'd0) | (table_d ? {1'b0, w, 4'd8} : 27'd0) | {{3{open_nb[17]}}, open_nb, 6'd0}
+            | {15'd0, in_place};
+        if (to_y || table_d || divide || out_n)
             dr <= {{7{word3[17]}}, word3, 2'd0} | (table_d ? {1'b0, slope, 6'd0} : 27'd0)
                 | (divide ? reciprocal : 27'd0);
         pa <= al * ar;
         pb <= bl * br;
         pc <= cl * cr;
-        pd <= dl * dr;
-        // what two truncations lose, and half
-        add <= with_k ? {{3{cfg_k[26]}}, cfg_k} : place ? {{5{away[18]}}, away, 4'd0, to_z, 1'b1} : 30'd3;
+        pd <= product_d;
+        // what two truncations lose
+        add <= with_k ? {{2{cfg_k[26]}}, cfg_k, 8'd0} : place ? {{10{away[18]}}, away, 8'd1} : 37'd1;
 
         if (to_x)
-            x <= sum[23:0];
+            x <= length;
         if (to_y) begin
-            y     <= sum[23:0];
+            y     <= length;
             elbow <= in_words[18];
         end
         if (to_e) begin
             e <= length;
-            f <= f_sum[23:2];
+            f <= f_sum[25:0];
         end
         if (to_x || to_z || to_y || to_e || height)
-            over1 <= over || (to_e && f_sum[24] != f_sum[23]) || (over1 && !to_x);
+            over1 <= over || (to_e && f_sum[26] != f_sum[25]) || (over1 && !to_x);
         if (to_q) begin
-            t      <= sum[28:2];
+            t      <= sum[36:10];
             elbow2 <= elbow;
             over2  <= over1;
         end

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What engine_rus_ik and engine_rus_ik_angle share: poses and geometry in, the answers of their legs out, one by one.
 //   in_free: the outputs are free in the next clock, and a pose may be taken
-// Formats: engine_rus_ik. Root and flags stand when out_flags; out_c is the cosine and out_word the sine when out_sine,
-// of leg 6 if out_last; out_none: it is 0. Latency of leg 1: 32 to its flags, 37 to its sine; II 48.
+// Formats: engine_rus_ik; in_place, in_step, out_rise: engine_rus_path. Root and flags stand when out_flags; out_c is
+// the cosine and out_word the sine when out_sine, of leg 6 if out_last; out_none: it is 0.
+// Latency of leg 1: 32 to its flags, 37 to its sine; II 48.
 // Model: engine_rus.ik
 `default_nettype none
 module engine_rus_poses #(
@@ -21,6 +22,9 @@ module engine_rus_poses #(
     input  wire signed [17:0]  in_r11, in_r12, in_r13, in_r21, in_r22, in_r23, in_r31, in_r32, in_r33,
     input  wire signed [W-1:0] in_px, in_py, in_pz,
     input  wire signed [17:0]  in_cb, in_nb,
+    input  wire [11:0]         in_place,
+    input  wire [16:0]         in_step,
+    output wire [28:0]         out_rise,
     output wire                out_flags,
     output wire                out_sine,
     output wire                out_last,
@@ -68,7 +72,8 @@ module engine_rus_poses #(
     wire               cosine, far, near, over, dead, unreached;
     engine_rus_leg path (
         .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_start(accept || next),
-        .in_row(row), .in_words(words), .in_cb(cb), .in_nb(nb), .in_tag(tag), .out_x(x_row), .out_z(z_row),
+        .in_row(row), .in_words(words), .in_cb(cb), .in_nb(nb), .in_tag(tag),
+        .in_place(in_place), .in_step(in_step), .out_rise(out_rise), .out_x(x_row), .out_z(z_row),
         .out_y(y_row), .out_turn(turn), .out_last(read), .out_flags(out_flags), .out_cosine(cosine),
         .out_sine(out_sine), .out_word(out_word), .out_root(out_root), .out_far(far), .out_none(out_none),
         .out_near(near), .out_over(over), .out_tag({out_last, dead, unreached}));

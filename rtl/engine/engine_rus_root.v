@@ -2,14 +2,16 @@
 // Root and divisor of engine_rus_path: S^2 = q - G^2, or q = e^2 + f^2 out of reach; q; and numerators.
 // One normaliser for all four: out_word is the word in `n` times 2^(2 shift - 19). Its spare bytes are found as it is
 // loaded (find), its spare pairs of bits a clock later (fine); numerators take the shift of their divisor (kept).
-// Formats: in_ab u46, in_square s46; out_w, out_slope: factors of a root or a reciprocal; in_product: the root's,
-// before it is shifted back; out_root u18.4. Error: a root and a reciprocal within 2^-18, and what is truncated.
+// Formats: in_q u44, in_num, in_square s46, 8 fraction bits; out_w, out_slope: factors of a root or a reciprocal;
+// in_product: the root's, before it is shifted back; out_root u18.4. Error: a root and a reciprocal within 2^-18, and
+// what is truncated.
 // Model: engine_rus.leg
 `default_nettype none
 module engine_rus_root (
     input  wire               clk,
     input  wire [9:0]         in_op,
-    input  wire signed [45:0] in_ab,
+    input  wire [43:0]        in_q,
+    input  wire signed [45:0] in_num,
     input  wire signed [45:0] in_square,
     input  wire               in_wide,
     input  wire [21:0]        in_product,
@@ -55,7 +57,7 @@ module engine_rus_root (
     assign out_word = word;
     always @(posedge clk) begin
         if (to_q)
-            q <= in_ab[43:0];
+            q <= in_q;
         if (disc) begin
             square_of_s <= {2'b0, q} - in_square;
             q2          <= q;
@@ -65,7 +67,7 @@ module engine_rus_root (
         if (gate)
             out_beyond <= beyond;
         if (find || num)
-            n <= num ? in_ab : either;
+            n <= num ? in_num : either;
         if (find)
             shift[3:2] <= {!byte2 && !byte1, !byte2 && byte1};
         if (fine)

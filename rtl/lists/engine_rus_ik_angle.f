@@ -7,6 +7,6 @@
 ../engine/engine_rus_leg.v
 ../engine/engine_rus_poses.v
 ../codec/nearest_axis.v
-../codec/vector_to_angle.v
+../engine/engine_rus_angle.v
 ../engine/engine_rus_results.v
 ../engine/engine_rus_ik_angle.v

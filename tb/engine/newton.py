@@ -1,4 +1,7 @@
-"""Corners of the Newton engine: starts and targets in reach, beyond, at its borders and stretched; warm samples."""
+"""Corners of engine_newton_3r, and of engine_quaternion_dls, which has no third link.
+
+Starts and targets in reach, beyond, at its borders and stretched; warm samples.
+"""
 
 from __future__ import annotations
 
@@ -20,20 +23,21 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
             | newton_fixed.config(p, cfg_l1=l1, cfg_l2=l2, damping=damping)
 
     wild = {"cfg_r1": 65535, "cfg_r2": 65535, "cfg_lambda": 65535, "cfg_mu": (1 << 17) - 1}
-    return [words(third, third, third, 6400, 6), words(third, third, third, 64, 40),
+    every = [words(third, third, third, 6400, 6), words(third, third, third, 64, 40),
             words(third, third * 2 // 3, third // 2, 256, 25, 2**-6), words(high, high, high, 64, 6),
             words(third, third, third, 0, 4), words(third, third, third, 6400, 0), words(0, third, 0, 256, 4),
             words(third, 0, third, 256, 4, 0.25), words(high, third, 9, 4096, 9), words(1, 1, high, 256, 3),
             words(third, third, third, (1 << 22) - 1, 9) | wild,
             words(third, high, third, 256, 7, 0.41) | {"cfg_lambda": 65535, "cfg_mu": 0},
             words(high, high, high, 64, 5) | wild | {"cfg_mu": 511, "cfg_lambda": 0}]
+    return [{port.name: cfg[port.name] for port in core.cfg} for cfg in every]
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """A third each: targets of random joints, at the borders of reach, extreme words; starts near, far, stretched."""
     rng, count = np.random.default_rng(1), 150
     w, a = core.params["W"], core.params["A"]
-    high, lengths = 1 << w - 1, np.array([cfg["cfg_l1"], cfg["cfg_l2"], cfg["cfg_l3"]])
+    high, lengths = 1 << w - 1, np.array([cfg["cfg_l1"], cfg["cfg_l2"], cfg.get("cfg_l3", 0)])
     theta = rng.uniform(-np.pi, np.pi, (count, 3))
     theta[50:100, 1] = np.pi * rng.integers(0, 2, 50) + rng.choice([0, 1e-3, 1 / 16, -1 / 16], 50)
     turn = np.cumsum(theta, axis=1)
@@ -47,5 +51,6 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     goal = np.clip(goal.astype(np.int64), -high, high - 1)[order]
     warm = rng.integers(0, 2, count)
     warm[0] = 1  # the first sample behind a reset starts from 0
-    return {"in_x": goal[:, 0], "in_y": goal[:, 1], "in_phi": word[order, 2], "in_j1": word[order, 0],
-            "in_j2": word[order, 1], "in_warm": warm}
+    every = {"in_x": goal[:, 0], "in_y": goal[:, 1], "in_phi": word[order, 2], "in_j1": word[order, 0],
+             "in_j2": word[order, 1], "in_warm": warm}
+    return {port.name: every[port.name] for port in core.inputs}

@@ -7,12 +7,13 @@ from quadrance import engine_rus
 from quadrance.cores import Core
 from quadrance.parallel import geometry, reconfiguration
 
-from tb.engine import gradient, newton, plane, rus_fk, space
+from tb.engine import delta, gradient, newton, plane, rus_fk, space
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
-ITERATIVE = dict.fromkeys(gradient.MODELS, gradient) | {
+OTHERS = dict.fromkeys(gradient.MODELS, gradient) | {
     "iterative.plane.gd": plane, "iterative.space.gd": space, "iterative.newton_fixed.solve": newton,
+    "iterative.damped.solve": newton, "engine_delta.fk": delta, "engine_delta.fk_angle": delta,
     "engine_rus_fk.fk": rus_fk}
 SCALE = {"rus_2x3": 1 / 128, "rotary_stewart": 1 / 640, "klipper_delta": 1 / 128, "linuxcnc_delta": 1 / 128}
 EYE = np.eye(3)
@@ -25,9 +26,9 @@ def words_of(core: Core, name: str) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Each robot with its own words, then extremes and some at random; of an iterative engine those of its file."""
-    if core.model_name in ITERATIVE:
-        return ITERATIVE[core.model_name].configs(core, rng)
+    """Each robot with its own words, then extremes and some at random; of other engines those of their files."""
+    if core.model_name in OTHERS:
+        return OTHERS[core.model_name].configs(core, rng)
     if core.function == "quaternion_to_matrix":
         return [{}]
     robots = [words_of(core, name) for name in SCALE]
@@ -83,8 +84,8 @@ def quaternions(core: Core, rng: np.random.Generator) -> Vectors:
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Poses of a robot behind its geometry; then joints on their axes, and geometry and poses at the ends of words."""
-    if core.model_name in ITERATIVE:
-        return ITERATIVE[core.model_name].corners(core, cfg)
+    if core.model_name in OTHERS:
+        return OTHERS[core.model_name].corners(core, cfg)
     rng = np.random.default_rng(1)
     if core.function == "quaternion_to_matrix":
         return quaternions(core, rng)

@@ -13,10 +13,11 @@ import numpy as np
 from quadrance import truth
 from quadrance.cores import Core
 from quadrance.fixed import Ints
-from quadrance.iterative import engines, fixed, plane
+from quadrance.iterative import engines, fixed, newton_fixed, plane
 
 STEP = 4  # degrees between the starts of joints 1 and 2, as of the 8100 starts of the Newton paper's arm
 LIMIT = 1000  # iterations
+DAMPING = 2.0**-8  # of damped least squares, in squares of the link lengths
 ANSWER = 256  # square of the tolerance in 1/256 LSB^2: one LSB
 
 
@@ -45,11 +46,24 @@ def grid(count: int, step: int = STEP) -> truth.Floats:
 
 def by_example(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
     """An engine of `engines.EXAMPLES` with its paper's target; a link is an eighth of its word, as the errors need."""
-    example, a = engines.EXAMPLES[core.name], core.params["A"]
-    lsb, target = example.lsb(core, 3), np.asarray(example.target)
+    example = engines.EXAMPLES[core.name]
+    lsb = example.lsb(core, 3)
+    return _all_starts(core, example, lsb), example.config(core, lsb) | {"cfg_tol": ANSWER, "cfg_limit": LIMIT}
+
+
+def _all_starts(core: Core, example: engines.Example, lsb: float) -> dict[str, Ints]:
+    target, a = np.asarray(example.target), core.params["A"]
     start = truth.angle_to_binary_word(grid(target.size), a) & (1 << a) - 1
-    goal = np.broadcast_to(example.goals(target, lsb), start.shape[:1] + target.shape)
-    return engines.inputs(core, goal, start), example.config(core, lsb) | {"cfg_tol": ANSWER, "cfg_limit": LIMIT}
+    return engines.inputs(core, np.broadcast_to(example.goals(target, lsb), start.shape[:1] + target.shape), start)
+
+
+def by_damping(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
+    """engine_quaternion_dls with the example of engine_quaternion_gd."""
+    example = engines.EXAMPLES["engine_quaternion_gd"]
+    lsb = example.lsb(core, 3)
+    l1, l2 = (round(length / lsb) for length in example.lengths)
+    return _all_starts(core, example, lsb), {"cfg_l1": l1, "cfg_l2": l2, "cfg_tol": ANSWER, "cfg_limit": LIMIT} \
+        | newton_fixed.config(core.params, cfg_l1=l1, cfg_l2=l2, damping=DAMPING)
 
 
 def by_vector(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
@@ -80,6 +94,7 @@ TWO = ("vector_ik2", "table_ik2")
 ENTRIES = {
     "engine_quaternion_gd": Entry("2 joints in the plane, to 1 LSB (12 um)", by_example,
                                   engines.EXAMPLES["engine_quaternion_gd"].clocks, TWO),
+    "engine_quaternion_dls": Entry("2 joints in the plane, damped, to 1 LSB (12 um)", by_damping, 16, TWO),
     "engine_quaternion_gd_vector": Entry("2 joints in the plane, to 1 LSB (12 um)", by_vector, 13, TWO),
     "engine_quaternion_gd_touch": Entry("Geomagic Touch, to 1 LSB (16 um)", by_example,
                                         engines.EXAMPLES["engine_quaternion_gd_touch"].clocks,

@@ -2,7 +2,8 @@
 
 O. A. Dominguez-Ramirez et al., "Cinematica inversa cuaternionica ...", doi 10.29057/icbi.v10iEspecial5.10205, with the
 Jacobians as they must be: eqs. 23-24 miss the leading Q1 of their second term, and the printed Jacobian of the
-Geomagic Touch has s23, c23 where theta3 is absolute; it stalls 0.17 m off.
+Geomagic Touch has s23, c23 where theta3 is absolute. Descent with it stalls 0.17 m off the target 0 from the paper's
+start, and from none of 2000 random ones does it come to rest within 1 mm.
 """
 
 from __future__ import annotations

@@ -3,8 +3,8 @@
 // pass but the one that judges the start counts. One clock of reset is enough, from any state.
 // rtl: engine/engine_quaternion_gd_n.v
 // with: space_parts.sv
-// proof N8 mode=prove depth=2 N=8
-// proof N100 mode=prove depth=2 N=100
+// proof N8 mode=prove depth=4 N=8
+// proof N100 mode=prove depth=4 N=100
 module engine_quaternion_gd_n_props #(parameter N = 8) (
     input clk, rst, in_valid, out_ready, input [1:0] in_op, input [7:0] in_n, input [2:0] in_k, input [26:0] in_word,
     input [21:0] cfg_tol, input [9:0] cfg_limit
@@ -26,6 +26,7 @@ module engine_quaternion_gd_n_props #(parameter N = 8) (
     (* hierconn *) wire \dut.busy ;
     (* hierconn *) wire [5:0] \dut.line ;
     (* hierconn *) wire [P-1:0] \dut.page ;
+    (* hierconn *) wire [P-1:0] \dut.behind ;
     (* hierconn *) wire [7:0] \dut.n ;
     (* hierconn *) wire [10:0] \dut.fill ;
     wire [5:0]  line = \dut.line ;
@@ -51,8 +52,11 @@ module engine_quaternion_gd_n_props #(parameter N = 8) (
         assert (\dut.busy == (\dut.check || \dut.answer || \dut.run ));
         assert (\dut.check + \dut.answer + \dut.run < 2);
         assert (fill <= 8 * (N + 1) && (fill < 4 || fill >= 8));
-        if (\dut.run ) assert (n != 0 && n <= N && line < 40);
-        if (\dut.run && line >= 10) assert (page >= 2 && page <= n + 1);
+        if (\dut.run ) assert (n != 0 && n <= N && line < 41);
+        if (\dut.run && line >= 11) assert (page >= 2 && page <= n + 1);
+        // the next page is that of joint 1 where a pass begins
+        if (\dut.check || \dut.run && line < 11) assert (\dut.behind == 2);
+        if (\dut.run && line >= 11) assert (\dut.behind == \dut.page + 1'b1);
         if (inside) assert (out_iters <= cfg_limit);
     end
 endmodule

@@ -84,17 +84,18 @@ endmodule
 
 module engine_rus_path (
     input clk, input [26:0] cfg_k, input [25:0] cfg_c, input [11:0] cfg_near, input [33:0] in_op,
-    input [71:0] in_row, in_words, input [17:0] in_cb, in_nb, input in_dead, output [17:0] out_word,
+    input [71:0] in_row, in_words, input [17:0] in_cb, in_nb, input in_dead, input [11:0] in_place, input [16:0] in_step, output [28:0] out_rise,
+    output [17:0] out_word,
     output [21:0] out_root, output out_far, out_none, out_near, out_over
 );
-    (* anyseq *) wire [43:0] any;
-    assign {out_word, out_root, out_far, out_none, out_near, out_over} = any;
+    (* anyseq *) wire [72:0] any;
+    assign {out_rise, out_word, out_root, out_far, out_none, out_near, out_over} = any;
 endmodule
 
-module vector_to_angle #(parameter U = 16, A = 18) (
-    input clk, rst, in_valid, output in_ready, input [U+1:0] in_c, in_n, output out_valid, input out_ready,
-    output [A-1:0] out_j, output [3:0] out_status
+module engine_rus_angle #(parameter A = 18) (
+    input clk, in_valid, input [17:0] in_c, in_n, input in_take, output [11:0] out_place, output [16:0] out_step,
+    input [28:0] in_rise, output [A-1:0] out_j
 );
-    (* anyseq *) wire [A-1:0] any;
-    assign out_j = any;
+    (* anyseq *) wire [A+28:0] any;
+    assign {out_place, out_step, out_j} = any;
 endmodule
