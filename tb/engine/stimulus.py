@@ -7,13 +7,14 @@ from quadrance import engine_rus
 from quadrance.cores import Core
 from quadrance.parallel import geometry, reconfiguration
 
-from tb.engine import delta, gradient, newton, plane, space
+from tb.engine import delta, gradient, newton, plane, rus_fk, space
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
 OTHERS = dict.fromkeys(gradient.MODELS, gradient) | {
     "iterative.plane.gd": plane, "iterative.space.gd": space, "iterative.newton_fixed.solve": newton,
-    "iterative.damped.solve": newton, "engine_delta.fk": delta, "engine_delta.fk_angle": delta}
+    "iterative.damped.solve": newton, "engine_delta.fk": delta, "engine_delta.fk_angle": delta,
+    "engine_rus_fk.fk": rus_fk}
 SCALE = {"rus_2x3": 1 / 128, "rotary_stewart": 1 / 640, "klipper_delta": 1 / 128, "linuxcnc_delta": 1 / 128}
 EYE = np.eye(3)
 

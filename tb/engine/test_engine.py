@@ -10,7 +10,8 @@ from tb.lib import bulk, suite
 from tb.lib.simulate import simulate
 
 test_bench, test_bulk, test_exhaustive = suite.family("engine")
-CHAINS = [core for core in all_cores() if core.name in ("engine_quaternion_gd_plane", "engine_quaternion_gd_n")]
+IN_ORDER = "engine_quaternion_gd_plane", "engine_quaternion_gd_n", "engine_rus_fk"
+CHAINS = [core for core in all_cores() if core.name in IN_ORDER]
 
 
 @pytest.mark.full

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which line of engine_rus_fk_program comes next, and how a solution ends.
+//   elbows of six legs, start; passes: matrix, rows of legs, JUDGE; for each row i NORM (SCALE while its square is
+//   not from 1/4 to 1), DOT and PAIR with the rows behind it; SIDE, the move. DONE writes the pose.
+// in_jump: of the line that is read; in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_forget:
+// another robot, whose side is not known. out_halt: the last clock of a solution; the flags stand from the next one on.
+// cfg_limit steps and SCALINGS of a row bound a solution. Model: engine_rus_fk
+`default_nettype none
+module engine_rus_fk_steps (
+    input  wire       clk,
+    input  wire       rst,
+    input  wire [5:0] cfg_limit,
+    input  wire       in_clear,      // a sample is taken
+    input  wire       in_start,
+    input  wire       in_forget,
+    input  wire       in_jump,
+    input  wire [2:0] in_act,
+    input  wire       in_over,
+    input  wire       in_off,
+    input  wire [1:0] in_size,
+    input  wire       in_negative,
+    output reg        out_run,
+    output reg        out_adds,      // of the lines that were read three clocks ago
+    output wire [7:0] out_next,      // the line that is read, for the next clock
+    output reg  [2:0] out_i,
+    output reg  [2:0] out_j,
+    output reg  [1:0] out_range,
+    output wire       out_halt,
+    output reg        out_failed,
+    output reg        out_overflow,
+    output reg        out_singular,
+    output reg  [5:0] out_iters
+);
+    localparam [7:0] ELBOW = 8'd0, COPY = 8'd6, TURN = 8'd13, LEG = 8'd40, JUDGE = 8'd56, NORM = 8'd60, DOT = 8'd111,
+                     PAIR = 8'd117, SCALE = 8'd128, SIDE = 8'd135, DONE = 8'd182, END = 8'd192;
+    localparam [7:0] SIZE = NORM + 8'd6;  // the line of NORM in which the square's size is known
+    localparam [2:0] SCALINGS = 3'd7;     // by 4, of a row: below 2^-15 there is nothing left of it
+    reg  [7:0] line;
+    reg        over, off, loads, multiplies;
+    reg        side, wanted, known;  // the side of this pass, of the robot, and whether that is known
+    reg  [2:0] count;  // of scalings
+    wire       over_elbow = line == COPY - 8'd1, over_leg = line == JUDGE - 8'd1, judge = line == NORM - 8'd1,
+               size = line == SIZE, over_norm = line == DOT - 8'd1, over_pair = line == SCALE - 8'd1,
+               over_scale = line == SIDE - 8'd1, over_move = line == DONE - 8'd1,
+               over_done = line == END - 8'd1;
+    wire       last_i = out_i == 3'd6, last_j = out_j == 3'd6;
+    wire       fits = out_range == 2'd1;
+    wire       crossed = out_iters != 6'd0 && side != wanted;
+    wire       good = !off && !over && !crossed;
+    wire       lost = size && (over || !fits && count == SCALINGS);
+    wire       stop = judge && (over || !off && crossed || off && out_iters == cfg_limit);
+    wire       fails = out_run && (lost || stop);  // it ends without a pose
+    assign     out_halt = fails || out_run && over_done;
+
+    reg  [7:0] jump;
+    always @* begin
+        jump = line + 8'd1;
+        if (over_elbow && !last_i)
+            jump = ELBOW;
+        if (over_leg && !last_i)
+            jump = LEG;
+        if (judge && good)
+            jump = DONE;
+        if (size && !fits)
+            jump = SCALE;
+        if (over_norm && last_i)
+            jump = SIDE;
+        if (over_pair)
+            jump = last_j ? NORM : PAIR;
+        if (over_scale)
+            jump = NORM;
+        if (over_move)
+            jump = TURN;
+        if (!out_run || out_halt)
+            jump = ELBOW;
+    end
+    assign out_next = jump;
+
+    always @(posedge clk) begin
+        line <= jump;
+        if (in_clear)
+            out_i <= 3'd1;
+        else if (over_elbow || over_leg || over_pair && last_j || over_move)
+            out_i <= last_i ? 3'd1 : out_i + 3'd1;
+        if (over_norm || over_pair || in_jump)
+            out_j <= over_norm && last_i ? 3'd1 : (over_norm ? out_i : out_j) + 3'd1;
+        if (over_scale || size && fits || in_clear)
+            count <= over_scale ? count + 3'd1 : 3'd0;
+        if (in_act == 3'd5)
+            out_range <= in_size;
+        over    <= !in_clear && (over || !in_act[2] && in_over);
+        off     <= !in_clear && !over_move && (off || (in_act == 3'd1 || in_act == 3'd2) && in_off);
+        if (over_norm || in_act == 3'd6)
+            side <= !over_norm && (side ^ in_negative);
+        if (over_move && !known && out_iters == 6'd0)
+            wanted <= side;
+        if (in_forget || over_done && out_run && out_iters != 6'd0)
+            known <= !in_forget;
+        if (in_clear)
+            out_iters <= 6'd0;
+        else if (out_run && over_move)
+            out_iters <= out_iters + 6'd1;
+        if (in_clear || fails) begin
+            out_failed   <= !in_clear;
+            out_overflow <= !in_clear && over;
+            out_singular <= !in_clear && (size ? !over : crossed);
+        end
+        // A line that reads when a reset comes would write behind the next sample's word; those before it do not
+        loads      <= out_run && !rst;
+        multiplies <= loads;
+        out_adds   <= multiplies;
+        out_run <= !rst && (in_start || out_run && !out_halt);
+    end
+endmodule
+`default_nettype wire
