@@ -18,7 +18,7 @@ def half(number):
         tools.require("no-such-tool")
     if number % 2:
         raise ValueError(f"{number} is odd")
-    return number // 2, cache.SINCE
+    return number // 2
 
 
 def nap(folder, number):
@@ -33,16 +33,12 @@ def dies_once(folder, number):
     if number == 1 and not done.exists():
         done.touch()
         os.kill(os.getpid(), signal.SIGKILL)
-    return number
+    return number, cache.SINCE
 
 
 @pytest.fixture
 def log(tmp_path, monkeypatch):
     monkeypatch.setattr(pool, "LOGS", tmp_path)
-
-
-def test_every_job_is_answered(log):
-    assert pool.run(half, [(2,), (4,), (8,)], since=5.0) == {(2,): (1, 5.0), (4,): (2, 5.0), (8,): (4, 5.0)}
 
 
 def test_every_failure_is_named_and_the_others_are_done(log):
@@ -54,9 +50,9 @@ def test_every_failure_is_named_and_the_others_are_done(log):
         "0: no-such-tool is missing: run `make setup`", "3: 3 is odd", "5: 5 is odd"]
 
 
-def test_the_job_of_a_worker_that_dies_is_done_by_another(log, tmp_path):
+def test_every_job_is_answered_that_of_a_worker_that_dies_by_another(log, tmp_path):
     jobs = [(str(tmp_path), i) for i in range(4)]
-    assert pool.run(dies_once, jobs) == {job: job[1] for job in jobs}
+    assert pool.run(dies_once, jobs, since=5.0) == {job: (job[1], 5.0) for job in jobs}
 
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])

@@ -49,8 +49,14 @@ def _choose(p: Params, joints: int, branches: list[dict[str, Ints]], cfg: dict[s
 
     room = [tuple(np.broadcast_to(ints(cfg[f"cfg_{name}{i}"]), count) for name in ("mc", "mn", "h")) for i in numbers]
 
-    def allowed(pose: list[tuple[Ints, Ints]], at: int | slice) -> Ints:
-        return np.all([_dot(p, joint, (mc[at], mn[at])) > h[at] for joint, (mc, mn, h) in zip(pose, room)], axis=0)
+    def allowed(pose: list[tuple[Ints, Ints]]) -> Ints:
+        return np.all([_dot(p, joint, (mc, mn)) > h for joint, (mc, mn, h) in zip(pose, room)], axis=0)
+
+    limits = [[words.tolist() for words in joint] for joint in room]
+
+    def within(pose: list[tuple[int, int]], k: int) -> bool:
+        """The same of one sample."""
+        return all((c * mc[k] >> u) + (n * mn[k] >> u) > h[k] for (c, n), (mc, mn, h) in zip(pose, limits))
 
     def together(pose: list[tuple[Ints, Ints]]) -> list[tuple[Ints, Ints]]:
         """Joint 2 as the machine measures it."""
@@ -62,7 +68,7 @@ def _choose(p: Params, joints: int, branches: list[dict[str, Ints]], cfg: dict[s
         pose = together(raw)
         none = [np.broadcast_to(found.get(f"none{i}", False), count).tolist() for i in numbers]
         words = np.stack([word for joint in pose for word in joint], axis=1)
-        columns.append((words.tolist(), allowed(pose, slice(None)).tolist(),
+        columns.append((words.tolist(), allowed(pose).tolist(),
                         np.broadcast_to(found["status"], count).tolist(), none, raw))
     last, answers = [one, 0] * joints, []
     for k in range(count):
@@ -72,8 +78,8 @@ def _choose(p: Params, joints: int, branches: list[dict[str, Ints]], cfg: dict[s
             if status & 2:  # some joint has no direction
                 held = [tuple(last[2 * i:2 * i + 2]) if none[i][k] else (raw[i][0][k], raw[i][1][k])
                         for i in range(joints)]
-                held = together(held)
-                pose, fit = [int(word) for joint in held for word in joint], bool(allowed(held, k))
+                held = [tuple(map(int, joint)) for joint in together(held)]
+                pose, fit = [word for joint in held for word in joint], within(held, k)
             score = sum((pose[i] * last[i] >> u) for i in range(2 * joints))
             key = fit, not status & 1, score
             if best is None or key > best[0]:

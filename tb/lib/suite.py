@@ -19,7 +19,7 @@ from tb.lib.simulate import SIMULATORS, available, simulate
 SEED = int(os.environ.get("SEED") or 2026)
 EXHAUSTIVE_BITS = 16
 BULK_SAMPLES = 50_000
-BULK_CLOCKS = 1_500_000  # a core of many clocks gets fewer samples; the long run has a million of every core
+BULK_CLOCKS = 1_000_000  # a core of many clocks gets fewer samples; the long run has a million of every core
 LONG_SAMPLES = 1_000_000
 STALLED, FEW = 8, 2000  # one sample in so many, but not fewer than that, goes through again with idle cycles and stalls
 
