@@ -90,6 +90,16 @@ def by_plane(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
         plane.config(core.params, example.alpha * lsb**2) | {"cfg_tol": ANSWER, "cfg_limit": LIMIT}
 
 
+def by_newton(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
+    """engine_newton_3r, undamped, with the paper's unit links, an eighth of a word each, and its target (1.5, 0)."""
+    link, a = 1 << core.params["W"] - 3, core.params["A"]
+    start = truth.angle_to_binary_word(grid(2), a) & (1 << a) - 1
+    words = {"in_x": 3 * link // 2, "in_j1": start[:, 0], "in_j2": start[:, 1]}
+    lengths = {"cfg_l1": link, "cfg_l2": link}
+    return {port.name: np.broadcast_to(words.get(port.name, 0), len(start)) for port in core.inputs}, \
+        lengths | {"cfg_l3": link, "cfg_tol": ANSWER, "cfg_limit": LIMIT} | newton_fixed.config(core.params, **lengths)
+
+
 TWO = ("vector_ik2", "table_ik2")
 ENTRIES = {
     "engine_quaternion_gd": Entry("2 joints in the plane, to 1 LSB (12 um)", by_example,
@@ -99,5 +109,7 @@ ENTRIES = {
     "engine_quaternion_gd_touch": Entry("Geomagic Touch, to 1 LSB (16 um)", by_example,
                                         engines.EXAMPLES["engine_quaternion_gd_touch"].clocks,
                                         ("vector_ik3", "table_ik3")),
+    "engine_newton_3r": Entry("3 joints in the plane and an orientation, to 1 LSB (links 8192)", by_newton, 16,
+                              ("table_ik3r",)),
     "engine_quaternion_gd_plane": Entry("n joints in the plane, 2 of them, to 1 LSB (12 um)", by_plane, 12, TWO,
                                         lambda inputs: np.flatnonzero(inputs["in_op"] == plane.SOLVE))}
