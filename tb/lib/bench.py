@@ -28,7 +28,7 @@ LATENCY, II = CORE.latency or 8, CORE.ii or 1
 # A clock here costs as much as a thousand in the bulk run: here is every kind of sample, there is their number.
 RESETS = min(60, 15 * LATENCY)  # a core of one clock has no moment in between
 CLOCKS = 1_000  # about as many for the corners of all configurations
-SAMPLES = max(6, min(20, 2_000 // LATENCY))
+SAMPLES = max(6, min(20, 2_000 // max(LATENCY, II)))
 
 
 def _rng() -> np.random.Generator:
