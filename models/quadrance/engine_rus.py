@@ -154,6 +154,22 @@ def quaternion_to_matrix(p: Params, *, in_w: Ints, in_x: Ints, in_y: Ints, in_z:
     return held | {"out_status": 2 * ints(~unit)}
 
 
+# Is a pose's matrix a rotation?
+
+
+def rotation_check(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """The words of a matrix, and whether |a| = |b| = 1, a . b = 0, a x b = c of its columns, each to 16 units."""
+    u = p["U"]
+    r = {name[4:]: ints(words) for name, words in ports.items()}
+    a, b, c = ([r[row + column] for row in "123"] for column in "123")
+    sums = [sum(x * y for x, y in zip(*pair)) for pair in ((a, a), (b, b), (a, b))]
+    sums[:2] = (total - (1 << 2 * u) for total in sums[:2])
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        sums.append(a[j] * b[k] + ~a[k] * b[j] - (c[i] << u))
+    wrong = np.any([wrap(total, u + 5) != total for total in sums], axis=0)
+    return {f"out_r{name}": words for name, words in r.items()} | {"out_status": 8 * ints(wrong)}
+
+
 # Words for a robot
 
 

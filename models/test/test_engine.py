@@ -9,7 +9,7 @@ from quadrance.bounds import engine as bounds
 from quadrance.parallel import geometry, position
 from quadrance.parallel.geometry import PoseError
 
-from tb.engine.stimulus import SCALE, quaternions, spiral, workspace
+from tb.engine.stimulus import SCALE, matrices, quaternions, spiral, workspace
 
 CORES = [core for core in cores.all_cores() if core.name == "engine_rus_ik"]
 EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
@@ -168,3 +168,59 @@ def test_matrices_of_quaternions(core):
             assert found[0] == found[1] == (i == j) * one
             held = np.flatnonzero(bad[2:]) + 2
             assert np.array_equal(found[held], found[held - 1])
+
+
+CHECKS = pytest.mark.parametrize("core", [core for core in cores.all_cores() if core.name == "rotation_check"],
+                                 ids=lambda core: core.id)
+
+
+def told(core, words: np.ndarray) -> np.ndarray:
+    """Which of the matrices (N, 3, 3) raise bit 3; the words pass."""
+    ports = dict(zip((port.name for port in core.inputs), words.reshape(-1, 9).T))
+    out = core.model(core.params, **ports)
+    assert all(np.array_equal(out["out" + name[2:]], word) for name, word in ports.items())
+    return out["out_status"] == 8
+
+
+@CHECKS
+def test_no_rotation_is_told_to_the_unit(core):
+    """Each of the six sums against float64, which holds them exactly; what passes is near a rotation."""
+    one = 1 << core.params["U"]
+    words = np.stack(list(matrices(core, np.random.default_rng(4)).values()), axis=-1).reshape(-1, 3, 3)
+    a, b, c = np.moveaxis(words / one, -1, 0)
+    sums = [(a * a).sum(-1) - 1, (b * b).sum(-1) - 1, (a * b).sum(-1),
+            *(np.cross(a, b) - c - np.roll(b, -1, axis=-1) / one).T]
+    low, high = np.min(sums, axis=0) * one, np.max(sums, axis=0) * one
+    off = (low < -16) | (high >= 16)
+    found = told(core, words)
+    assert np.array_equal(found, off) and 0.3 < off.mean() < 0.7
+    assert all(np.any((np.array(sums)[i] * one >= 16) & (np.delete(sums, i, axis=0) * one < 16).all(0))
+               for i in range(6))
+    u, _, v = np.linalg.svd(words[~found] / one)
+    assert np.all(np.linalg.det(u @ v) > 0)
+    apart = np.linalg.norm(words[~found] / one - u @ v, axis=(1, 2))
+    assert apart.max() <= bounds.rotation_apart(core.params) < 50 / one
+
+
+@CHECKS
+def test_rotations_are_not_told_and_others_are(core):
+    """Rounded rotations and matrices of rounded unit quaternions pass; a word 48 units off, a mirror image, a stretched
+    matrix, a shear of length sqrt(3), nothing do not."""
+    p, rng = core.params, np.random.default_rng(6)
+    one = 1 << p["U"]
+    q = rng.normal(size=(4000, 4))
+    q[:1000] *= 10.0 ** rng.uniform(-6, 0, (1000, 4))
+    q = np.rint(q / np.linalg.norm(q, axis=1, keepdims=True) * one).astype(int)
+    made = engine_rus.quaternion_to_matrix(p, in_w=q[:, 0], in_x=q[:, 1], in_y=q[:, 2], in_z=q[:, 3])
+    assert np.all(made.pop("out_status") == 0)
+    of_words = np.stack([made[f"out_r{i}{j}"] for i in "123" for j in "123"], axis=-1).reshape(-1, 3, 3)
+    turns = np.array([geometry.rotation(*zip("zyx", angles)) for angles in rng.uniform(-180, 180, (1000, 3))])
+    words = np.rint(turns * one).astype(int)
+    assert not told(core, of_words).any() and not told(core, words).any()
+    for i in range(9):
+        assert told(core, words + 48 * np.eye(9, dtype=int)[i].reshape(3, 3)).all()
+    assert told(core, -words).all() and told(core, 0 * words).all()
+    assert told(core, words * [1, 1, -1]).all() and told(core, words * 103 // 100).all()
+    e = 0.1
+    shear = np.array([[1, e, 0], [0, np.sqrt(1 - e * e), 0], [0, 0, 1]])
+    assert np.isclose(np.linalg.norm(shear), np.sqrt(3)) and told(core, np.rint(turns @ shear * one).astype(int)).all()

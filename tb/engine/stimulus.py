@@ -29,7 +29,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Each robot with its own words, then extremes and some at random; of other engines those of their files."""
     if core.model_name in OTHERS:
         return OTHERS[core.model_name].configs(core, rng)
-    if core.function == "quaternion_to_matrix":
+    if core.function in MATRICES:
         return [{}]
     robots = [words_of(core, name) for name in SCALE]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
@@ -82,13 +82,44 @@ def quaternions(core: Core, rng: np.random.Generator) -> Vectors:
     return {port.name: words[:, i] for i, port in enumerate(core.inputs)}
 
 
+def matrices(core: Core, rng: np.random.Generator) -> Vectors:
+    """Rotations, each of the six sums next to its slack, alone; borders to the unit at the axes; ends of words."""
+    one = 1 << core.params["U"]
+    turns = np.linalg.qr(rng.normal(size=(700, 3, 3)))[0]
+    turns *= np.linalg.det(turns)[:, None, None]
+    near = turns.copy()
+    off = rng.choice([-1, 1], 700) * (16 + rng.uniform(-4, 4, 700)) / one
+    for i in range(100, 700):
+        kind, e = i % 6, off[i]
+        if kind < 2:
+            near[i, :, kind] *= np.sqrt(1 + e)
+            near[i, :, 2] *= np.sqrt(1 + e)
+        elif kind == 2:
+            near[i, :, 0] += e * near[i, :, 1]
+        else:
+            near[i, kind - 3, 2] += e
+    axes = np.tile(np.eye(3, dtype=int) * one, (66, 1, 1))
+    for i, axis in enumerate(axes):
+        axis[:] = axis[rng.permutation(3)]
+        axis[:, 2] = np.cross(axis[:, 0] // one, axis[:, 1] // one) * one
+        axis[i % 3, rng.integers(3)] += [0, *range(14, 19), *range(-18, -13)][i % 11]
+    edge = np.array([rng.choice(stimulus.extremes(port), 100) for port in core.inputs]).T.reshape(-1, 3, 3)
+    mirror = turns[:20] * [1, 1, -1]
+    words = np.concatenate([np.rint(near * one).astype(int), axes, np.rint(mirror * one).astype(int), edge,
+                            np.zeros((1, 3, 3), dtype=int)]).reshape(-1, 9)
+    return dict(zip((port.name for port in core.inputs), rng.permutation(words).T))
+
+
+MATRICES = {"quaternion_to_matrix": quaternions, "rotation_check": matrices}
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Poses of a robot behind its geometry; then joints on their axes, and geometry and poses at the ends of words."""
     if core.model_name in OTHERS:
         return OTHERS[core.model_name].corners(core, cfg)
     rng = np.random.default_rng(1)
-    if core.function == "quaternion_to_matrix":
-        return quaternions(core, rng)
+    if core.function in MATRICES:
+        return MATRICES[core.function](core, rng)
     name = next((one for one in SCALE
                  if words_of(core, one) == cfg), "rus_2x3")
     robot, scale = geometry.load(name), SCALE[name]

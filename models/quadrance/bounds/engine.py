@@ -77,6 +77,22 @@ def rus_band(distance: ArrayLike, la: float, flat: ArrayLike) -> Floats:
     return 2 * floats(flat) * move + move**2 + 1 / FINE**2
 
 
+def rotation_apart(p: dict[str, int]) -> float:
+    """Distance (Frobenius) from the nearest rotation that a matrix without `rotation_check`'s status can have.
+
+    Its columns a, b, c against the rotation that a and b span, (a / |a|, b' / |b'|, their cross product), b' what of b
+    is across a. A length is off by half the slack, b along a by the slack, c by the slack and the one's complement,
+    b_i units, in every word, and by a x b, whose length is |a| |b'|.
+    """
+    unit = 2.0 ** -p["U"]
+    slack = 16 * unit
+    least = np.sqrt(1 - slack)
+    along = slack / least
+    across = np.sqrt(1 - slack - along**2)
+    third = np.sqrt(3) * (slack + unit * np.sqrt(1 + slack)) + 1 - least * across
+    return float(np.sqrt((1 - least) ** 2 + along**2 + (1 - across) ** 2 + third**2))
+
+
 def delta_tip(p: dict[str, int], elbows: ArrayLike, tip: ArrayLike, lb: float) -> tuple[Floats, Floats]:
     """Distance of the tip of `engine_delta_fk` before its rounding from the exact one, and the band of its `gap`.
 
