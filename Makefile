@@ -17,6 +17,8 @@ TESTS  := $(PY) -m pytest -q -n $(N) --dist worksteal --names
 export SEED
 export SIM
 export FARM
+# where the shell forbids compiled Python, every simulation would compile its libraries again: a third of make test
+unexport PYTHONDONTWRITEBYTECODE
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
