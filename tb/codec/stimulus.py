@@ -23,16 +23,18 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
 
 
 def _vectors(core: Core, rng: np.random.Generator) -> Vectors:
-    """Unit vectors beside borders and anywhere; where another axis is nearer, or no axis; any length; extremes."""
+    """Unit vectors beside borders and anywhere; nearer another axis, or none; any length; extremes; one bit."""
     joint, one = joints(core.inputs)[0], 1 << core.params["U"]
     border = codecs.border_words(joint)
     anywhere = codecs.encode(joint, rng.uniform(0, 2 * np.pi, 400))
     edges = [edge + step for size in (one // 2, one * 11 // 16, round(one * 0.75**0.5), one * 3 // 2)
              for edge in (-size, size) for step in (-1, 0, 1)]
     words = {}
-    for port in joint:
+    for along, port in enumerate(joint):
+        bits = 1 << np.arange(port.width - 1)
+        bit = np.roll(np.concatenate([bits, -bits, 0 * bits, 0 * bits]), 2 * along * bits.size)  # on either axis
         edge = np.append(rng.choice(edges, 300), rng.choice(extremes(port), 300))
-        words[port.name] = np.concatenate([border[port.name], anywhere[port.name], edge,
+        words[port.name] = np.concatenate([border[port.name], anywhere[port.name], edge, bit,
                                            rng.integers(port.low, port.high, 200, endpoint=True)])
     size = words[joint[0].name].size
     order, blank = rng.permutation(size), np.arange(size) % 11 == 3
