@@ -39,7 +39,9 @@ def _vectors(core: Core, rng: np.random.Generator) -> Vectors:
     size = words[joint[0].name].size
     order, blank = rng.permutation(size), np.arange(size) % 11 == 3
     blank[:2] = True  # held word: 0 after a reset
-    return {name: np.where(blank, 0, word[order]) for name, word in words.items()}
+    zeros = sum((word == 0).astype(int) for word in words.values())
+    lone = ((zeros == 1) & np.all([word & word - 1 == 0 for word in words.values()], axis=0))[order]  # of one bit
+    return {name: np.where(blank & ~lone, 0, word[order]) for name, word in words.items()}
 
 
 def _plain(core: Core) -> Vectors:
