@@ -1,8 +1,8 @@
-// The contract where the latency varies: nothing lost, doubled or made up, results that wait unchanged, and an end: a
-// sample inside is always at one line of the table, and every pass but the first counts, up to cfg_limit.
-// So a result comes after at most cfg_limit + 1 passes. One clock of reset is enough, from any state.
+// The contract where the latency varies (one_inside.sv), and an end: a sample inside is always at one line of the
+// table, and every pass but the first counts, up to cfg_limit. So a result comes after at most cfg_limit + 1 passes.
+// One clock of reset is enough, from any state.
 // rtl: engine/engine_newton_3r.v arith/schedule.v
-// with: newton_parts.sv
+// with: one_inside.sv newton_parts.sv
 // proof W16A20 mode=prove depth=2 W=16 F=8 A=20
 // proof W12A24 mode=prove depth=2 W=12 F=6 A=24
 module engine_newton_3r_props #(parameter W = 16, F = 8, A = 20) (
@@ -17,9 +17,7 @@ module engine_newton_3r_props #(parameter W = 16, F = 8, A = 20) (
     wire [3:0] out_status;
     engine_newton_3r #(.W(W), .F(F), .A(A)) dut (.*);
 
-    reg live, inside, waits;
-    initial {live, inside, waits} = 0;
-    always @* if (!live) assume (rst);
+    wire live, inside;
 
     (* hierconn *) wire [15:0] \dut.control.step ;
     (* hierconn *) wire \dut.first ;
@@ -28,21 +26,9 @@ module engine_newton_3r_props #(parameter W = 16, F = 8, A = 20) (
     wire        first = \dut.first ;
 
     wire [3*A+46:0] result = {out_j1, out_j2, out_j3, out_iters, out_error, out_coarse, out_status};
-    reg  [3*A+46:0] result_before;
-    reg  [2*W+31:0] cfg_before;
     wire [2*W+31:0] cfg = {cfg_l1, cfg_l2, cfg_limit, cfg_tol};
-    always @(posedge clk) begin
-        live <= 1;
-        inside <= !rst && (in_valid && in_ready || inside && !(out_valid && out_ready));
-        waits <= live && !rst && out_valid && !out_ready;
-        result_before <= result;
-        cfg_before <= cfg;
-    end
+    one_inside #(.WO(3*A+47), .WC(2*W+32)) rules (.*);
     always @* if (live) begin
-        if (inside) assume (cfg == cfg_before);
-        assert (in_ready == (!inside || out_valid && out_ready));
-        if (out_valid) assert (inside);
-        if (waits) assert (out_valid && result == result_before);
         assert ((step != 0) == (inside && !out_valid));
         assert ((step & step - 1) == 0);
         if (inside) assert (out_iters <= cfg_limit);

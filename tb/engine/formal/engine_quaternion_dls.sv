@@ -1,8 +1,8 @@
-// The contract where the latency varies: nothing lost, doubled or made up, results that wait unchanged, and an end: a
-// sample inside is always at one line of the table, and every pass but the first counts, up to cfg_limit. The last step
-// is in its registers before a result comes. One clock of reset is enough, from any state.
+// The contract where the latency varies (one_inside.sv), and an end: a sample inside is always at one line of the
+// table, and every pass but the first counts, up to cfg_limit. The last step is in its registers before a result
+// comes. One clock of reset is enough, from any state.
 // rtl: engine/engine_quaternion_dls.v engine/engine_newton_3r.v arith/schedule.v
-// with: newton_parts.sv
+// with: one_inside.sv newton_parts.sv
 // proof W16A24 mode=prove depth=2 W=16 F=8 A=24
 // proof W12A20 mode=prove depth=2 W=12 F=6 A=20
 module engine_quaternion_dls_props #(parameter W = 16, F = 8, A = 24) (
@@ -17,9 +17,7 @@ module engine_quaternion_dls_props #(parameter W = 16, F = 8, A = 24) (
     wire [3:0] out_status;
     engine_quaternion_dls #(.W(W), .F(F), .A(A)) dut (.*);
 
-    reg live, inside, waits;
-    initial {live, inside, waits} = 0;
-    always @* if (!live) assume (rst);
+    wire live, inside;
 
     (* hierconn *) wire [15:0] \dut.newton.control.step ;
     (* hierconn *) wire \dut.newton.first ;
@@ -29,21 +27,9 @@ module engine_quaternion_dls_props #(parameter W = 16, F = 8, A = 24) (
     wire        first = \dut.newton.first , begins = \dut.begins ;
 
     wire [4*A+46:0] result = {out_d1, out_d2, out_j1, out_j2, out_iters, out_error, out_coarse, out_status};
-    reg  [4*A+46:0] result_before;
-    reg  [2*W+31:0] cfg_before;
     wire [2*W+31:0] cfg = {cfg_l1, cfg_l2, cfg_limit, cfg_tol};
-    always @(posedge clk) begin
-        live <= 1;
-        inside <= !rst && (in_valid && in_ready || inside && !(out_valid && out_ready));
-        waits <= live && !rst && out_valid && !out_ready;
-        result_before <= result;
-        cfg_before <= cfg;
-    end
+    one_inside #(.WO(4*A+47), .WC(2*W+32)) rules (.*);
     always @* if (live) begin
-        if (inside) assume (cfg == cfg_before);
-        assert (in_ready == (!inside || out_valid && out_ready));
-        if (out_valid) assert (inside);
-        if (waits) assert (out_valid && result == result_before);
         assert ((step != 0) == (inside && !out_valid));
         assert ((step & step - 1) == 0);
         if (inside) assert (out_iters <= cfg_limit);

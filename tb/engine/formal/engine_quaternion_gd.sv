@@ -1,8 +1,8 @@
-// The contract where the latency varies: nothing lost, doubled or made up, results that wait unchanged, and an end: a
-// sample inside is always at one line of the table, at most cfg_limit passes count, and no two in a row do not.
-// So a result comes after at most 2 cfg_limit + 2 passes. One clock of reset is enough, from any state.
+// The contract where the latency varies (one_inside.sv), and an end: a sample inside is always at one line of the
+// table, at most cfg_limit passes count, and no two in a row do not. So a result comes after at most 2 cfg_limit + 2
+// passes. One clock of reset is enough, from any state.
 // rtl: engine/engine_quaternion_gd.v engine/engine_gd_judge.v arith/schedule.v
-// with: gradient_parts.sv
+// with: one_inside.sv gradient_parts.sv
 // proof W16A24 mode=prove depth=2 W=16 F=8 A=24
 // proof W14A20 mode=prove depth=2 W=14 F=6 A=20
 module engine_quaternion_gd_props #(parameter W = 16, F = 8, A = 24) (
@@ -16,9 +16,9 @@ module engine_quaternion_gd_props #(parameter W = 16, F = 8, A = 24) (
     wire [3:0] out_status;
     engine_quaternion_gd #(.W(W), .F(F), .A(A)) dut (.*);
 
-    reg live, inside, waits, idled;
-    initial {live, inside, waits, idled} = 0;
-    always @* if (!live) assume (rst);
+    wire live, inside;
+    reg idled;
+    initial idled = 0;
 
     (* hierconn *) wire [11:0] \dut.control.step ;
     (* hierconn *) wire \dut.fine ;
@@ -27,22 +27,11 @@ module engine_quaternion_gd_props #(parameter W = 16, F = 8, A = 24) (
     wire        counts = !\dut.wide ;
 
     wire [4*A+2*W+14:0] result = {out_d1, out_d2, out_j1, out_j2, out_iters, out_error, out_coarse, out_status};
-    reg  [4*A+2*W+14:0] result_before;
-    reg  [32:0] cfg_before;
     wire [32:0] cfg = {cfg_shift, cfg_limit, cfg_tol};
-    always @(posedge clk) begin
-        live <= 1;
-        inside <= !rst && (in_valid && in_ready || inside && !(out_valid && out_ready));
-        waits <= live && !rst && out_valid && !out_ready;
+    one_inside #(.WO(4*A+2*W+15), .WC(33)) rules (.*);
+    always @(posedge clk)
         idled <= live && !rst && step[11] && !counts;
-        result_before <= result;
-        cfg_before <= cfg;
-    end
     always @* if (live) begin
-        if (inside) assume (cfg == cfg_before);
-        assert (in_ready == (!inside || out_valid && out_ready));
-        if (out_valid) assert (inside);
-        if (waits) assert (out_valid && result == result_before);
         assert ((step != 0) == (inside && !out_valid));
         assert ((step & step - 1) == 0);
         if (inside) assert (out_iters <= cfg_limit);

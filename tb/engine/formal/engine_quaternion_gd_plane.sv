@@ -1,8 +1,8 @@
-// The contract where the latency varies: nothing lost, doubled or made up, results that wait unchanged, and an end: a
-// sample inside that solves is at one place of a loop over its links, which are counted up to n, and its tail; at most
-// cfg_limit passes count, and no two in a row do not. One clock of reset is enough, from any state.
+// The contract where the latency varies (one_inside.sv), and an end: a sample inside that solves is at one place of a
+// loop over its links, which are counted up to n, and its tail; at most cfg_limit passes count, and no two in a row do
+// not. One clock of reset is enough, from any state.
 // rtl: engine/engine_quaternion_gd_plane.v arith/schedule.v
-// with: plane_parts.sv
+// with: one_inside.sv plane_parts.sv
 // proof W16N8 mode=prove depth=2 W=16 F=8 A=24 N=8
 // proof W14N3 mode=prove depth=2 W=14 F=6 A=20 N=3
 module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8) (
@@ -16,9 +16,7 @@ module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8
     wire [3:0] out_status;
     engine_quaternion_gd_plane #(.W(W), .F(F), .A(A), .N(N)) dut (.*);
 
-    reg live, inside, waits;
-    initial {live, inside, waits} = 0;
-    always @* if (!live) assume (rst);
+    wire live, inside;
 
     (* hierconn *) wire [6:0] \dut.links.step ;
     (* hierconn *) wire [7:0] \dut.tail.step ;
@@ -52,21 +50,9 @@ module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8
     wire first = tail[7:6] != 0 || tail == 0 && links[6:3] == 0;  // link 1 is played alone
 
     wire [A+2*W+14:0] result = {out_j, out_iters, out_error, out_coarse, out_status};
-    reg  [A+2*W+14:0] result_before;
-    reg  [33:0] cfg_before;
     wire [33:0] cfg = {cfg_shift, cfg_limit, cfg_tol};
-    always @(posedge clk) begin
-        live <= 1;
-        inside <= !rst && (in_valid && in_ready || inside && !(out_valid && out_ready));
-        waits <= live && !rst && out_valid && !out_ready;
-        result_before <= result;
-        cfg_before <= cfg;
-    end
+    one_inside #(.WO(A+2*W+15), .WC(34)) rules (.*);
     always @* if (live) begin
-        if (inside) assume (cfg == cfg_before);
-        assert (in_ready == (!inside || out_valid && out_ready));
-        if (out_valid) assert (inside);
-        if (waits) assert (out_valid && result == result_before);
         assert (\dut.busy == (inside && !out_valid));
         assert (\dut.busy == (\dut.check || \dut.answer || solves));
         assert (\dut.check + \dut.answer + solves < 2);
