@@ -179,13 +179,14 @@ class Bench:
                 raise AssertionError(f"no in_ready for {patience} cycles")
         in_valid.value = 0
 
-    async def drain(self, patience: int = 4000) -> None:
-        """Wait until every accepted sample has its result, then a little for one too many."""
+    async def drain(self, patience: int = 4000, after: int | None = None) -> None:
+        """Wait until every accepted sample has its result, then `after` clocks, a latency by default, for one too many.
+        """
         await self.edge
         for _ in range(patience):
             await self.edge
             if len(self.board.results) == len(self.board.accepted):
                 break
-        for _ in range(4 + (self.core.latency or 0)):
+        for _ in range(4 + (self.core.latency or 0) if after is None else after):
             await self.edge
         self.board.check()

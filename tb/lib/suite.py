@@ -21,7 +21,7 @@ EXHAUSTIVE_BITS = 16
 BULK_SAMPLES = 50_000
 BULK_CLOCKS = 1_000_000  # a core of many clocks gets fewer samples; the long run has a million of every core
 LONG_SAMPLES = 1_000_000
-STALLED, FEW = 8, 2000  # one sample in so many, but not fewer than that, goes through again with idle cycles and stalls
+STALLED, FEW = 8, 2000  # one sample in so many goes through again with idle cycles and stalls, and that many at least
 
 
 def simulators() -> list[str]:
@@ -37,10 +37,10 @@ def bulk_samples(core: Core) -> int:
     return min(BULK_SAMPLES, BULK_CLOCKS // (core.ii or 1))
 
 
-def _again(rng: np.random.Generator, result: bulk.Result) -> np.ndarray:
+def _again(rng: np.random.Generator, result: bulk.Result, few: int) -> np.ndarray:
     """Indices of samples for the run with stalls; half of them have every status alike: flags change often."""
     size = result.latency.size
-    pick = rng.integers(0, size, max(size // STALLED, FEW))
+    pick = rng.integers(0, size, max(size // STALLED, few))
     status = result.outputs.get("out_status", np.zeros(size, int))
     kinds = [np.flatnonzero(status == kind) for kind in np.unique(status)]
     for place in np.flatnonzero(rng.random(pick.size) < 0.5):
@@ -58,6 +58,7 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
     rng = np.random.default_rng(seed)
     configs = stimulus.configs(core, rng)
     every = stimulus.input_bits(core) <= EXHAUSTIVE_BITS
+    few = min(FEW, BULK_CLOCKS // (core.ii or 1) // len(configs))
     total = 0
     for index, cfg in enumerate(configs):
         inputs = stimulus.exhaustive(core) if every else stimulus.uniform(core, rng, samples // len(configs))
@@ -71,10 +72,10 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
             continue
         if core.latency is not None:
             bulk.timing(core, result)
-        pick = _again(rng, result)
-        few = {name: words[pick] for name, words in inputs.items()}
-        result = bulk.stream(built or core, few, cfg, seed=seed + index + 1, label=label, plusargs=plusargs)
-        bulk.compare(core, few, cfg, result)
+        pick = _again(rng, result, few)
+        picked = {name: words[pick] for name, words in inputs.items()}
+        result = bulk.stream(built or core, picked, cfg, seed=seed + index + 1, label=label, plusargs=plusargs)
+        bulk.compare(core, picked, cfg, result)
         if core.ii == core.latency > 1:  # one sample at a time: a stall delays the next one, never the one inside
             bulk.timing(core, result, stalled=True)
         total += result.latency.size
