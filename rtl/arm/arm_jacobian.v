@@ -29,14 +29,11 @@ module arm_jacobian #(
     input  wire signed [W-1:0] in_w3,
     output reg                 out_valid,
     input  wire                out_ready,
-    output reg  signed [W-1:0] out_x,
+    output wire signed [W-1:0] out_x,
     output wire signed [W-1:0] out_y,
-    output reg  signed [W-1:0] out_z,
+    output wire signed [W-1:0] out_z,
     output wire                out_overflow
 );
-    localparam G = 4, N = 2*W - V + 3 + G;  // guard bits; bits of a velocity inside
-    localparam M = W + 1 + U - V, X = W - 1 - V;  // bits of a left operand, those that it has before a cosine
-
     // Schedule. start: c1 n1 c3 n3 s w2 w3 left right <- in_c1 in_n1 in_c2 in_n2 in_c3 in_n3 in_w1 in_w2 in_w3
     // The operands of the first line are L2 and (c2, n2): the choice of right ones that is 0, and what a start loads
     localparam [10:0]                  // operands of the next clock
@@ -73,13 +70,10 @@ module arm_jacobian #(
         /* v_rho     */ {TURN3, OUT_Z},
         /* x         */ {LAST3, TO_A},
         /* y         */ {NONE,  OUT_X}};
-    wire [2:0] left1_from, left2_from;
-    wire [4:0] right_from;
-    wire       add, to_a, to_b, to_p, to_q, to_z, to_x, last, idle;
-    wire       accept = in_valid && in_ready;
-    assign     in_ready = idle && (!out_valid || out_ready);
     wire [18:0] op;
-    assign     {left1_from, left2_from, right_from, add, to_a, to_b, to_p, to_q, to_z, to_x, last} = op;
+    wire        idle;
+    wire        accept = in_valid && in_ready;
+    assign      in_ready = idle && (!out_valid || out_ready);
     generate
         if (JOINTS == 2) begin : g_two
             schedule #(.LINES(5), .BITS(19), .TABLE(PLANE)) control (
@@ -90,87 +84,11 @@ module arm_jacobian #(
         end
     endgenerate
 
-    // Left: c, n and rates, the latter aligned to U fraction bits. Right: lengths and velocities. Both are chosen a
-    // clock before the product, which so begins at registers: the left one itself, the choice of the right one
-    reg  signed [M-1:0] c1, n1, c3, n3, s, w2, w3, left1, left2, next1, next2;
-    reg  signed [N-1:0] a, b, p, q, right1, right2;
-    reg         [4:0]   right;
-    wire        [N-1:0] l1 = {{(N-W-G){1'b0}}, cfg_l1, {G{1'b0}}}, l2 = {{(N-W-G){1'b0}}, cfg_l2, {G{1'b0}}};
-    wire        [W:0]   both = {in_w1[W-1], in_w1} + {in_w2[W-1], in_w2};
-    always @* begin
-        case (left1_from)
-            3'd1: next1 = s;
-            3'd2: next1 = c1;
-            3'd3: next1 = n1;
-            3'd4: next1 = w3;
-            3'd5: next1 = c3;
-            3'd6: next1 = n3;
-            default: next1 = {M{1'b0}};
-        endcase
-        case (left2_from)
-            3'd1: next2 = w2;
-            3'd2: next2 = s;
-            3'd3: next2 = n1;
-            3'd4: next2 = c1;
-            3'd5: next2 = n3;
-            3'd6: next2 = c3;
-            default: next2 = {M{1'b0}};
-        endcase
-        case (right[4:3])
-            2'd1: right1 = a;
-            2'd2: right1 = q;
-            2'd3: right1 = p;
-            default: right1 = l2;
-        endcase
-        case (right[2:1])
-            2'd1: right2 = l1;
-            2'd2: right2 = b;
-            2'd3: right2 = p;
-            default: right2 = l2;
-        endcase
-        right2 = right2 ^ {N{right[0]}};
-    end
-    /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [M+N-1:0] product1 = left1 * right1, product2 = left2 * right2;
-    /* verilator lint_on UNUSEDSIGNAL */
-    // Where L1 is added the second product stands alone, for b
-    wire [N-1:0] cut1 = product1[N+U-1:U], cut2 = product2[N+U-1:U];
-    wire [N-1:0] sum = cut1 + (add ? l1 : cut2);
-
-    // a is rounded on its way out
-    wire [N-G-1:0] nearest = a[N-1:G] + {{(N-G-1){1'b0}}, a[G-1]};
-    wire           over = nearest[N-G-1:W-1] != {(N-G-W+1){nearest[N-G-1]}};
-    reg            over_before;
-    assign         out_y = over ? {nearest[N-G-1], {(W-1){!nearest[N-G-1]}}} : nearest[W-1:0];
-    assign         out_overflow = over || over_before;
-    always @(posedge clk) begin
-        if (accept) begin
-            c1 <= {{X{in_c1[U+1]}}, in_c1};
-            n1 <= {{X{in_n1[U+1]}}, in_n1};
-            c3 <= {{X{in_c3[U+1]}}, in_c3};
-            n3 <= {{X{in_n3[U+1]}}, in_n3};
-            s  <= {both, {(U-V){1'b0}}};
-            w2 <= {in_w2[W-1], in_w2, {(U-V){1'b0}}};
-            w3 <= {in_w3[W-1], in_w3, {(U-V){1'b0}}};
-        end
-        left1 <= accept ? {{X{in_c2[U+1]}}, in_c2} : next1;
-        left2 <= accept ? {{X{in_n2[U+1]}}, in_n2} : next2;
-        right <= right_from;
-        if (to_a)
-            a <= sum;
-        if (to_b)
-            b <= add ? cut2 : sum;
-        if (to_p)
-            p <= sum;
-        if (to_q)
-            q <= sum;
-        if (to_z)
-            out_z <= out_y;
-        if (to_x)
-            out_x <= out_y;
-        if (accept || to_z || to_x)
-            over_before <= !accept && (over || over_before);
-        out_valid <= !rst && (last || (out_valid && !out_ready));
-    end
+    arm_jacobian_path #(.W(W), .U(U), .V(V)) path (
+        .clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_start(accept), .in_op(op[18:1]), .in_c1(in_c1), .in_n1(in_n1),
+        .in_c2(in_c2), .in_n2(in_n2), .in_c3(in_c3), .in_n3(in_n3), .in_w1(in_w1), .in_w2(in_w2), .in_w3(in_w3),
+        .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_overflow(out_overflow));
+    always @(posedge clk)
+        out_valid <= !rst && (op[0] || (out_valid && !out_ready));
 endmodule
 `default_nettype wire

@@ -22,7 +22,7 @@ module engine_gd_plane_path #(
     input  wire                in_fine,     // the range of E
     input  wire                in_still,    // steps are 0
     input  wire                in_clear,    // a sample begins
-    input  wire [8:0]          in_op,       // columns of the tables in engine_quaternion_gd_plane.v
+    input  wire [8:0]          in_op,       // columns of the tables in engine_gd_plane_program.v
     input  wire                in_first,    // E begins with the target
     input  wire                in_read,     // link in_link + 1 of the pass before
     input  wire [I-1:0]        in_link,

@@ -18,7 +18,7 @@ module engine_newton_path #(
     input  wire [15:0]        cfg_r2,
     input  wire [15:0]        cfg_lambda,
     input  wire [16:0]        cfg_mu,
-    input  wire [19:0]        in_op,      // columns of the table in engine_newton_3r.v
+    input  wire [19:0]        in_op,      // columns of the table in engine_newton_program.v
     input  wire [43:0]        in_chord,
     input  wire signed [15:0] in_x,
     input  wire signed [15:0] in_y,

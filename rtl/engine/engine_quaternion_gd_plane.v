@@ -43,72 +43,13 @@ module engine_quaternion_gd_plane #(
         end
     endgenerate
 
-    // Schedule. start: joint n goal
-    // A link begins every three clocks, up to three are played at a time: the joint of one moves by what those before
-    // it have left of the lever. Behind the last one the error becomes alpha E, and link 1 of the next pass begins.
-    localparam [1:0]            // operands of multiplier A
-        CHORD  = 2'b00,         // left right <- -: a chord
-        LEFT   = 2'b01,         // left right <- -: y of the link of the pass before, alpha Ex
-        GAIN   = 2'b10,         // left right <- -: alpha and an error
-        AIM_A  = 2'b11;         // left right <- -: y of the target, alpha Ex
-    localparam [1:0]            // operands of multiplier B
-        ROOT   = 2'b00,         // left2 right2 <- -: a root and the length
-        RIGHT  = 2'b01,         // left2 right2 <- -: x of the link of the pass before, alpha Ey
-        SQUARE = 2'b10,         // left2 right2 <- -: an error, twice
-        AIM_B  = 2'b11;         // left2 right2 <- -: x of the target, alpha Ey
-    localparam [4:0]            // sums behind them
-        NONE   = 5'b00000,      // - <- -: nothing
-        LESS   = 5'b00001,      // lever <- -: less a product of B
-        MORE   = 5'b00010,      // lever <- -: and a product of A: what the links from the next one on ask for
-        TIP    = 5'b00100,      // e <- -: the error, less a product
-        ADD    = 5'b01000,      // s <- -: add a square
-        CLEAR  = 5'b10000;      // s lever <- -: both begin
-    localparam [4:0]            // joints, links
-        STAY   = 5'b00000,      // - <- -: nothing
-        READ   = 5'b00001,      // joint length <- -: of the link
-        STEP   = 5'b00010,      // moved <- joint: the joint moves
-        NEXT   = 5'b00100,      // joints turn link <- moved: stored; the next link
-        PLACE  = 5'b01000,      // held <- length: the length is wanted later
-        STORE  = 5'b10000;      // links first <- e: x and y of the link
-    localparam [14*7-1:0] LINK = {
-        /* read joint       */ {CHORD, RIGHT, NONE, READ},
-        /* step             */ {CHORD, ROOT,  LESS, STEP},
-        /* angle            */ {LEFT,  ROOT,  NONE, NEXT},
-        /* chord of sine    */ {CHORD, ROOT,  MORE, PLACE},
-        /* sine, its chord  */ {CHORD, ROOT,  NONE, STAY},
-        /* y; cosine        */ {CHORD, ROOT,  TIP,  STAY},
-        /* x                */ {CHORD, ROOT,  TIP,  STORE}};
-    localparam [4:0]            // end of a pass
-        WAIT   = 5'b00000,      // - <- -: nothing
-        RANGE  = 5'b00001,      // fine <- -: the range that the pass before asks for
-        BASE   = 5'b00010,      // turn link <- -: at the base again
-        FITS   = 5'b00100,      // big still <- fine: does an error fit the fine range?
-        GO     = 5'b01000,      // first link <- -: link 1 of the next pass
-        STOP   = 5'b10000;      // iters <- s fine still: end if converged or at the limit
-    localparam [14*8-1:0] TAIL = {
-        /* range            */ {CHORD, ROOT,   NONE,       RANGE},
-        /* base             */ {CHORD, ROOT,   NONE,       BASE},
-        /* -                */ {CHORD, ROOT,   NONE,       WAIT},
-        /* Ey there         */ {GAIN,  SQUARE, CLEAR,      FITS},
-        /* Ex; alpha Ey     */ {GAIN,  AIM_B,  ADD,        FITS},
-        /* alpha Ex         */ {AIM_A, SQUARE, LESS,       GO},
-        /* link 1 begins    */ {CHORD, ROOT,   MORE | ADD, WAIT},
-        /* stop?            */ {CHORD, ROOT,   NONE,       STOP}};
-    localparam I = N < 64 ? 6 : 8;  // bits of a number of a link; fewer would not be put in a memory block
-    wire [13:0]   link_op, tail_op;
-    wire          read, next, place, store, range, base, fits, go, stop, step, halt;
-    wire          accept = in_valid && in_ready;
-    assign        {store, place, next, step, read} = link_op[4:0];
-    assign        {stop, go, fits, base, range} = tail_op[4:0];
-    /* verilator lint_off UNUSEDSIGNAL */
-    wire [1:0]    unused_idle;
-    /* verilator lint_on UNUSEDSIGNAL */
-
     // Samples: a number of a link is checked in the clock behind the one that takes it
+    localparam I = N < 64 ? 6 : 8;  // bits of a number of a link; fewer would not be put in a memory block
     reg           busy, check, answer, no_link;
     reg  [1:0]    op;
     reg  [7:0]    n;
     reg  [I-1:0]  loaded, link;
+    wire          accept = in_valid && in_ready;
     wire          load = op == 2'd1, solving = op == 2'd0;
     wire [8:0]    there = {{(9-I){1'b0}}, loaded};
     wire          more = {1'b0, n} == there + 9'd1 && loaded != N[I-1:0];
@@ -116,10 +57,12 @@ module engine_quaternion_gd_plane #(
     wire          begins = check && ok && solving;
     wire          last = link == n[I-1:0];
     assign        in_ready = !busy && (!out_valid || out_ready);
-    schedule #(.LINES(7), .BITS(14), .TABLE(LINK)) links (.clk(clk), .rst(rst || halt),
-        .in_start(begins || (next && !last) || go), .out_idle(unused_idle[0]), .out_op(link_op));
-    schedule #(.LINES(8), .BITS(14), .TABLE(TAIL)) tail (.clk(clk), .rst(rst),
-        .in_start(next && last), .out_idle(unused_idle[1]), .out_op(tail_op));
+
+    // Program
+    wire [8:0] path_op;
+    wire       store, place, next, step, read, stop, go, fits, base, range, halt;
+    engine_gd_plane_program program_ (.clk(clk), .rst(rst), .in_start(begins), .in_last(last), .in_halt(halt),
+        .out_op(path_op), .out_link({store, place, next, step, read}), .out_tail({stop, go, fits, base, range}));
 
     // Joints and links
     localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a root, address bits of its table
@@ -138,9 +81,9 @@ module engine_quaternion_gd_plane #(
     wire [2*W-1:0] s;
     engine_gd_plane_path #(.W(W), .A(A), .N(N), .K(K), .T(T), .I(I)) path (.clk(clk), .cfg_alpha(cfg_alpha),
         .in_shift(cfg_shift), .in_fine(fine), .in_still(still), .in_clear(accept),
-        .in_op(link_op[13:5] | tail_op[13:5]), .in_first(first), .in_read(next || go), .in_link(link),
-        .in_store(store), .in_begin(go || check), .in_chord(chord), .in_length(length), .in_x(x), .in_y(y),
-        .out_fits(fit), .out_move(move), .out_square(s));
+        .in_op(path_op), .in_first(first), .in_read(next || go), .in_link(link), .in_store(store),
+        .in_begin(go || check), .in_chord(chord), .in_length(length), .in_x(x), .in_y(y), .out_fits(fit),
+        .out_move(move), .out_square(s));
 
     // End
     reg  [9:0] iters;

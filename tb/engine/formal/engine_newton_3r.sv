@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside is always at one line of the
 // table, and every pass but the first counts, up to cfg_limit. So a result comes after at most cfg_limit + 1 passes.
 // One clock of reset is enough, from any state.
-// rtl: engine/engine_newton_3r.v arith/schedule.v
+// rtl: engine/engine_newton_3r.v engine/engine_newton_program.v arith/schedule.v
 // with: one_inside.sv newton_parts.sv
 // proof W16A20 mode=prove depth=2 W=16 F=8 A=20
 // proof W12A24 mode=prove depth=2 W=12 F=6 A=24
@@ -19,10 +19,10 @@ module engine_newton_3r_props #(parameter W = 16, F = 8, A = 20) (
 
     wire live, inside;
 
-    (* hierconn *) wire [15:0] \dut.control.step ;
+    (* hierconn *) wire [15:0] \dut.program_.control.step ;
     (* hierconn *) wire \dut.first ;
     (* hierconn *) wire [A-1:0] \dut.th12 ;
-    wire [15:0] step = \dut.control.step ;
+    wire [15:0] step = \dut.program_.control.step ;
     wire        first = \dut.first ;
 
     wire [3*A+46:0] result = {out_j1, out_j2, out_j3, out_iters, out_error, out_coarse, out_status};

@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside is always at one line of the
 // table, and every pass but the first counts, up to cfg_limit. The last step is in its registers before a result
 // comes. One clock of reset is enough, from any state.
-// rtl: engine/engine_quaternion_dls.v engine/engine_newton_3r.v arith/schedule.v
+// rtl: engine/engine_quaternion_dls.v engine/engine_newton_3r.v engine/engine_newton_program.v arith/schedule.v
 // with: one_inside.sv newton_parts.sv
 // proof W16A24 mode=prove depth=2 W=16 F=8 A=24
 // proof W12A20 mode=prove depth=2 W=12 F=6 A=20
@@ -19,11 +19,11 @@ module engine_quaternion_dls_props #(parameter W = 16, F = 8, A = 24) (
 
     wire live, inside;
 
-    (* hierconn *) wire [15:0] \dut.newton.control.step ;
+    (* hierconn *) wire [15:0] \dut.newton.program_.control.step ;
     (* hierconn *) wire \dut.newton.first ;
     (* hierconn *) wire \dut.begins ;
     (* hierconn *) wire \dut.odd ;
-    wire [15:0] step = \dut.newton.control.step ;
+    wire [15:0] step = \dut.newton.program_.control.step ;
     wire        first = \dut.newton.first , begins = \dut.begins ;
 
     wire [4*A+46:0] result = {out_d1, out_d2, out_j1, out_j2, out_iters, out_error, out_coarse, out_status};

@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside that solves is at one place of a
 // loop over its links, which are counted up to n, and its tail; at most cfg_limit passes count, and no two in a row do
 // not. One clock of reset is enough, from any state.
-// rtl: engine/engine_quaternion_gd_plane.v arith/schedule.v
+// rtl: engine/engine_quaternion_gd_plane.v engine/engine_gd_plane_program.v arith/schedule.v
 // with: one_inside.sv plane_parts.sv
 // proof W16N8 mode=prove depth=2 W=16 F=8 A=24 N=8
 // proof W14N3 mode=prove depth=2 W=14 F=6 A=20 N=3
@@ -18,8 +18,8 @@ module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8
 
     wire live, inside;
 
-    (* hierconn *) wire [6:0] \dut.links.step ;
-    (* hierconn *) wire [7:0] \dut.tail.step ;
+    (* hierconn *) wire [6:0] \dut.program_.links.step ;
+    (* hierconn *) wire [7:0] \dut.program_.tail.step ;
     (* hierconn *) wire \dut.check ;
     (* hierconn *) wire \dut.answer ;
     (* hierconn *) wire \dut.busy ;
@@ -29,8 +29,8 @@ module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8
     (* hierconn *) wire [5:0] \dut.link ;
     (* hierconn *) wire [5:0] \dut.loaded ;
     (* hierconn *) wire [7:0] \dut.n ;
-    wire [6:0] links = \dut.links.step ;
-    wire [7:0] tail = \dut.tail.step ;
+    wire [6:0] links = \dut.program_.links.step ;
+    wire [7:0] tail = \dut.program_.tail.step ;
     wire [5:0] link = \dut.link , loaded = \dut.loaded ;
     wire [7:0] n = \dut.n ;
     reg  [6:0] with_tail;  // lines of links that are played beside a line of the tail

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Program of engine_quaternion_gd_plane: the table of a link and that of the end of a pass, which overlap.
+// in_start: link 1 begins in the next clock; in_last, with NEXT: the end of the pass follows, not a link; in_halt, with
+// STOP: link 1 of the next pass, which has begun, ends. out_op: columns of engine_gd_plane_path, of both tables;
+// out_link {STORE, PLACE, NEXT, STEP, READ}, out_tail {STOP, GO, FITS, BASE, RANGE}: the last column of each.
+// Model: iterative.plane.gd
+`default_nettype none
+module engine_gd_plane_program (
+    input  wire       clk,
+    input  wire       rst,
+    input  wire       in_start,
+    input  wire       in_last,
+    input  wire       in_halt,
+    output wire [8:0] out_op,
+    output wire [4:0] out_link,
+    output wire [4:0] out_tail
+);
+    // Schedule. start: joint n goal
+    // A link begins every three clocks, up to three are played at a time: the joint of one moves by what those before
+    // it have left of the lever. Behind the last one the error becomes alpha E, and link 1 of the next pass begins.
+    localparam [1:0]            // operands of multiplier A
+        CHORD  = 2'b00,         // left right <- -: a chord
+        LEFT   = 2'b01,         // left right <- -: y of the link of the pass before, alpha Ex
+        GAIN   = 2'b10,         // left right <- -: alpha and an error
+        AIM_A  = 2'b11;         // left right <- -: y of the target, alpha Ex
+    localparam [1:0]            // operands of multiplier B
+        ROOT   = 2'b00,         // left2 right2 <- -: a root and the length
+        RIGHT  = 2'b01,         // left2 right2 <- -: x of the link of the pass before, alpha Ey
+        SQUARE = 2'b10,         // left2 right2 <- -: an error, twice
+        AIM_B  = 2'b11;         // left2 right2 <- -: x of the target, alpha Ey
+    localparam [4:0]            // sums behind them
+        NONE   = 5'b00000,      // - <- -: nothing
+        LESS   = 5'b00001,      // lever <- -: less a product of B
+        MORE   = 5'b00010,      // lever <- -: and a product of A: what the links from the next one on ask for
+        TIP    = 5'b00100,      // e <- -: the error, less a product
+        ADD    = 5'b01000,      // s <- -: add a square
+        CLEAR  = 5'b10000;      // s lever <- -: both begin
+    localparam [4:0]            // joints, links
+        STAY   = 5'b00000,      // - <- -: nothing
+        READ   = 5'b00001,      // joint length <- -: of the link
+        STEP   = 5'b00010,      // moved <- joint: the joint moves
+        NEXT   = 5'b00100,      // joints turn link <- moved: stored; the next link
+        PLACE  = 5'b01000,      // held <- length: the length is wanted later
+        STORE  = 5'b10000;      // links first <- e: x and y of the link
+    localparam [14*7-1:0] LINK = {
+        /* read joint       */ {CHORD, RIGHT, NONE, READ},
+        /* step             */ {CHORD, ROOT,  LESS, STEP},
+        /* angle            */ {LEFT,  ROOT,  NONE, NEXT},
+        /* chord of sine    */ {CHORD, ROOT,  MORE, PLACE},
+        /* sine, its chord  */ {CHORD, ROOT,  NONE, STAY},
+        /* y; cosine        */ {CHORD, ROOT,  TIP,  STAY},
+        /* x                */ {CHORD, ROOT,  TIP,  STORE}};
+    localparam [4:0]            // end of a pass
+        WAIT   = 5'b00000,      // - <- -: nothing
+        RANGE  = 5'b00001,      // fine <- -: the range that the pass before asks for
+        BASE   = 5'b00010,      // turn link <- -: at the base again
+        FITS   = 5'b00100,      // big still <- fine: does an error fit the fine range?
+        GO     = 5'b01000,      // first link <- -: link 1 of the next pass
+        STOP   = 5'b10000;      // iters <- s fine still: end if converged or at the limit
+    localparam [14*8-1:0] TAIL = {
+        /* range            */ {CHORD, ROOT,   NONE,       RANGE},
+        /* base             */ {CHORD, ROOT,   NONE,       BASE},
+        /* -                */ {CHORD, ROOT,   NONE,       WAIT},
+        /* Ey there         */ {GAIN,  SQUARE, CLEAR,      FITS},
+        /* Ex; alpha Ey     */ {GAIN,  AIM_B,  ADD,        FITS},
+        /* alpha Ex         */ {AIM_A, SQUARE, LESS,       GO},
+        /* link 1 begins    */ {CHORD, ROOT,   MORE | ADD, WAIT},
+        /* stop?            */ {CHORD, ROOT,   NONE,       STOP}};
+    wire [13:0] link_op, tail_op;
+    wire        next = out_link[2], go = out_tail[3];
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [1:0]  unused_idle;
+    /* verilator lint_on UNUSEDSIGNAL */
+    assign      out_op = link_op[13:5] | tail_op[13:5];
+    assign      out_link = link_op[4:0];
+    assign      out_tail = tail_op[4:0];
+    schedule #(.LINES(7), .BITS(14), .TABLE(LINK)) links (.clk(clk), .rst(rst || in_halt),
+        .in_start(in_start || (next && !in_last) || go), .out_idle(unused_idle[0]), .out_op(link_op));
+    schedule #(.LINES(8), .BITS(14), .TABLE(TAIL)) tail (.clk(clk), .rst(rst),
+        .in_start(next && in_last), .out_idle(unused_idle[1]), .out_op(tail_op));
+endmodule
+`default_nettype wire

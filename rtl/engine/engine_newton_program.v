@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Program of engine_newton_3r: from the clock after in_start on a pass of 16 lines, one a clock, and the next pass
+// behind it, until rst. out_op is one line of the table, column by column: the first is the address in the table of
+// sines, the other 20 bits are those of engine_newton_path. The joints obey STOP and MOVE.
+// Model: iterative.newton_fixed.solve
+`default_nettype none
+module engine_newton_program (
+    input  wire        clk,
+    input  wire        rst,
+    input  wire        in_start,
+    output wire        out_idle,
+    output wire [22:0] out_op
+);
+    // Schedule. start: th1 th2 x y phi iters first, and of the pass before left right third chord e <-
+    localparam [2:0]            // the table of sines
+        COSP   = 3'b001,        // chord <- phi: read the cosine of phi
+        SINP   = 3'b000,        // chord <- phi: read the sine of phi
+        COS1   = 3'b011,        // chord <- th1: read the cosine of joint 1
+        SIN1   = 3'b010,        // chord <- th1: read the sine of joint 1
+        COS12  = 3'b101,        // chord <- th1 th2: read the cosine of both joints
+        SIN12  = 3'b100,        // chord <- th1 th2: read the sine of both joints
+        SIN2   = 3'b110;        // chord <- th2: read the sine of joint 2
+    localparam [1:0]            // its length
+        L3     = 2'd0,          // - <- -: length of link 3
+        L1     = 2'd1,          // - <- -: length of link 1
+        L2     = 2'd2;          // - <- -: length of link 2
+    localparam [5:0]            // operands of two multipliers whose products are added
+        LINK   = 6'b000000,     // left right <- third: a root by a length, and by itself
+        SQUARE = 6'b000101,     // left right <- e: the square of E
+        ALONG2 = 6'b001001,     // left right <- e roots: E seen along both joints
+        ALONG1 = 6'b101001,     // left right <- e roots: E seen along joint 1
+        CROSS1 = 6'b111010,     // left right <- e roots: E seen across it, negative
+        CROSS2 = 6'b011010,     // left right <- e roots: E seen across both joints
+        MOVES  = 6'b001111;     // left right <- sine left right: the last four by -D and by lambda
+    localparam [2:0]            // operands of the third multiplier
+        CHORD  = 3'd0,          // third <- chord: a chord, to be a root in the next clock
+        INVERT = 3'd1,          // third <- inverse: both factors of 1 / (D^2 + mu)
+        RATE1  = 3'd2,          // third <- third: their product by 1/l1
+        RATE2  = 3'd6,          // third <- third: and by 1/l2
+        JOINT  = 3'd3;          // third <- left right third: a step by one of these, made a clock before
+    localparam [8:0]            // the rest
+        NONE   = 9'h000,        // - <- -: nothing
+        FIRST  = 9'h003,        // e <- left right x y: a coordinate, less a product
+        TIP    = 9'h001,        // e <- left right e: the error, less a product
+        KEEP   = 9'h004,        // roots <- third: a root of link 1 or 2
+        SINE   = 9'h008,        // sine near <- third: D, kept off 0
+        DET    = 9'h010,        // inverse <- left right: D^2 + mu
+        TEST   = 9'h020,        // s <- left right: the square of E
+        STOP   = 9'h040,        // th1 th2 <- th1 th2 s e third: stop here if converged or at the limit, else joint 1
+        MOVE   = 9'h080,        // th2 iters first <- th2 e third: joint 2, which then has both steps
+        AGAIN  = 9'h100;        // - <- -: the next pass begins
+    //               table   length operands third   rest
+    localparam [16*23-1:0] PASS = {
+        /* square    */ {COSP,  L3, LINK,   CHORD,  TEST},
+        /* joint 1   */ {SINP,  L3, LINK,   CHORD,  STOP},
+        /* joint 2   */ {COS1,  L3, LINK,   CHORD,  MOVE},
+        /* wx        */ {SIN1,  L3, LINK,   CHORD,  FIRST},
+        /* wy        */ {COS12, L1, LINK,   CHORD,  FIRST | KEEP},
+        /* L1 c1     */ {SIN12, L1, LINK,   CHORD,  TIP | KEEP},
+        /* L1 s1     */ {SIN2,  L2, LINK,   CHORD,  TIP | KEEP},
+        /* L2 c12    */ {SINP,  L2, LINK,   CHORD,  TIP | KEEP},
+        /* L2 s12; E */ {SINP,  L3, LINK,   CHORD,  TIP | SINE},
+        /* D^2       */ {SINP,  L3, ALONG2, CHORD,  DET},
+        /* along 12  */ {SINP,  L3, ALONG1, CHORD,  NONE},
+        /* along 1   */ {SINP,  L3, CROSS1, INVERT, NONE},
+        /* inverse   */ {SINP,  L3, CROSS2, RATE1,  NONE},
+        /* rate 1    */ {SINP,  L3, MOVES,  RATE2,  NONE},
+        /* rate 2    */ {SINP,  L3, MOVES,  JOINT,  NONE},
+        /* steps     */ {SINP,  L3, SQUARE, JOINT,  AGAIN}};
+    schedule #(.LINES(16), .BITS(23), .TABLE(PASS)) control (.clk(clk), .rst(rst), .in_start(in_start || out_op[8]),
+        .out_idle(out_idle), .out_op(out_op));
+endmodule
+`default_nettype wire
