@@ -87,6 +87,19 @@ def test_files_in_every_form(quadrance, tmp_path):
     assert (tmp_path / "new" / "rational_fk1.v").read_text() == "mine"
 
 
+@pytest.mark.parametrize("core", [core for core in cores.all_cores() if core.first_set], ids=lambda core: core.name)
+def test_every_core_is_shown_with_its_timing(quadrance, core):
+    text = quadrance("show", core.name)
+    assert re.search(rf"^timing +{re.escape(core.timing)}$", text, re.M) and "None" not in text
+    assert quadrance("instance", core.name).startswith(f"// {core.id}: {core.timing}")
+
+
+def test_timing_in_words():
+    assert cores.find("skid_buffer").timing == "latency 1, a sample every 1 clocks"
+    assert cores.find("isqrt_comb").timing == "combinational"
+    assert "some 200 clocks" in cores.find("engine_quaternion_gd").timing
+
+
 def test_instances_elaborate_with_the_computed_words(tmp_path):
     """Every kinematic core as printed; two of them, declared, in one top without a warning of a width."""
     from tb.lib import tools

@@ -96,13 +96,12 @@ def _show(args: argparse.Namespace) -> None:
         out.print(f"  {line}")
     out.print(f"parameters  {', '.join(f'{key}={value}' for key, value in core.params.items()) or 'none'}"
               f"  (sets: {', '.join(about['sets'])})")
-    out.print(f"timing      latency {core.latency}, a sample every {core.ii} clocks" if core.clocked else
-              "timing      combinational")
+    out.print(f"timing      {core.timing}")
     if f := about["figures"]:
         out.print(f"cost        {f['alut']} ALUT, {f['dsp']} DSP, {f['mem']} memory blocks (Cyclone V); "
                   f"{f['mhz']:.4g} MHz, {f['ns']:.4g} ns (ECP5)")
-        error = [f"{f['error_lsb']:.3g} LSB"] * (f["error_lsb"] is not None)
-        error += [f"{f['error_mm']:.3g} mm on {f['arm']}"] * (f["error_mm"] is not None)
+        error = [text.format(**f) for key, text in (("error_lsb", "{error_lsb:.3g} LSB"),
+                                                    ("error_mm", "{error_mm:.3g} mm on {arm}")) if f[key] is not None]
         out.print(f"worst error {', '.join(error) or 'not measured'}")
     out.print()
     control = [("clk", "input", 1, ""), ("rst", "input", 1, "synchronous, active high; one clock is enough")]

@@ -91,8 +91,7 @@ def instance(core: Core, arm: Arm | None = None, name: str | None = None, declar
 
 def notes(core: Core, arm: Arm | None) -> list[str]:
     """What a reader of the instance has to know: the timing, the scale, what a driver adds around the core."""
-    lines = [f"{core.id}: latency {core.latency}, a sample every {core.ii} clocks" if core.clocked else
-             f"{core.id}: combinational"]
+    lines = [f"{core.id}: {core.timing}"]
     if arm is None or "F" not in core.params:
         return lines
     lines[0] += f"; {arm.name}: one LSB of a coordinate is {accuracy.mm_per_lsb(core, arm):.6g} mm"
