@@ -73,13 +73,13 @@ def killed_in_bulk(mutants: Mutants, mutant: Mutant | None, seed: int, samples: 
 def killed_by_bench(mutants: Mutants, mutant: Mutant | None, seed: int) -> bool:
     """True when a cocotb test fails on the mutant; RuntimeError when none could be run.
 
-    All tests under Verilator, and under Icarus those that registers of unknown value can turn red.
+    All tests under Verilator, and under Icarus those that registers of unknown value can turn red, where it has some.
     """
     built = replace(mutants.core, sources=(mutants.netlist,))
     plusargs = [mutant.plusarg] if mutant else []
     with open(os.devnull, "w") as sink, contextlib.redirect_stdout(sink), contextlib.redirect_stderr(sink):
         try:
-            for simulator, tests in (("verilator", None), ("icarus", UNKNOWN)):
+            for simulator, tests in [("verilator", None)] + [("icarus", UNKNOWN)] * built.clocked:
                 simulate(built, simulator, tests=tests, seed=seed, parameters=False, label=LABEL, failures=1,
                          plusargs=plusargs)
         except SystemExit as error:

@@ -1,5 +1,7 @@
 """Mutants of the smallest core: each choice breaks what it says, and only what behaves alike is proved so."""
 
+import dataclasses
+
 import pytest
 from quadrance.cores import find
 
@@ -33,6 +35,16 @@ def test_a_missing_tool_is_no_kill(made, monkeypatch):
     monkeypatch.setattr(mutants, "simulate", missing)
     with pytest.raises(SystemExit, match="iverilog is missing"):
         mutants.killed_by_bench(made, made.every[0], SEED)
+
+
+@pytest.mark.parametrize(("core", "simulators"), [("skid_buffer", ["verilator", "icarus"]),
+                                                  ("isqrt_comb", ["verilator"])])
+def test_a_core_without_registers_has_no_unknown_ones_to_show(made, monkeypatch, core, simulators):
+    """Icarus would have no test to run, which counts as a failure of the whole bench."""
+    asked = []
+    monkeypatch.setattr(mutants, "simulate", lambda core, simulator, **_: asked.append(simulator))
+    assert not mutants.killed_by_bench(dataclasses.replace(made, core=find(core)), None, SEED)
+    assert asked == simulators
 
 
 @pytest.mark.full
