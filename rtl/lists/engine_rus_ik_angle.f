@@ -7,6 +7,7 @@
 ../engine/engine_rus_leg.v
 ../engine/engine_rus_poses.v
 ../codec/nearest_axis.v
+../codec/arcsine_chords.v
 ../engine/engine_rus_angle.v
 ../engine/engine_rus_results.v
 ../engine/engine_rus_ik_angle.v
