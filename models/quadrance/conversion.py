@@ -124,7 +124,7 @@ def _odd(half: list[int], shift: int) -> Ints:
 
 @cache
 def arcsine_knots(d: int) -> Ints:
-    """``arcsin(i / 256)`` in 2^-d turn, i = -256 ... 256, half a sag inside the curve; as vector_to_angle.v."""
+    """``arcsin(i / 256)`` in 2^-d turn, i = -256 ... 256, half a sag inside the curve; as arcsine_chords.v."""
     half = []
     for i, root in _cosines():
         t = (i << 52) // ((1 << 30) + root)

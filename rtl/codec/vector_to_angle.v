@@ -28,43 +28,6 @@ module vector_to_angle #(
         end
     endgenerate
 
-    // 2^62 arcsin(i / 256) in turns, less half the sag, i from 0 to 190 and no further: 2 arctan of its half-tangent t
-    localparam D = A + 2, KNOTS = 257;
-    function [64*KNOTS-1:0] arcs(input integer unused);
-        integer    i, k;
-        reg [63:0] n, square, root, t, t2, arc;
-        begin
-            root = 64'd1 << 30;
-            for (i = 0; i < KNOTS; i = i + 1) begin
-                n = i > 190 ? 64'd190 : {32'd0, i};
-                square = (64'd65536 - n * n) << 44;
-                for (k = 0; k < 4 && i <= 190; k = k + 1)
-                    root = (root + square / root) >> 1;
-                t = (n << 52) / ((64'd1 << 30) + root);
-                t2 = t * t >> 30;
-                arc = 0;
-                for (k = 27; k > 0; k = k - 2)
-                    arc = (64'd1 << 30) / {32'd0, k} - (t2 * arc >> 30);
-                arc = (t * arc >> 29) - (n << 32) / ((root * root >> 30) * root >> 30);
-                arcs[64*i +: 64] = arc * 64'd683565276;
-            end
-        end
-    endfunction
-    localparam [64*KNOTS-1:0] ARCS = arcs(0);
-    reg [2*A-7:0] chords[0:511];  // {knot, step}
-    reg [A:0]     here;
-    reg [63:0]    next;
-    integer       i;
-    initial begin
-        next = (64'd3 << 62 - D) - ARCS[64*256 +: 64] >> 62 - D;
-        for (i = -256; i < 256; i = i + 1) begin
-            here = next[A:0];
-            next = i < -1 ? -ARCS[64*(-i-1) +: 64] : ARCS[64*(i < 0 ? 0 : i+1) +: 64];
-            next = (64'd3 << 62 - D) + next >> 62 - D;  // half a word and half a unit of truncation more
-            chords[i & 511] = {here, next[A-8:0] - here[A-8:0]};
-        end
-    end
-
     wire               none;
     wire [1:0]         near;
     wire signed [21:0] sine;
@@ -73,7 +36,6 @@ module vector_to_angle #(
         .in_c(in_c), .in_n(in_n), .out_none(none), .out_axis(near), .out_minor(), .out_sine(sine));
     /* verilator lint_on PINCONNECTEMPTY */
 
-    reg  [2*A-7:0] chord;
     reg  [11:0]    place;
     reg  [1:0]     axis;
     reg  [1:0]     stages;  // which of them hold a sample
@@ -81,18 +43,18 @@ module vector_to_angle #(
     wire [A:0]     knot;
     wire [A-8:0]   step, rise;
     wire [11:0]    cut;
-    assign         {knot, step} = chord;
     assign         {rise, cut} = step * place;
     wire [A+1:0]   from = {axis[1] ^ (knot[A] && !axis[0]), axis[0] ^ knot[A], knot[A-1:0]};
     wire [A+1:0]   word = from + {9'd0, rise};
     wire           unused = &{1'b0, sine[21], cut, word[1:0]};
 
+    arcsine_chords #(.A(A)) arcsine (
+        .clk(clk), .in_read(in_ready), .in_segment(sine[20:12]), .out_knot(knot), .out_step(step));
     assign out_valid = stages[1];
     assign in_ready = !out_valid || out_ready;
     assign out_status = {2'd0, singular, 1'b0};
     always @(posedge clk) begin
         if (in_ready) begin
-            chord     <= chords[sine[20:12]];
             place     <= sine[11:0];
             axis      <= near;
             lacks     <= none;

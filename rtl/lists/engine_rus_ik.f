@@ -3,6 +3,7 @@
 ../arith/schedule.v
 ../kernel/kernel_vector_slopes.v
 ../engine/engine_rus_root.v
+../engine/engine_rus_operands.v
 ../engine/engine_rus_path.v
 ../engine/engine_rus_leg.v
 ../engine/engine_rus_poses.v

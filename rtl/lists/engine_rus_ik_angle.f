@@ -3,10 +3,12 @@
 ../arith/schedule.v
 ../kernel/kernel_vector_slopes.v
 ../engine/engine_rus_root.v
+../engine/engine_rus_operands.v
 ../engine/engine_rus_path.v
 ../engine/engine_rus_leg.v
 ../engine/engine_rus_poses.v
 ../codec/nearest_axis.v
+../codec/arcsine_chords.v
 ../engine/engine_rus_angle.v
 ../engine/engine_rus_results.v
 ../engine/engine_rus_ik_angle.v

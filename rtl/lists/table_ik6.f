@@ -10,5 +10,6 @@
 ../six/six_inverse_path.v
 ../engine/engine_results.v
 ../codec/nearest_axis.v
+../codec/arcsine_chords.v
 ../codec/vector_to_angle.v
 ../six/table_ik6.v
