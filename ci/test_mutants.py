@@ -56,6 +56,18 @@ def test_proof_knows_equal_from_different(made):
     assert not prover.equivalent(killed)
 
 
+@pytest.mark.full
+def test_proof_without_multipliers_and_memories():
+    made = mutate.make(find("vector_fk1"), 12, SEED)
+    prover = equivalence.Prover(made)
+    graph = prover._without
+    assert prover._proved(graph, mutate.Mutant(0, "mutate -mode none"))
+    killed = [one for one in made.every if mutants.killed_in_bulk(made, one, SEED, 200)]
+    assert killed and not any(prover._proved(graph, one) for one in killed), "what a product is given is compared too"
+    assert graph.size[-1] < 4000, "the multipliers are in it"
+    mutants.clear(made.core)
+
+
 def test_memory_words_are_flipped_one_by_one():
     text = "  initial begin\n    \\a.rom [0] = 4'h3;\n    \\a.rom [1] = 4'hc;\n  end\n"
     assert mutate.flipped(text, {1: "4'h8"}) == text.replace("4'hc;", "4'hc ^ (4'h8);")
