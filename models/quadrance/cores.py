@@ -91,7 +91,7 @@ class Core:
         if not self.clocked:
             return "combinational"
         if self.latency is None:
-            return f"one sample at a time; how long it takes depends on it: some {self.ii} clocks"
+            return f"one sample at a time, some {self.ii} clocks each: it depends on the sample"
         return f"latency {self.latency}, a sample every {self.ii} clocks"
 
     @property

@@ -78,12 +78,14 @@ async def one_clock_of_reset(dut):
 async def corners_and_random_combinational(dut):
     """A combinational primitive equals its model on corners and random words."""
     rng = _rng()
-    for cfg in stimulus.configs(CORE, rng):
+    configs = stimulus.configs(CORE, rng)
+    count = CLOCKS // len(configs)
+    for cfg in configs:
         board = Scoreboard(CORE)
         for port in CORE.cfg:
             getattr(dut, port.name).value = to_word(port, cfg[port.name])
         corners = stimulus.corners(CORE, cfg)
-        for vectors in (_cut(corners, 200), stimulus.uniform(CORE, rng, 100)):
+        for vectors in (_cut(corners, 2 * count // 3), stimulus.uniform(CORE, rng, count // 3)):
             for row in zip(*(vectors[port.name].tolist() for port in CORE.inputs)):
                 for port, value in zip(CORE.inputs, row):
                     getattr(dut, port.name).value = to_word(port, value)
