@@ -86,15 +86,6 @@ class Core:
         return self.latency != 0
 
     @property
-    def timing(self) -> str:
-        """Latency and interval in words; where they vary, `ii` is a round number of the clocks that a sample takes."""
-        if not self.clocked:
-            return "combinational"
-        if self.latency is None:
-            return f"one sample at a time, some {self.ii} clocks each: it depends on the sample"
-        return f"latency {self.latency}, a sample every {self.ii} clocks"
-
-    @property
     def model(self) -> Callable[..., dict]:
         """The bit-true model: ``model(params, **ports) -> {out port: int64 array}``."""
         module, _, function = self.model_name.rpartition(".")

@@ -96,7 +96,7 @@ def _show(args: argparse.Namespace) -> None:
         out.print(f"  {line}")
     out.print(f"parameters  {', '.join(f'{key}={value}' for key, value in core.params.items()) or 'none'}"
               f"  (sets: {', '.join(about['sets'])})")
-    out.print(f"timing      {core.timing}")
+    out.print(f"timing      {catalogue.timing(core)}")
     if f := about["figures"]:
         out.print(f"cost        {f['alut']} ALUT, {f['dsp']} DSP, {f['mem']} memory blocks (Cyclone V); "
                   f"{f['mhz']:.4g} MHz, {f['ns']:.4g} ns (ECP5)")

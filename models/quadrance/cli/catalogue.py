@@ -21,6 +21,15 @@ class Refused(ValueError):
     """What was asked for cannot be answered: one line that names the thing, the reason and what exists instead."""
 
 
+def timing(core: Core) -> str:
+    """Latency and interval in words; where they vary, `ii` is a round number of the clocks that a sample takes."""
+    if not core.clocked:
+        return "combinational"
+    if core.latency is None:
+        return f"one sample at a time, some {core.ii} clocks each: it depends on the sample"
+    return f"latency {core.latency}, a sample every {core.ii} clocks"
+
+
 def choose(what: str, name: str, known: Iterable[str]) -> str:
     """`name`, where it is one of `known`; else Refused, with the nearest names or all of them."""
     known = list(dict.fromkeys(known))

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from quadrance import accuracy
 from quadrance.arms import Arm
-from quadrance.cli.catalogue import Refused, compile_order, fraction_of
+from quadrance.cli.catalogue import Refused, compile_order, fraction_of, timing
 from quadrance.cores import Core, Port
 
 STREAM = (("in_valid", "in"), ("in_ready", "out"), ("out_valid", "out"), ("out_ready", "in"))
@@ -91,7 +91,7 @@ def instance(core: Core, arm: Arm | None = None, name: str | None = None, declar
 
 def notes(core: Core, arm: Arm | None) -> list[str]:
     """What a reader of the instance has to know: the timing, the scale, what a driver adds around the core."""
-    lines = [f"{core.id}: {core.timing}"]
+    lines = [f"{core.id}: {timing(core)}"]
     if arm is None or "F" not in core.params:
         return lines
     lines[0] += f"; {arm.name}: one LSB of a coordinate is {accuracy.mm_per_lsb(core, arm):.6g} mm"
