@@ -2,8 +2,9 @@
 
 Each mutant (ci/mutate.py) goes through the bulk run of its core and, when it lives, through the cocotb bench, under
 Verilator and then, its resets, under Icarus. A kill is a failed comparison or a failed test, nothing else. A survivor
-is proved equivalent (no input sequence after a reset tells it from the core) or it counts against the bench. The seed
-is the day's, or SEED. Writes reports/mutants.json and, from it, reports/mutants.md; a core whose sources, bench and
+is proved equivalent (no input sequence after a reset tells it from the core), or is killed by as many samples as the
+long run has (`make exhaustive`; 20 million clocks at most), or it counts against the bench. The seed is the day's, or
+SEED. Writes reports/mutants.json and, from it, reports/mutants.md; a core whose sources, bench and
 tools are still those of its verdict there is not broken again (--fresh: it is).
 """
 
@@ -32,7 +33,9 @@ THRESHOLD = 0.99
 FEW = 2_000  # samples of a first bulk run, which kills most
 LABEL = "-mutant"
 UNKNOWN = r"\.(one_clock_of_reset|reset_in_flight)$"  # tests that show more where a register starts unknown
-COLUMNS = ("core", "killed in bulk", "by the bench alone", "equivalent", "survived", "rate", "seed")
+LONG_CLOCKS = 20_000_000  # of the long run, for what nothing else kills
+COLUMNS = ("core", "killed in bulk", "by the bench alone", "in the long run alone", "equivalent", "survived", "rate",
+           "seed")
 PAGE = tools.ROOT / "reports" / "mutants.md"
 STORE = tools.ROOT / "reports" / "mutants.json"
 BENCH = ("tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py", "tb/lib/suite.py",
@@ -49,12 +52,13 @@ class Verdict:
     killed: int = 0
     equivalent: int = 0
     bench: list[str] = field(default_factory=list)
+    long: list[str] = field(default_factory=list)
     survivors: list[str] = field(default_factory=list)
 
     @property
     def rate(self) -> float:
-        """Share, killed by either test, of those that differ in function (or may: nothing proved them equal)."""
-        differing = self.killed + len(self.bench) + len(self.survivors)
+        """Share, killed by any test, of those that differ in function (or may: nothing proved them equal)."""
+        differing = self.killed + len(self.bench) + len(self.long) + len(self.survivors)
         return 1 - len(self.survivors) / differing if differing else 1.0
 
 
@@ -109,6 +113,8 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
             verdict.bench.append(str(mutant))
         elif prover.equivalent(mutant):
             verdict.equivalent += 1
+        elif killed_in_bulk(mutants, mutant, seed + 1, min(suite.LONG_SAMPLES, LONG_CLOCKS // (core.ii or 1))):
+            verdict.long.append(str(mutant))
         else:
             verdict.survivors.append(str(mutant))
     clear(core)
@@ -136,7 +142,8 @@ def today() -> int:
 
 def row(v: Verdict) -> list[str]:
     """One line of `COLUMNS`."""
-    return [v.core, *map(str, (v.killed, len(v.bench), v.equivalent, len(v.survivors))), f"{v.rate:.1%}", str(v.seed)]
+    return [v.core, *map(str, (v.killed, len(v.bench), len(v.long), v.equivalent, len(v.survivors))), f"{v.rate:.1%}",
+            str(v.seed)]
 
 
 def page(verdicts: list[Verdict], every: list[Core]) -> str:
@@ -145,14 +152,15 @@ def page(verdicts: list[Verdict], every: list[Core]) -> str:
         return [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in getattr(v, name)] or ["none"]
 
     lines = ["# Mutation run", "",
-             "`make mutants`: mutants of every core killed by its bulk run, by its cocotb bench alone, proved",
-             "equivalent, and surviving. The rate is over those that differ in function; a survivor that nothing",
-             "proved equal counts against the bench.", "",
+             "`make mutants`: mutants of every core killed by its bulk run, by its cocotb bench alone, by the samples",
+             "of the long run alone (`make exhaustive`), proved equivalent, and surviving. The rate is over those that",
+             "differ in function; a survivor that nothing proved equal counts against the bench.", "",
              f"| {' | '.join(COLUMNS)} |", "|---|" + "---:|" * (len(COLUMNS) - 1)]
     lines += [f"| {' | '.join(row(v))} |" for v in verdicts]
     missing = [core.id for core in every if core.id not in {v.core for v in verdicts}]
     lines += ["", f"Not broken since they last changed: {', '.join(missing)}."] if missing else []
     return "\n".join([*lines, "", "## Survivors", "", *listed("survivors"), "",
+                      "## Killed in the long run alone", "", *listed("long"), "",
                       "## Killed by the cocotb bench alone", "", *listed("bench"), ""])
 
 
