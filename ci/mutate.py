@@ -7,6 +7,7 @@ multiplexer of its own, and some inverted bits of memory words: a plusarg choose
 
 from __future__ import annotations
 
+import json
 import random
 import re
 import shutil
@@ -19,6 +20,7 @@ from tb.lib import tools
 
 ROM_SHARE = 10  # one mutant in so many is a bit of a memory word, where the core has a memory
 WORK = tools.BUILD / "mutants"
+CONTROL = re.compile(r" -cell (\S+) -port RD_(?:CLK|EN|ARST|SRST) ")  # a mutation of what a clocked memory has
 WORD = re.compile(r"^ +(\S+ ?\[\d+\]) = (\d+)'h([0-9a-f]+)(?=;$)", re.M)
 
 @dataclass(frozen=True)
@@ -103,6 +105,12 @@ def preparation(core: Core) -> str:
             + f"prep -flatten -top {core.name}; pmuxtree; splitcells; opt_clean -purge; opt -full; opt_clean -purge; ")
 
 
+def memories_without_clock(design: dict) -> set[str]:
+    """Memories in Yosys' JSON that are read in the clock of the address: nothing looks at their clock and enable."""
+    return {name for module in design["modules"].values() for name, cell in module["cells"].items()
+            if cell["type"] == "$mem_v2" and "1" not in cell["parameters"]["RD_CLK_ENABLE"]}
+
+
 def make(core: Core, count: int, seed: int) -> Mutants:
     """Write the netlist that carries `count` mutants of `core`."""
     folder = WORK / core.id
@@ -116,7 +124,9 @@ def make(core: Core, count: int, seed: int) -> Mutants:
     words = list(WORD.finditer((folder / "gold.v").read_text()))
     rng = random.Random(seed)
     picked = rng.sample(range(len(words)), min(count // ROM_SHARE, len(words)))
-    commands = (folder / "list").read_text().splitlines()[:count - len(picked)]
+    unclocked = memories_without_clock(json.loads((folder / "gold.json").read_text()))
+    commands = [line for line in (folder / "list").read_text().splitlines()[:count - len(picked)]
+                if not ((port := CONTROL.search(line)) and port[1] in unclocked)]
     every = [Mutant(number, command) for number, command in enumerate(commands, 1)]
     for number, word in enumerate(picked, len(every) + 1):
         width = int(words[word][2])

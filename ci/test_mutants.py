@@ -68,6 +68,15 @@ def test_proof_without_multipliers_and_memories():
     mutants.clear(made.core)
 
 
+def test_nobody_mutates_the_clock_of_a_memory_without_one():
+    cell = {"type": "$mem_v2", "parameters": {"RD_CLK_ENABLE": "0"}}
+    clocked = {"type": "$mem_v2", "parameters": {"RD_CLK_ENABLE": "1"}}
+    design = {"modules": {"core": {"cells": {"a.slope": cell, "b": clocked, "c": {"type": "$mul", "parameters": {}}}}}}
+    assert mutate.memories_without_clock(design) == {"a.slope"}
+    assert mutate.CONTROL.search("mutate -mode inv -cell a.slope -port RD_EN -portbit 0")[1] == "a.slope"
+    assert not mutate.CONTROL.search("mutate -mode inv -cell a.slope -port RD_ADDR -portbit 0")
+
+
 def test_memory_words_are_flipped_one_by_one():
     text = "  initial begin\n    \\a.rom [0] = 4'h3;\n    \\a.rom [1] = 4'hc;\n  end\n"
     assert mutate.flipped(text, {1: "4'h8"}) == text.replace("4'hc;", "4'hc ^ (4'h8);")

@@ -1,6 +1,7 @@
 """The workers of reports and netlists: all answers, all failures, and nothing left when the parent ends."""
 
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -34,6 +35,11 @@ def dies_once(folder, number):
         done.touch()
         os.kill(os.getpid(), signal.SIGKILL)
     return number, cache.SINCE
+
+
+def test_the_error_of_a_tool_comes_back_whole():
+    error = pickle.loads(pickle.dumps(tools.ToolError("yosys", 2, "one\ntwo")))
+    assert str(error) == "yosys failed (2):\none\ntwo" and error.code == 2
 
 
 @pytest.fixture
