@@ -3,9 +3,10 @@
 Each mutant (ci/mutate.py) goes through the bulk run of its core and, when it lives, through the cocotb bench, under
 Verilator and then, its resets, under Icarus. A kill is a failed comparison or a failed test, nothing else. A survivor
 is proved equivalent (no input sequence after a reset tells it from the core), or is killed by as many samples as the
-long run has (`make exhaustive`; 20 million clocks at most), or it counts against the bench. The seed is the day's, or
-SEED. Writes reports/mutants.json and, from it, reports/mutants.md; a core whose sources, bench and
-tools are still those of its verdict there is not broken again (--fresh: it is).
+long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory word that no input reaches
+(ci/unread.toml says why), or it counts against the bench. The seed is the day's, or SEED. Writes reports/mutants.json
+and, from it, reports/mutants.md; a core whose sources, bench and tools are still those of its verdict there is not
+broken again (--fresh: it is).
 """
 
 from __future__ import annotations
@@ -15,8 +16,10 @@ import contextlib
 import datetime
 import json
 import os
+import re
 import shutil
 import sys
+import tomllib
 from dataclasses import asdict, dataclass, field, replace
 
 from quadrance.cores import Core, all_cores, find
@@ -34,10 +37,12 @@ FEW = 2_000  # samples of a first bulk run, which kills most
 LABEL = "-mutant"
 UNKNOWN = r"\.(one_clock_of_reset|reset_in_flight)$"  # tests that show more where a register starts unknown
 LONG_CLOCKS = 20_000_000  # of the long run, for what nothing else kills
-COLUMNS = ("core", "killed in bulk", "by the bench alone", "in the long run alone", "equivalent", "survived", "rate",
-           "seed")
+COLUMNS = ("core", "killed in bulk", "by the bench alone", "in the long run alone", "equivalent", "never read",
+           "survived", "rate", "seed")
+UNREAD = tomllib.loads((tools.ROOT / "ci" / "unread.toml").read_text())["words"]
 PAGE = tools.ROOT / "reports" / "mutants.md"
 STORE = tools.ROOT / "reports" / "mutants.json"
+WORD = re.compile(r"memory \\?(\S+?) ?\[(\d+)\] bit \d+")
 BENCH = ("tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py", "tb/lib/suite.py",
          "tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/program.cpp")
 
@@ -56,10 +61,28 @@ class Verdict:
     survivors: list[str] = field(default_factory=list)
 
     @property
+    def unread(self) -> list[str]:
+        """Survivors in words that no input reaches."""
+        return [mutation for mutation in self.survivors if reason(mutation, self.core)]
+
+    @property
+    def alive(self) -> list[str]:
+        """Survivors that count against the bench."""
+        return [mutation for mutation in self.survivors if not reason(mutation, self.core)]
+
+    @property
     def rate(self) -> float:
         """Share, killed by any test, of those that differ in function (or may: nothing proved them equal)."""
-        differing = self.killed + len(self.bench) + len(self.long) + len(self.survivors)
-        return 1 - len(self.survivors) / differing if differing else 1.0
+        differing = self.killed + len(self.bench) + len(self.long) + len(self.alive)
+        return 1 - len(self.alive) / differing if differing else 1.0
+
+
+def reason(mutation: str, core: str) -> str:
+    """Why no input reaches the memory word of this mutation, or nothing."""
+    name, index = at.groups() if (at := WORD.fullmatch(mutation)) else ("", -1)
+    return next((one["why"] for one in UNREAD if f".{name}".endswith(f".{one['memory']}")
+                 and one["words"][0] <= int(index) <= one["words"][1]
+                 and ("only" not in one or re.match(one["only"], core))), "")
 
 
 def killed_in_bulk(mutants: Mutants, mutant: Mutant | None, seed: int, samples: int | None = None) -> bool:
@@ -142,8 +165,8 @@ def today() -> int:
 
 def row(v: Verdict) -> list[str]:
     """One line of `COLUMNS`."""
-    return [v.core, *map(str, (v.killed, len(v.bench), len(v.long), v.equivalent, len(v.survivors))), f"{v.rate:.1%}",
-            str(v.seed)]
+    return [v.core, *map(str, (v.killed, len(v.bench), len(v.long), v.equivalent, len(v.unread), len(v.alive))),
+            f"{v.rate:.1%}", str(v.seed)]
 
 
 def page(verdicts: list[Verdict], every: list[Core]) -> str:
@@ -151,15 +174,22 @@ def page(verdicts: list[Verdict], every: list[Core]) -> str:
     def listed(name: str) -> list[str]:
         return [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in getattr(v, name)] or ["none"]
 
+    killed = sum(v.killed + len(v.bench) + len(v.long) for v in verdicts)
+    alive, equal = sum(len(v.alive) for v in verdicts), sum(v.equivalent + len(v.unread) for v in verdicts)
     lines = ["# Mutation run", "",
              "`make mutants`: mutants of every core killed by its bulk run, by its cocotb bench alone, by the samples",
-             "of the long run alone (`make exhaustive`), proved equivalent, and surviving. The rate is over those that",
-             "differ in function; a survivor that nothing proved equal counts against the bench.", "",
+             "of the long run alone (`make exhaustive`), proved equivalent, in a memory word that no input reaches,",
+             "and surviving. The rate is over those that differ in function; a survivor that nothing proved equal",
+             "counts against the bench.", "",
+             f"{len(verdicts)} of {len(every)} cores: {killed} killed, {equal} equal in function, {alive} survived; "
+             f"{killed / max(killed + alive, 1):.2%} killed of those that differ.", "",
              f"| {' | '.join(COLUMNS)} |", "|---|" + "---:|" * (len(COLUMNS) - 1)]
     lines += [f"| {' | '.join(row(v))} |" for v in verdicts]
     missing = [core.id for core in every if core.id not in {v.core for v in verdicts}]
     lines += ["", f"Not broken since they last changed: {', '.join(missing)}."] if missing else []
-    return "\n".join([*lines, "", "## Survivors", "", *listed("survivors"), "",
+    reasons = dict.fromkeys(reason(mutation, v.core) for v in verdicts for mutation in v.unread)
+    return "\n".join([*lines, "", "## Survivors", "", *listed("alive"), "",
+                      "## In words that are never read", "", *[f"- {why}" for why in reasons or ("none",)], "",
                       "## Killed in the long run alone", "", *listed("long"), "",
                       "## Killed by the cocotb bench alone", "", *listed("bench"), ""])
 
@@ -193,7 +223,7 @@ def main() -> int:
         table.add_row(*row(v), style="" if v.rate >= THRESHOLD else "red")
     Console().print(table)
     for v in verdicts:
-        for mutation in v.survivors:
+        for mutation in v.alive:
             print(f"survivor: {v.core}: {mutation}")
     if failure is not None:
         print(failure, file=sys.stderr)

@@ -6,7 +6,7 @@ import pytest
 from quadrance.cores import find
 
 from ci import equivalence, mutants, mutate
-from tb.lib.simulate import available
+from tb.lib.simulate import available, simulate
 
 SEED = 5
 
@@ -65,6 +65,42 @@ def test_proof_without_multipliers_and_memories():
     killed = [one for one in made.every[::3] if mutants.killed_in_bulk(made, one, SEED, 200)]
     assert killed and not any(prover._proved(graph, one) for one in killed), "what a product is given is compared too"
     assert graph.size[-1] < 4000, "the multipliers are in it"
+    mutants.clear(made.core)
+
+
+def test_words_that_are_never_read():
+    for name in (r"\\kernel.path.slopes.slope [1575]", "slopes.slope[1663]"):
+        assert "never read" in mutants.reason(f"memory {name} bit 11", "vector_ik2-U16")
+    for mutation in (r"memory \\kernel.path.slopes.slope [1664] bit 0", r"memory \\other.slope [1575] bit 1",
+                     "mutate -mode inv -cell slopes.slope -port RD_ADDR -portbit 0"):
+        assert not mutants.reason(mutation, "vector_ik2-U16")
+    verdict = mutants.Verdict("vector_ik2-U16", killed=98, survivors=["memory slopes.slope[1600] bit 0", "mutate x"])
+    assert verdict.alive == ["mutate x"] and verdict.rate == 98 / 99
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not available("icarus"), reason="undefined words need Icarus")
+@pytest.mark.parametrize("words", mutants.UNREAD, ids=lambda one: f"{one['core']}-{one['memory']}-{one['words'][0]}")
+def test_words_that_are_never_read_may_be_undefined(words):
+    """Undefined for the bench in Icarus, all bits the other way round for the bulk run: nothing changes."""
+    made = mutate.make(find(words["core"]), 1, SEED)
+    text = (made.netlist.parent / "mutants.v").read_text()
+    first, last = words["words"]
+    picked = {number: int(word[2]) for number, word in enumerate(mutate.WORD.finditer(text))
+              if (at := mutants.WORD.fullmatch(f"memory {word[1]} bit 0"))
+              and f".{at[1]}".endswith(f".{words['memory']}") and first <= int(at[2]) <= last}
+    assert len(picked) == last - first + 1, "some of these words have no value, or there is no such memory"
+    whole = made.netlist.read_text()
+
+    def masked(bit: str) -> None:
+        masks = {number: f"{{{width}{{1'b{bit}}}}}" for number, width in picked.items()}
+        made.netlist.write_text(whole.replace(text, mutate.flipped(text, masks)))
+
+    masked("1")
+    assert not mutants.killed_in_bulk(made, None, SEED)
+    masked("x")
+    simulate(dataclasses.replace(made.core, sources=(made.netlist,)), "icarus", seed=SEED, parameters=False,
+             label=mutants.LABEL)
     mutants.clear(made.core)
 
 
