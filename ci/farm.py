@@ -68,7 +68,10 @@ def _process() -> ProcessPoolExecutor:
 
 def _done(work: Callable, job: tuple, since: float) -> object:
     cache.SINCE = since
-    return work(*job)
+    try:
+        return work(*job)
+    except tools.ToolError as error:  # of its message alone it cannot be made again on the other side: the pool broke
+        raise RuntimeError(str(error)) from None
 
 
 def call(work: Callable, job: tuple, since: float) -> object:

@@ -40,11 +40,7 @@ class ToolError(RuntimeError):
     def __init__(self, tool: str, code: int, output: str) -> None:
         tail = "\n".join(output.splitlines()[-25:])
         super().__init__(f"{tool} failed ({code}):\n{tail}")
-        self.code, self.made_of = code, (tool, code, output)
-
-    def __reduce__(self) -> tuple:
-        """A worker hands it over; by its message alone it could not be made again, and the worker would die of it."""
-        return type(self), self.made_of
+        self.code = code
 
 
 SAME = {"g++": ("c++", "clang++")}  # what does as well, where the first is missing
