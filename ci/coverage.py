@@ -1,8 +1,9 @@
 """`make coverage`: the lines and bits of every core that its cocotb bench and its bulk run reach under Verilator.
 
 Writes reports/coverage.md: a line for each parameter set, and every line and branch that none of them reaches: what one
-set leaves out (the third joint of a kernel, a table's last range) another must reach. Left out are constant
-functions, which run when a core is elaborated, and status bits that a core does not have.
+set leaves out (the third joint of a kernel, a table's last range) another must reach. ci/unreached.toml says why
+nothing can reach one. Left out are constant functions, which run when a core is elaborated, and status bits that a core
+does not have.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import contextlib
 import os
 import re
 import sys
+import tomllib
 from collections import Counter
 from pathlib import Path
 
@@ -24,6 +26,7 @@ WORK = tools.BUILD / "coverage"
 PAGE = tools.ROOT / "reports" / "coverage.md"
 POINT = re.compile(r"^C '(.*)' (\d+)$", re.M)
 FIELD = re.compile("\x01([^\x02]+)\x02([^\x01']*)")
+REASONS = tomllib.loads((tools.ROOT / "ci" / "unreached.toml").read_text())["line"]
 Point = tuple[str, int, str, str]  # file below rtl/, line, "line" or "toggle", what of it
 
 
@@ -91,6 +94,15 @@ def holes(total: Counter[Point], *kinds: str) -> list[str]:
     return [f"{file}:{line} {', '.join(what)}" for (file, line), what in missed.items()]
 
 
+def explained(hole: str) -> str:
+    """A hole in lines or branches with the reason for it."""
+    file, line = re.match(r"(\S+):(\d+) ", hole).groups()
+    source = RTL / file
+    text = source.read_text().splitlines()[int(line) - 1] if source.exists() else ""
+    return f"- `{hole}`: " + next((one["why"] for one in REASONS if one["file"] == file and one["text"] in text),
+                                  "**open**")
+
+
 def page(found: dict[str, Counter[Point]]) -> str:
     """The committed result."""
     lines = ["# Coverage of the benches", "",
@@ -104,7 +116,7 @@ def page(found: dict[str, Counter[Point]]) -> str:
     every.update(dict.fromkeys((point for total in found.values() for point in total), 0))
     lines += ["", "## Lines and branches that no core reaches", "",
               "What one core leaves out, bits included (most are constant by construction): build/coverage/CORE/holes.",
-              "", *(f"- `{hole}`" for hole in holes(every, "line", "branch"))]
+              "", *map(explained, holes(every, "line", "branch"))]
     return "\n".join(lines) + "\n"
 
 

@@ -22,7 +22,14 @@ def test_what_one_core_reaches_is_no_hole_of_the_other() -> None:
     one, two = ("arith/a.v", 7, "branch", "if"), ("arith/a.v", 9, "line", "block")
     page = coverage.page({"a": Counter({one: 0, two: 0}), "b": Counter({one: 5, two: 0})})
     assert "| a | 0 of 2 | 0 of 0 |" in page and "| b | 1 of 2 | 0 of 0 |" in page
-    assert "- `arith/a.v:9 block`" in page and "a.v:7" not in page
+    assert "- `arith/a.v:9 block`: **open**" in page and "a.v:7" not in page
+
+
+def test_reasons_belong_to_lines_that_exist() -> None:
+    for one in coverage.REASONS:
+        lines = (coverage.RTL / one["file"]).read_text().splitlines()
+        number = next(number for number, line in enumerate(lines, 1) if one["text"] in line)
+        assert coverage.explained(f"{one['file']}:{number} case").endswith(one["why"])
 
 
 def test_absent_status_bits_and_constant_functions_are_left_out() -> None:
