@@ -63,12 +63,12 @@ class Verdict:
     @property
     def unread(self) -> list[str]:
         """Survivors in words that no input reaches."""
-        return [mutation for mutation in self.survivors if reason(mutation, self.core)]
+        return [mutation for mutation in self.survivors if reason(mutation)]
 
     @property
     def alive(self) -> list[str]:
         """Survivors that count against the bench."""
-        return [mutation for mutation in self.survivors if not reason(mutation, self.core)]
+        return [mutation for mutation in self.survivors if not reason(mutation)]
 
     @property
     def rate(self) -> float:
@@ -77,12 +77,11 @@ class Verdict:
         return 1 - len(self.alive) / differing if differing else 1.0
 
 
-def reason(mutation: str, core: str) -> str:
+def reason(mutation: str) -> str:
     """Why no input reaches the memory word of this mutation, or nothing."""
     name, index = at.groups() if (at := WORD.fullmatch(mutation)) else ("", -1)
     return next((one["why"] for one in UNREAD if f".{name}".endswith(f".{one['memory']}")
-                 and one["words"][0] <= int(index) <= one["words"][1]
-                 and ("only" not in one or re.match(one["only"], core))), "")
+                 and one["words"][0] <= int(index) <= one["words"][1]), "")
 
 
 def killed_in_bulk(mutants: Mutants, mutant: Mutant | None, seed: int, samples: int | None = None) -> bool:
@@ -187,7 +186,7 @@ def page(verdicts: list[Verdict], every: list[Core]) -> str:
     lines += [f"| {' | '.join(row(v))} |" for v in verdicts]
     missing = [core.id for core in every if core.id not in {v.core for v in verdicts}]
     lines += ["", f"Not broken since they last changed: {', '.join(missing)}."] if missing else []
-    reasons = dict.fromkeys(reason(mutation, v.core) for v in verdicts for mutation in v.unread)
+    reasons = dict.fromkeys(reason(mutation) for v in verdicts for mutation in v.unread)
     return "\n".join([*lines, "", "## Survivors", "", *listed("alive"), "",
                       "## In words that are never read", "", *[f"- {why}" for why in reasons or ("none",)], "",
                       "## Killed in the long run alone", "", *listed("long"), "",

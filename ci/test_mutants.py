@@ -70,10 +70,10 @@ def test_proof_without_multipliers_and_memories():
 
 def test_words_that_are_never_read():
     for name in (r"\\kernel.path.slopes.slope [1575]", "slopes.slope[1663]"):
-        assert "never read" in mutants.reason(f"memory {name} bit 11", "vector_ik2-U16")
+        assert "never read" in mutants.reason(f"memory {name} bit 11")
     for mutation in (r"memory \\kernel.path.slopes.slope [1664] bit 0", r"memory \\other.slope [1575] bit 1",
                      "mutate -mode inv -cell slopes.slope -port RD_ADDR -portbit 0"):
-        assert not mutants.reason(mutation, "vector_ik2-U16")
+        assert not mutants.reason(mutation)
     verdict = mutants.Verdict("vector_ik2-U16", killed=98, survivors=["memory slopes.slope[1600] bit 0", "mutate x"])
     assert verdict.alive == ["mutate x"] and verdict.rate == 98 / 99
 
