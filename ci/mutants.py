@@ -80,7 +80,7 @@ class Verdict:
 def reason(mutation: str) -> str:
     """Why no input reaches the memory word of this mutation, or nothing."""
     name, index = at.groups() if (at := WORD.fullmatch(mutation)) else ("", -1)
-    return next((one["why"] for one in UNREAD if f".{name}".endswith(f".{one['memory']}")
+    return next((one["why"] for one in UNREAD if re.search(one["memory"], name)
                  and one["words"][0] <= int(index) <= one["words"][1]), "")
 
 
