@@ -7,8 +7,8 @@ registers and nodes always agree and merges them: the mutant is equivalent when 
 
 Multipliers and memories make most of a graph, and most mutants leave them alone. So they are cut out first: what they
 give is an input of both sides, whatever it is, and the output also says where what they are given differs, from the
-start. Who always gives them the same has the same from them. A mutant of a cell for which
-that is no proof gets the whole graph; a flipped memory word gets no other, its memory in it.
+start. Who always gives them the same has the same from them. A mutant of a cell for which that is no proof gets the
+whole graph. A flipped memory word gets one graph, in which its memory stays.
 """
 
 from __future__ import annotations
@@ -31,8 +31,6 @@ GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap;
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
          "opt_clean -purge; aigmap; opt_clean; write_aiger -ascii -symbols -zinit")
 MERGE = {True: "&get;&scorr;&put;scorr", False: "ifraig;iprove"}  # with registers and without
-
-
 Ports = list[tuple[str, int]]  # name and width
 
 
@@ -86,9 +84,9 @@ def _module(design: dict) -> dict:
 
 def _flip(module: dict, mutant: Mutant) -> str:
     """Flip a mutant's bit of a memory word in Yosys' JSON; the name of the memory."""
-    name, index = re.fullmatch(r"\\?(\S+?) ?\[(\d+)\]", mutant.name).groups()
+    name, index = mutate.place(mutant.name)
     cell = module["cells"][name]["parameters"]
-    place = (int(index) - int(cell["OFFSET"], 2)) * int(cell["WIDTH"], 2) + mutant.bit
+    place = (index - int(cell["OFFSET"], 2)) * int(cell["WIDTH"], 2) + mutant.bit
     bits = cell["INIT"]
     assert bits[-1 - place] in "01", f"{mutant} has no value"
     cell["INIT"] = f"{bits[:len(bits) - 1 - place]}{1 - int(bits[-1 - place])}{bits[len(bits) - place:]}"

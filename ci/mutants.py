@@ -42,7 +42,6 @@ COLUMNS = ("core", "killed in bulk", "by the bench alone", "in the long run alon
 UNREAD = tomllib.loads((tools.ROOT / "ci" / "unread.toml").read_text())["words"]
 PAGE = tools.ROOT / "reports" / "mutants.md"
 STORE = tools.ROOT / "reports" / "mutants.json"
-WORD = re.compile(r"memory \\?(\S+?) ?\[(\d+)\] bit \d+")
 BENCH = ("tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py", "tb/lib/suite.py",
          "tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/program.cpp")
 
@@ -79,9 +78,9 @@ class Verdict:
 
 def reason(mutation: str) -> str:
     """Why no input reaches the memory word of this mutation, or nothing."""
-    name, index = at.groups() if (at := WORD.fullmatch(mutation)) else ("", -1)
+    name, index = mutate.place(mutation)
     return next((one["why"] for one in UNREAD if re.search(one["memory"], name)
-                 and one["words"][0] <= int(index) <= one["words"][1]), "")
+                 and one["words"][0] <= index <= one["words"][1]), "")
 
 
 def killed_in_bulk(mutants: Mutants, mutant: Mutant | None, seed: int, samples: int | None = None) -> bool:

@@ -21,7 +21,15 @@ from tb.lib import tools
 ROM_SHARE = 10  # one mutant in so many is a bit of a memory word, where the core has a memory
 WORK = tools.BUILD / "mutants"
 CONTROL = re.compile(r" -cell (\S+) -port RD_(?:CLK|EN|ARST|SRST) ")  # a mutation of what a clocked memory has
+PLACE = re.compile(r"(?:memory )?\\?(\S+?) ?\[(\d+)\](?: bit \d+)?")
 WORD = re.compile(r"^ +(\S+ ?\[\d+\]) = (\d+)'h([0-9a-f]+)(?=;$)", re.M)
+
+
+def place(word: str) -> tuple[str, int]:
+    """Memory and index of a word, as Verilog or a mutant's text names it; of what names none nothing and -1."""
+    at = PLACE.fullmatch(word)
+    return (at[1], int(at[2])) if at else ("", -1)
+
 
 @dataclass(frozen=True)
 class Mutant:

@@ -88,8 +88,7 @@ def test_words_that_are_never_read_may_be_undefined(words):
     text = (made.netlist.parent / "mutants.v").read_text()
     first, last = words["words"]
     picked = {number: int(word[2]) for number, word in enumerate(mutate.WORD.finditer(text))
-              if (at := mutants.WORD.fullmatch(f"memory {word[1]} bit 0"))
-              and re.search(words["memory"], at[1]) and first <= int(at[2]) <= last}
+              for name, index in [mutate.place(word[1])] if re.search(words["memory"], name) and first <= index <= last}
     assert len(picked) == last - first + 1, "some of these words have no value, or there is no such memory"
     whole = made.netlist.read_text()
 
