@@ -11,14 +11,15 @@ from tb.lib.stimulus import Vectors
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Link lengths from the greatest to none: saturating, the longest that never saturates, common, short."""
+    """Link lengths from the greatest to none: saturating, the longest that never saturates, common, short; a pair
+    whose sum squared begins with the digit 2, to the base of 4."""
     if not core.cfg:
         return [{}]
     half = 1 << core.params["W"] - 1
     if core.function not in ("fk1", "ik1"):
         pairs = [(2 * half - 1, 2 * half - 1), (half // 2, half // 2), (0, 2 * half - 1), (half // 3, half // 4),
                  (2 * half - 1, 0), (1, half // 5), (half // 5, 1), (0, 0),
-                 *(tuple(map(int, rng.integers(1, half, 2))) for _ in range(2))]
+                 (2 * half - 1, 5 * half // 4), tuple(map(int, rng.integers(1, half, 2)))]
         derived = [classic.config(core.params, cfg_l1=l1, cfg_l2=l2) for l1, l2 in pairs]
         return [{port.name: words[port.name] for port in core.cfg} for words in derived]
     lengths = (2 * half - 1, 5 * half // 4, half - 1, int(rng.integers(half // 16, half)),
@@ -58,6 +59,9 @@ def _targets(core: Core, cfg: dict[str, int]) -> Vectors:
     for name in ("in_x", "in_y"):
         vectors[name][blank] = 0
     vectors["in_z"][np.arange(count) % 22 == 3] = 0
+    alone = np.concatenate([np.eye(3, dtype=np.int64) << bit for bit in range(core.params["W"] - 1)])  # a bit of them
+    vectors = {name: np.concatenate([value, alone[:, i]]) for i, (name, value) in enumerate(vectors.items())}
+    count += len(alone)
     vectors["in_elbow"] = rng.integers(0, 2, count)
     return {port.name: vectors[port.name] for port in core.inputs}
 
