@@ -9,7 +9,8 @@ from quadrance.bounds import engine as bounds
 from quadrance.parallel import geometry, position
 from quadrance.parallel.geometry import PoseError
 
-from tb.engine.stimulus import SCALE, matrices, quaternions, spiral, workspace
+from tb.engine.rotation import matrices, quaternions
+from tb.engine.rus_ik import SCALE, spiral, workspace
 
 CORES = [core for core in cores.all_cores() if core.name == "engine_rus_ik"]
 EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)

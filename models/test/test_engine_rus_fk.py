@@ -13,7 +13,7 @@ from quadrance.parallel import geometry, position
 from quadrance.parallel.geometry import PoseError
 
 from tb.engine.rus_fk import UNIT, assembled, poses
-from tb.engine.stimulus import spiral
+from tb.engine.rus_ik import spiral
 
 CORES = [core for core in cores.all_cores() if core.name == "engine_rus_fk"]
 EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
