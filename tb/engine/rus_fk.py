@@ -57,11 +57,15 @@ def _solved(core: Core, name: str, count: int, rng: np.random.Generator, unit: f
 
 
 def _alone(p: dict[str, int]) -> list[fk.Row]:
-    """A robot that fits; one word of it at an end, and back; a quaternion next to length 1; legs nearly alike;
-    a miss that is too large."""
+    """A robot that fits; one rod that does not, by one bit of the miss; one word at an end, and back; a quaternion next
+    to length 1; legs nearly alike; a miss that is too large."""
     robot, place, top = geometry.load("rus_2x3"), np.array([0, -300.0, 0]), (1 << p["W"] - 1) - 1
     every = fk.loads(p, robot, 512.0, np.eye(3), place, position.inverse(robot, np.eye(3), place, 0.0).alpha)
     rows = every + fk.solve()
+    rod = next(row for row in every if row["in_n"] == 1 and row["in_k"] == 10)
+    for bit in range(22, 26):
+        square = rod["in_word"] ** 2 + ((1 << bit) + 9) * 2.0 ** (2 * p["W"] - 29)
+        rows += [{**rod, "in_word": round(square**0.5)}] + fk.solve() + [rod]
     for at in (*range(4, 9), *range(35, 48)):  # page 0; leg 3
         for end in (top, ~top):
             rows += [{**every[at], "in_word": end}] + fk.solve() + [every[at]]

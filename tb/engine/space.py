@@ -7,13 +7,15 @@ from quadrance.cores import Core
 from quadrance.iterative import gradient, space
 from quadrance.iterative.gradient import Joint
 
-from tb.lib.stimulus import Vectors, uniform
+from tb.lib.stimulus import Vectors, joined, uniform
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """A short run first; a longer one with a fine tolerance; tolerance 0, limit 0; any end converges."""
+    """A short run first; a longer one with a fine tolerance; tolerance 0; limit 0, each bit of the tolerance at 0 and
+    at 1; any end converges."""
     return [{"cfg_tol": 40000, "cfg_limit": 5}, {"cfg_tol": 2000, "cfg_limit": 30}, {"cfg_tol": 0, "cfg_limit": 3},
-            {"cfg_tol": 300000, "cfg_limit": 0}, {"cfg_tol": (1 << 22) - 1, "cfg_limit": 7}]
+            {"cfg_tol": 0x155555, "cfg_limit": 0}, {"cfg_tol": 0x2AAAAA, "cfg_limit": 0},
+            {"cfg_tol": (1 << 22) - 1, "cfg_limit": 7}]
 
 
 def chain(n: int, rng: np.random.Generator, reach: float = 0.6) -> list[Joint]:
@@ -22,6 +24,11 @@ def chain(n: int, rng: np.random.Generator, reach: float = 0.6) -> list[Joint]:
     links = rng.normal(size=(n, 3))
     axes, links = (part / np.linalg.norm(part, axis=1, keepdims=True) for part in (axes, links))
     return [Joint(tuple(axis), tuple(link)) for axis, link in zip(axes, links * reach / n)]
+
+
+def columns(rows: list[dict[str, int]]) -> Vectors:
+    """Samples as the columns of their words."""
+    return {name: np.array([row[name] for row in rows]) for name in rows[0]}
 
 
 def _solved(n: int, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -37,6 +44,24 @@ def _solved(n: int, rng: np.random.Generator) -> list[dict[str, int]]:
     return rows + space.sets(rng.uniform(-3, 3, n)) + space.solve(max(n - 1, 1))
 
 
+def _border(core: Core, tol: int, rng: np.random.Generator) -> list[dict[str, int]]:
+    """A joint that stands still, and targets whose error is next to the tolerance, to each of its bits alone."""
+    joints, theta = chain(1, rng), rng.uniform(-3, 3, 1)
+    rows = space.loads(joints, theta, 1.0) + space.solve(1)
+    answer = space.gd(core.params, **columns(rows), cfg_tol=tol, cfg_limit=0)
+    place = [rows[k]["in_word"] - int(answer[f"out_{axis}"][-1]) for k, axis in enumerate("xyz")]
+    sizes = {tol, tol - 1, *(1 << bit for bit in range(22, 25))}
+    for bit in (1 << bit for bit in range(22)):  # the last size below with a 0 there, the first from it on with a 1
+        low = 2 * bit - 1
+        sizes |= {(tol - 1 & ~low) + bit - 1} if tol - 1 & bit else set()
+        sizes |= {(tol & ~low) + bit} if not tol & bit else set()
+    for size in sorted(sizes):
+        error = np.where(np.arange(3) == rng.integers(3), size if rng.integers(2) else ~size, 0)
+        rows += [{"in_op": space.WRITE, "in_n": 0, "in_k": k, "in_word": at + int(one)}
+                 for k, (at, one) in enumerate(zip(place, error))] + space.solve(1)
+    return rows
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Nothing written; chains of one joint to all of them; words that are not there between; words of any size."""
     rng, limit = np.random.default_rng(1), cfg["cfg_limit"]
@@ -49,12 +74,14 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         last = max(last, n)
         for joint, k in ((0, 7), (0, 4), (last + 1, 1), (last + 2, 0), (core.params["N"] + 1, 0), (255, 0), (128, 7)):
             rows.append({"in_op": int(rng.integers(0, 4)), "in_n": joint, "in_k": k, "in_word": 5})
-    every = {name: np.array([row[name] for row in rows]) for name in rows[0]}
+    every = columns(rows)
     if most == core.params["N"]:  # one joint too many, in order
         more = [{"in_op": space.WRITE, "in_n": most + 1, "in_k": k, "in_word": 7} for k in range(8)]
         more += space.solve(most + 1) + space.solve(most)
-        every = {name: np.concatenate([words, [row[name] for row in more]]) for name, words in every.items()}
+        every = joined(every, columns(more))
+    if limit == 0:
+        every = joined(every, columns(_border(core, cfg["cfg_tol"], rng)))
     wild = uniform(core, rng, 200)
     wild["in_n"] %= 3
     wild["in_op"] = np.where(rng.random(200) < 0.7, space.WRITE, wild["in_op"])
-    return {name: np.concatenate([words, wild[name]]) for name, words in every.items()}
+    return joined(every, wild)
