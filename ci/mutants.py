@@ -6,7 +6,7 @@ is proved equivalent (no input sequence after a reset tells it from the core), o
 long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory word that no input reaches
 (ci/unread.toml says why), or it counts against the bench. The seed is the day's, or SEED. Writes reports/mutants.json
 and, from it, reports/mutants.md; a core whose sources, bench and tools are still those of its verdict there is not
-broken again (--fresh: it is).
+broken again (--fresh: it is; --again: its survivors are, by what proofs and long runs have learned since).
 """
 
 from __future__ import annotations
@@ -14,6 +14,8 @@ from __future__ import annotations
 import argparse
 import contextlib
 import datetime
+import importlib
+import inspect
 import json
 import os
 import re
@@ -21,6 +23,8 @@ import shutil
 import sys
 import tomllib
 from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from types import FunctionType, ModuleType
 
 from quadrance.cores import Core, all_cores, find
 from rich.console import Console
@@ -120,44 +124,79 @@ def clear(core: Core) -> None:
         shutil.rmtree(folder)
 
 
-def judge(core: Core, count: int, seed: int) -> Verdict:
-    """Make, run and judge the mutants of one core."""
-    verdict = Verdict(core.id, digest(core, count), seed)
-    mutants = mutate.make(core, count, seed)
+def fate(mutants: Mutants, mutant: Mutant, prover: equivalence.Prover, seed: int) -> str:
+    """What becomes of a mutant: the name of the field of `Verdict` that counts it."""
+    core = mutants.core
+    if killed_in_bulk(mutants, mutant, seed, FEW) or killed_in_bulk(mutants, mutant, seed):
+        return "killed"
+    if killed_by_bench(mutants, mutant, seed):  # seconds; a proof of what is not equal takes minutes
+        return "bench"
+    if prover.equivalent(mutant):
+        return "equivalent"
+    samples = min(suite.LONG_SAMPLES, LONG_CLOCKS // (core.ii or 1))
+    return "long" if killed_in_bulk(mutants, mutant, seed + 1, samples) else "survivors"
+
+
+def judge(core: Core, count: int, seed: int, standing: Verdict | None = None) -> Verdict:
+    """Make, run and judge the mutants of one core; of a verdict that stands those that count against the bench."""
+    verdict = standing or Verdict(core.id, digest(core, count), seed)
+    left = set(verdict.alive)
+    verdict.survivors = verdict.unread
+    mutants = mutate.make(core, count, verdict.seed)
     if killed_in_bulk(mutants, None, seed) or killed_by_bench(mutants, None, seed):
         raise RuntimeError(f"{core.id}: the bench fails on the unmutated netlist too, so no kill would count")
     prover = equivalence.Prover(mutants)
     for mutant in mutants.every:
-        if killed_in_bulk(mutants, mutant, seed, FEW) or killed_in_bulk(mutants, mutant, seed):
-            verdict.killed += 1
-        elif killed_by_bench(mutants, mutant, seed):  # seconds; a proof of what is not equal takes minutes
-            verdict.bench.append(str(mutant))
-        elif prover.equivalent(mutant):
-            verdict.equivalent += 1
-        elif killed_in_bulk(mutants, mutant, seed + 1, min(suite.LONG_SAMPLES, LONG_CLOCKS // (core.ii or 1))):
-            verdict.long.append(str(mutant))
-        else:
-            verdict.survivors.append(str(mutant))
+        if standing is None or str(mutant) in left:
+            name = fate(mutants, mutant, prover, verdict.seed)
+            if name in ("killed", "equivalent"):
+                setattr(verdict, name, getattr(verdict, name) + 1)
+            else:
+                getattr(verdict, name).append(str(mutant))
     clear(core)
     return verdict
+
+
+def parts(core: Core) -> list[Path]:
+    """The files that the stimulus of a core's family takes its samples from; of those of single models its own."""
+    family = importlib.import_module(f"tb.{core.family}.stimulus")
+    used = {one if isinstance(one, ModuleType) else inspect.getmodule(one) for one in vars(family).values()
+            if isinstance(one, ModuleType | FunctionType)} - {family}
+    own = getattr(family, "MODELS", {})
+    used = {one for one in used if one not in own.values()} | {own.get(core.model_name, family)} - {family}
+    return sorted(Path(one.__file__) for one in used
+                  if one.__name__.startswith("tb.") and not one.__name__.startswith("tb.lib"))
 
 
 def digest(core: Core, count: int) -> str:
     """Of all that a verdict follows from but the seed: sources, bench, how mutants are made and proved equal, tools."""
     bench = [tools.ROOT / name for name in (*BENCH, f"tb/{core.family}/stimulus.py")]
+    bench += parts(core)
     texts = [path.read_text() for path in (*core.sources, *bench)]
     return cache.digest([texts, mutate.preparation(core), equivalence.GRAPH,
                          equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
 
 
-def judged(core: str, count: int, seed: int) -> dict:
-    """The verdict on one core as a dict, kept in build/cache: what is done stays done when the run is cut."""
+def judged(core: str, count: int, seed: int, again: bool = False) -> dict:
+    """The verdict on one core as a dict, kept in build/cache: what is done stays done when the run is cut.
+
+    `again`: the one that stands, its survivors judged once more.
+    """
     one = find(core)
-    return cache.cached([digest(one, count), seed], lambda: asdict(judge(one, count, seed)))
+    if not again:
+        return cache.cached([digest(one, count), seed], lambda: asdict(judge(one, count, seed)))
+    standing = known()[core]
+    return cache.cached([asdict(standing), Path(equivalence.__file__).read_text()],
+                        lambda: asdict(judge(one, count, standing.seed, standing)))
+
+
+def known() -> dict[str, Verdict]:
+    """The committed verdicts by core."""
+    return {one["core"]: Verdict(**one) for one in (json.loads(STORE.read_text()) if STORE.exists() else [])}
 
 
 def today() -> int:
-    """The seed of the day, so that each day's mutants are others."""
+    """The seed of the day, so that each day's mutants are own."""
     return int(datetime.datetime.now(datetime.UTC).strftime("%Y%m%d"))
 
 
@@ -197,35 +236,37 @@ def main() -> int:
     parser.add_argument("core", nargs="*", help="cores to break; all by default")
     parser.add_argument("--count", type=int, default=MUTANTS)
     parser.add_argument("--fresh", action="store_true", help="break those again whose verdict still stands")
+    parser.add_argument("--again", action="store_true", help="judge the survivors again of those whose verdict stands")
     args = parser.parse_args()
     seed = int(os.environ.get("SEED") or today())
     every = [core for core in all_cores() if core.first_set]
     cores = [find(name) for name in args.core] or every
-    known = {one["core"]: Verdict(**one) for one in (json.loads(STORE.read_text()) if STORE.exists() else [])}
-    jobs = [(core.id, args.count, seed) for core in cores
-            if args.fresh or core.id not in known or known[core.id].digest != digest(core, args.count)]
+    verdicts = known()
+    stands = {core.id for core in every if core.id in verdicts and verdicts[core.id].digest == digest(core, args.count)}
+    jobs = [(core.id, args.count, seed) for core in cores if args.fresh or core.id not in stands]
+    if args.again:
+        jobs += [(core.id, args.count, seed, True) for core in cores if core.id in stands and verdicts[core.id].alive]
     failure = None
     try:
         found = pool.run(judged, jobs, name="mutants")
     except RuntimeError as error:  # those that were judged stand in the cache
         found, failure = {}, error
     if failure is None:
-        known |= {core: Verdict(**one) for (core, *_), one in found.items()}
-        standing = [known[core.id] for core in every
-                    if core.id in known and known[core.id].digest == digest(core, args.count)]
+        verdicts |= {core: Verdict(**one) for (core, *_), one in found.items()}
+        standing = [verdicts[core.id] for core in every if core.id in stands | {job[0] for job in jobs}]
         STORE.write_text(json.dumps([asdict(one) for one in standing], indent=1) + "\n")
         PAGE.write_text(page(standing, every))
-    verdicts = [known[core.id] for core in cores if core.id in known]
+    shown = [verdicts[core.id] for core in cores if core.id in verdicts]
     table = Table(*COLUMNS)
-    for v in verdicts:
+    for v in shown:
         table.add_row(*row(v), style="" if v.rate >= THRESHOLD else "red")
     Console().print(table)
-    for v in verdicts:
+    for v in shown:
         for mutation in v.alive:
             print(f"survivor: {v.core}: {mutation}")
     if failure is not None:
         print(failure, file=sys.stderr)
-    return failure is not None or any(v.rate < THRESHOLD for v in verdicts)
+    return failure is not None or any(v.rate < THRESHOLD for v in shown)
 
 
 if __name__ == "__main__":
