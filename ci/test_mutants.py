@@ -6,7 +6,7 @@ import re
 import pytest
 from quadrance.cores import find
 
-from ci import equivalence, mutants, mutate
+from ci import equivalence, miter, mutants, mutate
 from tb.lib.simulate import available, simulate
 
 SEED = 5
@@ -58,15 +58,71 @@ def test_proof_knows_equal_from_different(made):
 
 
 @pytest.mark.full
-def test_proof_without_multipliers_and_memories():
+def test_proof_without_multipliers_and_memories(monkeypatch):
+    monkeypatch.setattr(equivalence, "PROOF", 5)
     made = mutate.make(find("vector_fk1"), 12, SEED)
     prover = equivalence.Prover(made)
-    graph = prover._without
-    assert prover._proved(graph, mutate.Mutant(0, "mutate -mode none"))
     killed = [one for one in made.every[::3] if mutants.killed_in_bulk(made, one, SEED, 200)]
-    assert killed and not any(prover._proved(graph, one) for one in killed), "what a product is given is compared too"
-    assert graph.size[-1] < 4000, "the multipliers are in it"
+    assert killed
+    for facts in (False, True):
+        graph = prover._of_command(False, facts)
+        assert prover._proved(graph, mutate.Mutant(0, "mutate -mode none"))
+        assert not any(prover._proved(graph, one) for one in killed), "what a product is given is compared too"
+        assert graph.size[-1] < 4500, "the multipliers are in it"
     mutants.clear(made.core)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("core", "word", "bit", "same"), [
+    ("engine_quaternion_gd_n", 32, 27, True),  # a factor of a product with the register that is 0
+    ("engine_quaternion_gd_n", 32, 33, False),
+    ("vector_fk6", 2, 14, True),  # a factor of a product that the line leaves out
+    ("vector_fk6", 50, 20, True),  # a line behind the last
+    ("vector_fk6", 2, 33, False)])
+def test_proof_knows_what_a_line_of_a_program_uses(core, word, bit, same):
+    made = mutate.make(find(core), 1, SEED)
+    name = next(name for name, _ in (mutate.place(one[1]) for one in mutate.WORD.finditer(
+        (made.netlist.parent / "gold.v").read_text())) if name.endswith(".lines"))
+    assert equivalence.Prover(made).equivalent(mutate.Mutant(1, word=1, name=f"{name} [{word}]", bit=bit)) == same
+
+
+def test_a_memory_that_is_written_keeps_its_words_or_has_one_that_nothing_reads():
+    cell = {"type": "$mem_v2", "parameters": {
+        "RD_PORTS": "1", "WR_PORTS": "1", "ABITS": "10", "WIDTH": "100", "SIZE": "100", "OFFSET": "0",
+        "RD_CLK_ENABLE": "0", "INIT": "xxxx0101xxxxxxxx"},
+        "port_directions": {"RD_ADDR": "input", "RD_DATA": "output", "WR_ADDR": "input", "WR_DATA": "input",
+                            "WR_EN": "input"},
+        "connections": {"RD_ADDR": [2, 3], "RD_DATA": [4, 5, 6, 7], "WR_ADDR": [8, 9], "WR_DATA": [10] * 4,
+                        "WR_EN": [11] * 4}}
+
+    def text(init: str, facts: bool) -> str:
+        design = {"modules": {"core": {"cells": {"file": cell | {"parameters": cell["parameters"] | {"INIT": init}}},
+                                       "ports": {}}}}
+        (one,) = miter.cut(design, set(), {"file"})
+        return one.results(facts) + "\n".join(one.watched(facts))
+
+    kept, nil = text("xxxx0101xxxxxxxx", True), text("x", True)
+    assert "g_cut0_RD_ADDR[0 +: 2] == 2'd2 ? 4'd5" in kept and "g_cut0_WR_ADDR == 2)" in kept
+    assert "~(| g_cut0_RD_ADDR" in nil and "(| {g_cut0_WR_ADDR, m_cut0_WR_ADDR})" in nil
+    assert text("x", False) == text("xxxx0101xxxxxxxx", False)
+    assert not any(sign in text("x", False) for sign in ("4'd5", "~(|", "(| {"))
+
+
+def test_a_verdict_hangs_on_what_its_stimulus_imports():
+    def names(core: str) -> set[str]:
+        return {path.name for path in mutants.parts(find(core))}
+
+    assert names("engine_rus_fk") == {"rus_fk.py"} and names("engine_delta_fk") == {"delta.py"}
+    assert {"chains.py", "targets.py"} <= names("vector_ik2") and not names("isqrt_comb")
+
+
+@pytest.mark.full
+def test_survivors_of_a_verdict_that_stands_are_judged_again(made, monkeypatch):
+    bulk = [str(one) for one in made.every if mutants.killed_in_bulk(made, one, SEED)]
+    standing = mutants.Verdict(made.core.id, "digest", SEED, killed=3, survivors=bulk[:1])
+    monkeypatch.setattr(mutate, "make", lambda core, count, seed: made)
+    verdict = mutants.judge(made.core, 12, 0, standing)
+    assert (verdict.killed, verdict.survivors, verdict.digest, verdict.seed) == (4, [], "digest", SEED)
 
 
 def test_words_that_are_never_read():
