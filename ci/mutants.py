@@ -3,8 +3,8 @@
 Each mutant (ci/mutate.py) goes through the bulk run of its core and, when it lives, through the cocotb bench, under
 Verilator and then, its resets, under Icarus. A kill is a failed comparison or a failed test, nothing else. A survivor
 is proved equivalent (no input sequence after a reset tells it from the core), or is killed by as many samples as the
-long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory word that no input reaches
-(ci/unread.toml says why), or it counts against the bench. The seed is the day's, or SEED. Writes reports/mutants.json
+long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory word that no input reaches, or it
+counts against the bench; ci/survivors.toml has the reasons. The seed is the day's, or SEED. Writes reports/mutants.json
 and, from it, reports/mutants.md; a core whose sources, bench and tools are still those of its verdict there is not
 broken again (--fresh: it is; --again: its survivors are, by what proofs and long runs have learned since).
 """
@@ -43,7 +43,7 @@ UNKNOWN = r"\.(one_clock_of_reset|reset_in_flight)$"  # tests that show more whe
 LONG_CLOCKS = 20_000_000  # of the long run, for what nothing else kills
 COLUMNS = ("core", "killed in bulk", "by the bench alone", "in the long run alone", "equivalent", "never read",
            "survived", "rate", "seed")
-UNREAD = tomllib.loads((tools.ROOT / "ci" / "unread.toml").read_text())["words"]
+KNOWN = tomllib.loads((tools.ROOT / "ci" / "survivors.toml").read_text())
 PAGE = tools.ROOT / "reports" / "mutants.md"
 STORE = tools.ROOT / "reports" / "mutants.json"
 BENCH = ("tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py", "tb/lib/suite.py",
@@ -83,8 +83,14 @@ class Verdict:
 def reason(mutation: str) -> str:
     """Why no input reaches the memory word of this mutation, or nothing."""
     name, index = mutate.place(mutation)
-    return next((one["why"] for one in UNREAD if re.search(one["memory"], name)
+    return next((one["why"] for one in KNOWN["words"] if re.search(one["memory"], name)
                  and one["words"][0] <= index <= one["words"][1]), "")
+
+
+def explained(core: str, mutation: str) -> str:
+    """What ci/survivors.toml says of a survivor that counts, or nothing."""
+    return next((one["why"] for one in KNOWN.get("explained", []) if re.search(one["core"], core)
+                 and re.search(one["mutation"], mutation)), "")
 
 
 def killed_in_bulk(mutants: Mutants, mutant: Mutant | None, seed: int, samples: int | None = None) -> bool:
@@ -211,21 +217,24 @@ def page(verdicts: list[Verdict], every: list[Core]) -> str:
     def listed(name: str) -> list[str]:
         return [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in getattr(v, name)] or ["none"]
 
+    alive = [(v.core, mutation) for v in verdicts for mutation in v.alive]
+    survivors = [f"- {core}: `{mutation}`{': ' * bool(why)}{why}" for core, mutation in alive
+                 for why in [explained(core, mutation)]]
     killed = sum(v.killed + len(v.bench) + len(v.long) for v in verdicts)
-    alive, equal = sum(len(v.alive) for v in verdicts), sum(v.equivalent + len(v.unread) for v in verdicts)
+    equal = sum(v.equivalent + len(v.unread) for v in verdicts)
     lines = ["# Mutation run", "",
              "`make mutants`: mutants of every core killed by its bulk run, by its cocotb bench alone, by the samples",
              "of the long run alone (`make exhaustive`), proved equivalent, in a memory word that no input reaches,",
              "and surviving. The rate is over those that differ in function; a survivor that nothing proved equal",
              "counts against the bench.", "",
-             f"{len(verdicts)} of {len(every)} cores: {killed} killed, {equal} equal in function, {alive} survived; "
-             f"{killed / max(killed + alive, 1):.2%} killed of those that differ.", "",
+             f"{len(verdicts)} of {len(every)} cores: {killed} killed, {equal} equal in function, "
+             f"{len(alive)} survived; {killed / max(killed + len(alive), 1):.2%} killed of those that differ.", "",
              f"| {' | '.join(COLUMNS)} |", "|---|" + "---:|" * (len(COLUMNS) - 1)]
     lines += [f"| {' | '.join(row(v))} |" for v in verdicts]
     missing = [core.id for core in every if core.id not in {v.core for v in verdicts}]
     lines += ["", f"Not broken since they last changed: {', '.join(missing)}."] if missing else []
     reasons = dict.fromkeys(reason(mutation) for v in verdicts for mutation in v.unread)
-    return "\n".join([*lines, "", "## Survivors", "", *listed("alive"), "",
+    return "\n".join([*lines, "", "## Survivors", "", *(survivors or ["none"]), "",
                       "## In words that are never read", "", *[f"- {why}" for why in reasons or ("none",)], "",
                       "## Killed in the long run alone", "", *listed("long"), "",
                       "## Killed by the cocotb bench alone", "", *listed("bench"), ""])
