@@ -119,12 +119,12 @@ class Prover:
         memory = _flip(gate["modules"]["mutants"], mutant)
         return self._graph(gate, f"word{mutant.number}", 0, self.cut - {memory}, facts)
 
-    def equivalent(self, mutant: Mutant) -> bool:
-        """True when it is proved that nothing tells the mutant from the core."""
+    def equivalent(self, mutant: Mutant, whole: bool = True) -> bool:
+        """True when it is proved that nothing tells the mutant from the core; `whole`: the whole graph is tried too."""
         of = self._of_word if not mutant.command else lambda _, facts: self._of_command(False, facts)
         if any(self._proved(of(mutant, facts), mutant) for facts in (False, True)[:1 + bool(self.cut)]):
             return True
-        return bool(mutant.command and self.cut) and self._proved(self._of_command(True), mutant)
+        return bool(whole and mutant.command and self.cut) and self._proved(self._of_command(True), mutant)
 
     def _proved(self, graph: Graph, mutant: Mutant) -> bool:
         before, after, invariant = (self.folder / f"{mutant.number}{end}" for end in (".aig", "merged.aig", ".pla"))

@@ -6,7 +6,7 @@ is proved equivalent (no input sequence after a reset tells it from the core), o
 long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory word that no input reaches, or it
 counts against the bench; ci/survivors.toml has the reasons. The seed is the day's, or SEED. Writes reports/mutants.json
 and, from it, reports/mutants.md; a core whose sources, bench and tools are still those of its verdict there is not
-broken again (--fresh: it is; --again: its survivors are, by what proofs and long runs have learned since).
+broken again (--fresh: it is; --again: what proofs have learned since is tried on its survivors).
 """
 
 from __future__ import annotations
@@ -144,21 +144,22 @@ def fate(mutants: Mutants, mutant: Mutant, prover: equivalence.Prover, seed: int
 
 
 def judge(core: Core, count: int, seed: int, standing: Verdict | None = None) -> Verdict:
-    """Make, run and judge the mutants of one core; of a verdict that stands those that count against the bench."""
+    """Make, run and judge the mutants of one core; of a verdict that stands, try to prove its survivors equal."""
     verdict = standing or Verdict(core.id, digest(core, count), seed)
-    left = set(verdict.alive)
-    verdict.survivors = verdict.unread
     mutants = mutate.make(core, count, verdict.seed)
+    prover = equivalence.Prover(mutants)
+    if standing:
+        equal = {str(one) for one in mutants.every if str(one) in verdict.alive and prover.equivalent(one, whole=False)}
+        return replace(verdict, equivalent=verdict.equivalent + len(equal),
+                       survivors=[one for one in verdict.survivors if one not in equal])
     if killed_in_bulk(mutants, None, seed) or killed_by_bench(mutants, None, seed):
         raise RuntimeError(f"{core.id}: the bench fails on the unmutated netlist too, so no kill would count")
-    prover = equivalence.Prover(mutants)
     for mutant in mutants.every:
-        if standing is None or str(mutant) in left:
-            name = fate(mutants, mutant, prover, verdict.seed)
-            if name in ("killed", "equivalent"):
-                setattr(verdict, name, getattr(verdict, name) + 1)
-            else:
-                getattr(verdict, name).append(str(mutant))
+        name = fate(mutants, mutant, prover, seed)
+        if name in ("killed", "equivalent"):
+            setattr(verdict, name, getattr(verdict, name) + 1)
+        else:
+            getattr(verdict, name).append(str(mutant))
     clear(core)
     return verdict
 
@@ -186,7 +187,7 @@ def digest(core: Core, count: int) -> str:
 def judged(core: str, count: int, seed: int, again: bool = False) -> dict:
     """The verdict on one core as a dict, kept in build/cache: what is done stays done when the run is cut.
 
-    `again`: the one that stands, its survivors judged once more.
+    `again`: the one that stands, without those survivors that can be proved equal now.
     """
     one = find(core)
     if not again:
@@ -245,7 +246,7 @@ def main() -> int:
     parser.add_argument("core", nargs="*", help="cores to break; all by default")
     parser.add_argument("--count", type=int, default=MUTANTS)
     parser.add_argument("--fresh", action="store_true", help="break those again whose verdict still stands")
-    parser.add_argument("--again", action="store_true", help="judge the survivors again of those whose verdict stands")
+    parser.add_argument("--again", action="store_true", help="try proofs on the survivors of verdicts that stand")
     args = parser.parse_args()
     seed = int(os.environ.get("SEED") or today())
     every = [core for core in all_cores() if core.first_set]

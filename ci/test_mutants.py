@@ -2,6 +2,7 @@
 
 import dataclasses
 import re
+from types import SimpleNamespace
 
 import pytest
 from quadrance.cores import find
@@ -116,13 +117,15 @@ def test_a_verdict_hangs_on_what_its_stimulus_imports():
     assert {"chains.py", "targets.py"} <= names("vector_ik2") and not names("isqrt_comb")
 
 
-@pytest.mark.full
-def test_survivors_of_a_verdict_that_stands_are_judged_again(made, monkeypatch):
-    bulk = [str(one) for one in made.every if mutants.killed_in_bulk(made, one, SEED)]
-    standing = mutants.Verdict(made.core.id, "digest", SEED, killed=3, survivors=bulk[:1])
+def test_survivors_of_a_verdict_that_stands_are_tried_again(monkeypatch):
+    every = tuple(mutate.Mutant(number, f"mutate {number}") for number in range(4))
+    made = mutate.Mutants(find("skid_buffer"), mutate.WORK / "none" / "netlist.v", 3, every)
     monkeypatch.setattr(mutate, "make", lambda core, count, seed: made)
-    verdict = mutants.judge(made.core, 12, 0, standing)
-    assert (verdict.killed, verdict.survivors, verdict.digest, verdict.seed) == (4, [], "digest", SEED)
+    prover = SimpleNamespace(equivalent=lambda one, whole: one.number == 2)
+    monkeypatch.setattr(equivalence, "Prover", lambda _: prover)
+    standing = mutants.Verdict(made.core.id, "digest", SEED, 90, 5, survivors=["mutate 1", "mutate 2"])
+    assert mutants.judge(made.core, 4, 0, standing) == dataclasses.replace(
+        standing, equivalent=6, survivors=["mutate 1"])
 
 
 def test_words_that_are_never_read():
