@@ -20,11 +20,11 @@ def words_of(core: Core, name: str) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Each robot with its own words, then extremes and some at random."""
+    """Each robot with its own words; one whose cranks are as long as its rods; then extremes and some at random."""
     robots = [words_of(core, name) for name in SCALE]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
-    return [*robots, *edges, *({port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}
-                               for _ in range(2))]
+    return [*robots, robots[0] | {"cfg_k": 0}, *edges,
+            {port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}]
 
 
 def spiral() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -69,10 +69,14 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         turn, place, beta = (np.concatenate(pair) for pair in zip(spiral(), (turn, place, beta)))
     loads = engine_rus.geometry(core.params, robot, scale)
     every = _mixed(loads, engine_rus.poses(core.params, robot, scale, turn, place, beta), rng)
-    # a joint on its crank's axis: joint and link 0, position the foot; and next to it
-    feet = [one for one in loads for _ in range(4)]
-    axis = {port.name: np.array([0 if port.name[3] in "rcnl" else -one[port.name] + int(rng.integers(-2, 3)) * (i % 4)
-                                 if port.name[3] == "p" else one[port.name] for i, one in enumerate(feet)])
+    # a joint on its crank's axis: joint and link 0, position the foot; and next to it: squares and roots of any size
+    feet = [one for one in loads for _ in range(60 // len(loads))] * (12 if cfg["cfg_k"] == 0 else 1)
+    far = np.where(rng.random(len(feet)) < 0.2, 2.0 ** rng.uniform(0, 9, len(feet)), 120 * rng.random(len(feet)) ** 0.5)
+    ray = rng.normal(size=(3, len(feet)))
+    beside = np.rint(ray / np.linalg.norm(ray, axis=0) * far).astype(int)
+    beside[:, ::15] = 0
+    axis = {port.name: np.array([0 if port.name[3] in "rcnl" else -one[port.name] + int(off["xyz".find(port.name[4])])
+                                 if port.name[3] == "p" else one[port.name] for one, off in zip(feet, beside.T)])
             for port in core.inputs}
     edge = {port.name: rng.choice(stimulus.extremes(port), 200) for port in core.inputs}
     wild = stimulus.uniform(core, rng, 100)
