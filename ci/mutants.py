@@ -40,6 +40,7 @@ THRESHOLD = 0.99
 FEW = 2_000  # samples of a first bulk run, which kills most
 LABEL = "-mutant"
 UNKNOWN = r"\.(one_clock_of_reset|reset_in_flight)$"  # tests that show more where a register starts unknown
+AGAIN = 150  # seconds of a proof that is tried once more
 LONG_CLOCKS = 20_000_000  # of the long run, for what nothing else kills
 COLUMNS = ("core", "killed in bulk", "by the bench alone", "in the long run alone", "equivalent", "never read",
            "survived", "rate", "seed")
@@ -147,7 +148,7 @@ def judge(core: Core, count: int, seed: int, standing: Verdict | None = None) ->
     """Make, run and judge the mutants of one core; of a verdict that stands, try to prove its survivors equal."""
     verdict = standing or Verdict(core.id, digest(core, count), seed)
     mutants = mutate.make(core, count, verdict.seed)
-    prover = equivalence.Prover(mutants)
+    prover = equivalence.Prover(mutants, AGAIN if standing else equivalence.PROOF)
     if standing:
         equal = {str(one) for one in mutants.every if str(one) in verdict.alive and prover.equivalent(one, whole=False)}
         return replace(verdict, equivalent=verdict.equivalent + len(equal),

@@ -59,10 +59,9 @@ def test_proof_knows_equal_from_different(made):
 
 
 @pytest.mark.full
-def test_proof_without_multipliers_and_memories(monkeypatch):
-    monkeypatch.setattr(equivalence, "PROOF", 5)
+def test_proof_without_multipliers_and_memories():
     made = mutate.make(find("vector_fk1"), 12, SEED)
-    prover = equivalence.Prover(made)
+    prover = equivalence.Prover(made, seconds=5)
     killed = [one for one in made.every[::3] if mutants.killed_in_bulk(made, one, SEED, 200)]
     assert killed
     for facts in (False, True):
@@ -122,7 +121,7 @@ def test_survivors_of_a_verdict_that_stands_are_tried_again(monkeypatch):
     made = mutate.Mutants(find("skid_buffer"), mutate.WORK / "none" / "netlist.v", 3, every)
     monkeypatch.setattr(mutate, "make", lambda core, count, seed: made)
     prover = SimpleNamespace(equivalent=lambda one, whole: one.number == 2)
-    monkeypatch.setattr(equivalence, "Prover", lambda _: prover)
+    monkeypatch.setattr(equivalence, "Prover", lambda *_: prover)
     standing = mutants.Verdict(made.core.id, "digest", SEED, 90, 5, survivors=["mutate 1", "mutate 2"])
     assert mutants.judge(made.core, 4, 0, standing) == dataclasses.replace(
         standing, equivalent=6, survivors=["mutate 1"])
