@@ -179,8 +179,7 @@ def parts(core: Core) -> list[Path]:
 def digest(core: Core, count: int) -> str:
     """Of all that a verdict follows from but the seed: sources, bench, how mutants are made and proved equal, tools."""
     bench = [tools.ROOT / name for name in (*BENCH, f"tb/{core.family}/stimulus.py")]
-    bench += parts(core)
-    texts = [path.read_text() for path in (*core.sources, *bench)]
+    texts = [path.read_text() for path in (*core.sources, *bench, *parts(core))]
     return cache.digest([texts, mutate.preparation(core), equivalence.GRAPH,
                          equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
 
@@ -204,7 +203,7 @@ def known() -> dict[str, Verdict]:
 
 
 def today() -> int:
-    """The seed of the day, so that each day's mutants are own."""
+    """The seed of the day, so that each day's mutants are others."""
     return int(datetime.datetime.now(datetime.UTC).strftime("%Y%m%d"))
 
 
