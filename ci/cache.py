@@ -24,8 +24,8 @@ def current(path: Path) -> bool:
     return path.exists() and path.stat().st_mtime >= SINCE
 
 
-def cached(key: object, compute: Callable[[], dict]) -> dict:
-    """The JSON result of `compute()`, computed once for each content of `key`.
+def cached(key: object, compute: Callable[[], dict], keep: Callable[[dict], bool] | None = None) -> dict:
+    """The JSON result of `compute()`, computed once for each content of `key` (if `keep` says so of it).
 
     The file appears whole or not at all, however many processes compute it.
     """
@@ -33,6 +33,8 @@ def cached(key: object, compute: Callable[[], dict]) -> dict:
     if current(path):
         return json.loads(path.read_text())
     result = compute()
+    if keep and not keep(result):
+        return result
     FOLDER.mkdir(parents=True, exist_ok=True)
     partial = path.with_suffix(f".{uuid.uuid4().hex}")
     partial.write_text(json.dumps(result))

