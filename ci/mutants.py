@@ -6,7 +6,8 @@ is proved equivalent (no input sequence after a reset tells it from the core), o
 long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory word that no input reaches, or it
 counts against the bench; ci/survivors.toml has the reasons. The seed is the day's, or SEED. Writes reports/mutants.json
 and, from it, reports/mutants.md; a core whose sources, bench and tools are still those of its verdict there is not
-broken again (--fresh: it is; --again: what proofs have learned since is tried on its survivors).
+broken again (--fresh: it is; --again: what proofs have learned since is tried on its survivors). Where the cocotb bench
+alone has changed, those that the bulk run killed and those proved equal stay so, and the others go through it again.
 """
 
 from __future__ import annotations
@@ -14,8 +15,6 @@ from __future__ import annotations
 import argparse
 import contextlib
 import datetime
-import importlib
-import inspect
 import json
 import os
 import re
@@ -24,13 +23,12 @@ import sys
 import tomllib
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
-from types import FunctionType, ModuleType
 
 from quadrance.cores import Core, all_cores, find
 from rich.console import Console
 from rich.table import Table
 
-from ci import cache, equivalence, mutate, pool
+from ci import cache, equivalence, mutate, pool, sources
 from ci.mutate import Mutant, Mutants
 from tb.lib import suite, tools
 from tb.lib.simulate import simulate
@@ -47,8 +45,6 @@ COLUMNS = ("core", "killed in bulk", "by the bench alone", "in the long run alon
 KNOWN = tomllib.loads((tools.ROOT / "ci" / "survivors.toml").read_text())
 PAGE = tools.ROOT / "reports" / "mutants.md"
 STORE = tools.ROOT / "reports" / "mutants.json"
-BENCH = ("tb/lib/bench.py", "tb/lib/stream.py", "tb/lib/stimulus.py", "tb/lib/suite.py",
-         "tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/program.cpp")
 
 
 @dataclass
@@ -57,6 +53,7 @@ class Verdict:
 
     core: str
     digest: str = ""
+    cocotb: str = ""
     seed: int = 0
     killed: int = 0
     equivalent: int = 0
@@ -144,57 +141,80 @@ def fate(mutants: Mutants, mutant: Mutant, prover: equivalence.Prover, seed: int
     return "long" if killed_in_bulk(mutants, mutant, seed + 1, samples) else "survivors"
 
 
-def judge(core: Core, count: int, seed: int, standing: Verdict | None = None) -> Verdict:
-    """Make, run and judge the mutants of one core; of a verdict that stands, try to prove its survivors equal."""
-    verdict = standing or Verdict(core.id, digest(core, count), seed)
-    mutants = mutate.make(core, count, verdict.seed)
-    prover = equivalence.Prover(mutants, AGAIN if standing else equivalence.PROOF)
-    if standing:
-        equal = {str(one) for one in mutants.every if str(one) in verdict.alive and prover.equivalent(one, whole=False)}
-        return replace(verdict, equivalent=verdict.equivalent + len(equal),
-                       survivors=[one for one in verdict.survivors if one not in equal])
+def entered(verdict: Verdict, mutant: Mutant, field: str) -> None:
+    """Count a mutant in its field of `verdict`, or name it there."""
+    if field in ("killed", "equivalent"):
+        setattr(verdict, field, getattr(verdict, field) + 1)
+    else:
+        getattr(verdict, field).append(str(mutant))
+
+
+def judge(core: Core, count: int, seed: int) -> Verdict:
+    """Make, run and judge the mutants of one core."""
+    mutants = mutate.make(core, count, seed)
     if killed_in_bulk(mutants, None, seed) or killed_by_bench(mutants, None, seed):
         raise RuntimeError(f"{core.id}: the bench fails on the unmutated netlist too, so no kill would count")
+    verdict = Verdict(core.id, digest(core, count), cocotb(), seed)
+    prover = equivalence.Prover(mutants)
     for mutant in mutants.every:
-        name = fate(mutants, mutant, prover, seed)
-        if name in ("killed", "equivalent"):
-            setattr(verdict, name, getattr(verdict, name) + 1)
-        else:
-            getattr(verdict, name).append(str(mutant))
+        entered(verdict, mutant, fate(mutants, mutant, prover, seed))
     clear(core)
     return verdict
 
 
-def parts(core: Core) -> list[Path]:
-    """The files that the stimulus of a core's family takes its samples from; of those of single models its own."""
-    family = importlib.import_module(f"tb.{core.family}.stimulus")
-    used = {one if isinstance(one, ModuleType) else inspect.getmodule(one) for one in vars(family).values()
-            if isinstance(one, ModuleType | FunctionType)} - {family}
-    own = getattr(family, "MODELS", {})
-    used = {one for one in used if one not in own.values()} | {own.get(core.model_name, family)} - {family}
-    return sorted(Path(one.__file__) for one in used
-                  if one.__name__.startswith("tb.") and not one.__name__.startswith("tb.lib"))
+def benched(core: Core, count: int, standing: Verdict) -> Verdict:
+    """A verdict under a cocotb bench that has changed since: what the bulk run and the proofs left goes through it."""
+    verdict = replace(standing, cocotb=cocotb(), bench=[], long=[], survivors=[])
+    left = {one: name for name in ("bench", "long", "survivors") for one in getattr(standing, name)}
+    if not left:
+        return verdict
+    mutants = mutate.make(core, count, standing.seed)
+    if killed_by_bench(mutants, None, standing.seed):
+        raise RuntimeError(f"{core.id}: the bench fails on the unmutated netlist too, so no kill would count")
+    prover = equivalence.Prover(mutants)
+    for mutant in mutants.every:
+        name = left.get(str(mutant))
+        if name and killed_by_bench(mutants, mutant, standing.seed):
+            name = "bench"
+        elif name == "bench":  # no longer
+            name = fate(mutants, mutant, prover, standing.seed)
+        if name:
+            entered(verdict, mutant, name)
+    clear(core)
+    return verdict
+
+
+def proved(core: Core, count: int, standing: Verdict) -> Verdict:
+    """A verdict that stands, without those survivors that can be proved equal now."""
+    mutants = mutate.make(core, count, standing.seed)
+    prover = equivalence.Prover(mutants, AGAIN)
+    equal = {str(one) for one in mutants.every if str(one) in standing.alive and prover.equivalent(one, whole=False)}
+    return replace(standing, equivalent=standing.equivalent + len(equal),
+                   survivors=[one for one in standing.survivors if one not in equal])
 
 
 def digest(core: Core, count: int) -> str:
-    """Of all that a verdict follows from but the seed: sources, bench, how mutants are made and proved equal, tools."""
-    bench = [tools.ROOT / name for name in (*BENCH, f"tb/{core.family}/stimulus.py")]
-    texts = [path.read_text() for path in (*core.sources, *bench, *parts(core))]
-    return cache.digest([texts, mutate.preparation(core), equivalence.GRAPH,
+    """Of all that a verdict follows from but the seed and the cocotb bench."""
+    return cache.digest([sources.bulk(core), mutate.preparation(core), equivalence.GRAPH,
                          equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
 
 
-def judged(core: str, count: int, seed: int, again: bool = False) -> dict:
+def cocotb() -> str:
+    """Of the cocotb bench."""
+    return cache.digest(sources.cocotb())
+
+
+def judged(core: str, count: int, seed: int, step: str = "") -> dict:
     """The verdict on one core as a dict, kept in build/cache: what is done stays done when the run is cut.
 
-    `again`: the one that stands, without those survivors that can be proved equal now.
+    `step`: "benched" or "proved", of the verdict that stands.
     """
     one = find(core)
-    if not again:
-        return cache.cached([digest(one, count), seed], lambda: asdict(judge(one, count, seed)))
-    standing = known()[core]
-    return cache.cached([asdict(standing), Path(equivalence.__file__).read_text()],
-                        lambda: asdict(judge(one, count, standing.seed, standing)))
+    if not step:
+        return cache.cached([digest(one, count), cocotb(), seed], lambda: asdict(judge(one, count, seed)))
+    standing, work = known()[core], {"benched": benched, "proved": proved}[step]
+    return cache.cached([step, asdict(standing), cocotb(), Path(equivalence.__file__).read_text()],
+                        lambda: asdict(work(one, count, standing)))
 
 
 def known() -> dict[str, Verdict]:
@@ -234,6 +254,8 @@ def page(verdicts: list[Verdict], every: list[Core]) -> str:
     lines += [f"| {' | '.join(row(v))} |" for v in verdicts]
     missing = [core.id for core in every if core.id not in {v.core for v in verdicts}]
     lines += ["", f"Not broken since they last changed: {', '.join(missing)}."] if missing else []
+    older = [v.core for v in verdicts if v.cocotb != cocotb()]
+    lines += ["", f"The cocotb bench has changed since: {', '.join(older)}."] if older else []
     reasons = dict.fromkeys(reason(mutation) for v in verdicts for mutation in v.unread)
     return "\n".join([*lines, "", "## Survivors", "", *(survivors or ["none"]), "",
                       "## In words that are never read", "", *[f"- {why}" for why in reasons or ("none",)], "",
@@ -253,9 +275,14 @@ def main() -> int:
     cores = [find(name) for name in args.core] or every
     verdicts = known()
     stands = {core.id for core in every if core.id in verdicts and verdicts[core.id].digest == digest(core, args.count)}
-    jobs = [(core.id, args.count, seed) for core in cores if args.fresh or core.id not in stands]
-    if args.again:
-        jobs += [(core.id, args.count, seed, True) for core in cores if core.id in stands and verdicts[core.id].alive]
+    jobs = []
+    for core in cores:
+        if args.fresh or core.id not in stands:
+            jobs.append((core.id, args.count, seed))
+        elif verdicts[core.id].cocotb != cocotb():
+            jobs.append((core.id, args.count, seed, "benched"))
+        elif args.again and verdicts[core.id].alive:
+            jobs.append((core.id, args.count, seed, "proved"))
     failure = None
     try:
         found = pool.run(judged, jobs, name="mutants")

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 from quadrance.cores import find
 
-from ci import equivalence, miter, mutants, mutate
+from ci import equivalence, miter, mutants, mutate, sources
 from tb.lib.simulate import available, simulate
 
 SEED = 5
@@ -110,21 +110,52 @@ def test_a_memory_that_is_written_keeps_its_words_or_has_one_that_nothing_reads(
 
 def test_a_verdict_hangs_on_what_its_stimulus_imports():
     def names(core: str) -> set[str]:
-        return {path.name for path in mutants.parts(find(core))}
+        return {path.name for path in sources.stimulus(find(core))} - {"stimulus.py"}
 
     assert names("engine_rus_fk") == {"rus_fk.py"} and names("engine_delta_fk") == {"delta.py"}
     assert {"chains.py", "targets.py"} <= names("vector_ik2") and not names("isqrt_comb")
 
 
-def test_survivors_of_a_verdict_that_stands_are_tried_again(monkeypatch):
+@pytest.fixture
+def four(monkeypatch):
+    """Four mutants of the skid buffer that nobody has to make; only number 2 can be proved equal."""
     every = tuple(mutate.Mutant(number, f"mutate {number}") for number in range(4))
     made = mutate.Mutants(find("skid_buffer"), mutate.WORK / "none" / "netlist.v", 3, every)
     monkeypatch.setattr(mutate, "make", lambda core, count, seed: made)
-    prover = SimpleNamespace(equivalent=lambda one, whole: one.number == 2)
+    prover = SimpleNamespace(equivalent=lambda one, whole=True: one.number == 2)
     monkeypatch.setattr(equivalence, "Prover", lambda *_: prover)
-    standing = mutants.Verdict(made.core.id, "digest", SEED, 90, 5, survivors=["mutate 1", "mutate 2"])
-    assert mutants.judge(made.core, 4, 0, standing) == dataclasses.replace(
+    return made
+
+
+def test_survivors_of_a_verdict_that_stands_are_tried_again(four):
+    standing = mutants.Verdict(four.core.id, "digest", "bench", SEED, 90, 5, survivors=["mutate 1", "mutate 2"])
+    assert mutants.proved(four.core, 4, standing) == dataclasses.replace(
         standing, equivalent=6, survivors=["mutate 1"])
+
+
+@pytest.mark.parametrize(("kills", "bench", "long", "survivors", "equivalent"), [
+    ({0, 1, 2, 3}, [0, 1, 2, 3], [], [], 5),
+    ({0}, [0], [3], [1, 2], 5),  # as it was
+    (set(), [], [3], [0, 1, 2], 5),  # a kill is lost
+    ({0, 1}, [0, 1], [3], [2], 5)])
+def test_where_the_bench_alone_has_changed(four, monkeypatch, kills, bench, long, survivors, equivalent):
+    """Only what the cocotb bench could decide is decided again."""
+    def names(numbers):
+        return [f"mutate {number}" for number in numbers]
+
+    monkeypatch.setattr(mutants, "killed_by_bench", lambda _, one, seed: one is not None and one.number in kills)
+    monkeypatch.setattr(mutants, "killed_in_bulk", lambda *_: False)
+    standing = mutants.Verdict(four.core.id, "digest", "an older bench", SEED, 90, 5, names([0]), names([3]),
+                               names([1, 2]))
+    assert mutants.benched(four.core, 4, standing) == dataclasses.replace(
+        standing, cocotb=mutants.cocotb(), bench=names(bench), long=names(long), survivors=names(survivors),
+        equivalent=equivalent)
+
+
+def test_a_bench_that_fails_on_the_core_itself_kills_nothing(four, monkeypatch):
+    monkeypatch.setattr(mutants, "killed_by_bench", lambda *_: True)
+    with pytest.raises(RuntimeError, match="unmutated"):
+        mutants.benched(four.core, 4, mutants.Verdict(four.core.id, survivors=["mutate 1"]))
 
 
 def test_words_that_are_never_read():

@@ -148,7 +148,10 @@ async def stalled_output_loses_nothing(dut):
 
 @cocotb.test(skip=not CLOCKED)
 async def reset_in_flight(dut):
-    """A reset at any moment drops what is in flight, takes nothing, and touches nothing that comes after it."""
+    """A reset at any moment drops what is in flight, takes nothing, and touches nothing that comes after it.
+
+    In every other three, one of each offer, it meets a result that waits for out_ready.
+    """
     bench = await _fresh(dut)
     rng = _rng()
     corners = _undefined_first(bench.cfg, 2)
@@ -156,11 +159,14 @@ async def reset_in_flight(dut):
         corners = [{name: words[i:i + 1] for name, words in corners.items()} for i in range(2)]
     corner = itertools.cycle(corners if LATENCY > 64 else [corners])
     offers = itertools.cycle((lambda: True, lambda: False, lambda: random.random() < 0.5))
-    for _, offer in zip(range(RESETS), offers):
-        bench.pressure = _chance(random.choice((0.0, 0.7)))
+    for index, offer in zip(range(RESETS), offers):
+        waits = index // 3 % 2 == 1
+        bench.pressure = _chance(1.0 if waits else random.choice((0.0, 0.7)))
         words = stimulus.uniform(CORE, rng, 5)
         sender = cocotb.start_soon(bench.send({name: values.repeat(4) for name, values in words.items()}))
-        for _ in range(random.randrange(1, 2 * LATENCY + 6)):
+        if waits:
+            await bench.result()
+        for _ in range(random.randrange(3) if waits else random.randrange(1, 2 * LATENCY + 6)):
             await bench.edge
         sender.cancel()
         await bench.reset(random.choice((1, 1, 2, 3)), offer)

@@ -179,6 +179,14 @@ class Bench:
                 raise AssertionError(f"no in_ready for {patience} cycles")
         in_valid.value = 0
 
+    async def result(self, patience: int = 4000) -> None:
+        """Wait until a result is offered."""
+        for _ in range(patience):
+            await self.edge
+            if bit(self.dut.out_valid):
+                return
+        raise AssertionError(f"no out_valid for {patience} cycles")
+
     async def drain(self, patience: int = 4000, after: int | None = None) -> None:
         """Wait until every accepted sample has its result, then `after` clocks, a latency by default, for one too many.
         """

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from quadrance.cores import Core, Port
+from quadrance.cores import Core, Port, find
 
 from tb.lib import bulk, program
 from tb.lib.simulate import simulate
@@ -58,6 +58,20 @@ def test_broken_core_fails(fault):
 def test_broken_core_fails_in_bulk(fault):
     with pytest.raises(AssertionError):
         bulk_run(specimen(fault), 100_000, SEED)
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("unless", ["in_valid", "(out_valid && !out_ready)"])
+def test_a_reset_that_leaves_a_result_standing_fails(unless, tmp_path):
+    """In a core of 27 clocks few resets meet a result that waits, unless the bench waits for one."""
+    core = find("rotation_check")
+    text = next(path for path in core.sources if path.stem == core.name).read_text()
+    broken = tmp_path / "rotation_check.v"
+    broken.write_text(text.replace("if (rst)\n            out_valid", f"if (rst && !{unless})\n            out_valid"))
+    assert broken.read_text() != text
+    sources = tuple(broken if path.stem == core.name else path for path in core.sources)
+    with pytest.raises(SystemExit, match="FAILED"):
+        simulate(replace(core, sources=sources), simulators()[0], tests=r"\.reset_in_flight$", seed=SEED)
 
 
 @pytest.mark.full
