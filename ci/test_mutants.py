@@ -202,6 +202,14 @@ def test_nobody_mutates_the_clock_of_a_memory_without_one():
     assert not mutate.CONTROL.search("mutate -mode inv -cell a.slope -port RD_ADDR -portbit 0")
 
 
+def test_a_mutant_has_the_number_of_its_command():
+    """One that is left out must not shift those behind it: they would be broken under another's name."""
+    commands = [f"mutate -ctrl mutant 7 {number} -mode inv -cell {cell} -port {port} -portbit 0"
+                for number, cell, port in ((1, "b", "Y"), (2, "a.slope", "RD_EN"), (3, "c", "A"))]
+    assert [(one.number, one.plusarg) for one in mutate.commanded(commands, {"a.slope"})] == [
+        (1, "+mutant=1"), (3, "+mutant=3")]
+
+
 def test_memory_words_are_flipped_one_by_one():
     text = "  initial begin\n    \\a.rom [0] = 4'h3;\n    \\a.rom [1] = 4'hc;\n  end\n"
     assert mutate.flipped(text, {1: "4'h8"}) == text.replace("4'hc;", "4'hc ^ (4'h8);")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from quadrance import arm, arm_keep
+from quadrance import arm, arm_keep, vector_solve
 from quadrance.cores import Core
 from quadrance.fixed import to_fixed
 
@@ -17,12 +17,41 @@ from tb.vector.stimulus import directions
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Lengths and constants: none, the greatest of both signs, ordinary ones."""
     if core.function == "keep2":
-        found = targets.configs(core, rng)[:12]
+        found = [*targets.configs(core, rng)[5:12], *_shifts(core)]
+    elif core.function in ("arm_ik3", "keep3"):
+        found = _inverse(core, rng)
     else:
-        found = _inverse(core, rng) if core.function in ("arm_ik3", "keep3") else _forward(core, rng)
+        found = _forward(core, rng)
+    if core.function == "keep3":  # every sample is four of the kernel; the last one has the shortest links
+        found = [*found[-7:], found[3]]
     if "keep" in core.function:
-        found = [_limited(core, cfg, i, rng) for i, cfg in enumerate(found[-7:])]  # every sample is four of the kernel
+        found = [_limited(core, cfg, i, rng) for i, cfg in enumerate(found)]
+    if core.function == "keep2":  # joint 2 of the longest links anywhere but folded, to the last word of its cosine
+        one = 1 << core.params["U"]
+        found[7] |= {"cfg_mc2": one, "cfg_mn2": 0, "cfg_h2": -one}
     return [{port.name: cfg[port.name] for port in core.cfg} for cfg in found]
+
+
+def _shifts(core: Core) -> list[dict[str, int]]:
+    """Links whose gap is shifted by each cfg_e modulo 4 that the others leave out, and a longer one of 2^(W-1) LSB."""
+    lengths = np.array([(40000, 30000), (33000, 9000), (1500, 1200), (100, 90), (6, 5)]) >> 16 - core.params["W"]
+    pairs = [{"cfg_l1": l1, "cfg_l2": l2} for l1, l2 in np.maximum(lengths, 1).tolist()]
+    return [pair | vector_solve.config(core.params, **pair) for pair in pairs]
+
+
+def _bends(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
+    """Targets that bend two long links by every segment of the table that the root of v = 1 - c2^2 comes from."""
+    half, l1, l2 = 1 << core.params["W"] - 1, cfg["cfg_l1"], cfg["cfg_l2"]
+    v = (np.arange(512) + 0.5) / 512
+    v = np.concatenate([v, v / 32])
+    c = np.sqrt(1 - v) * rng.choice([-1, 1], v.size)
+    radius = np.sqrt(l1**2 + l2**2 + 2 * l1 * l2 * c)
+    folded = np.sqrt(l1**2 + l2**2 - 2 * l1 * l2 * abs(c))
+    radius = np.minimum(np.where(radius < 1.4 * half, radius, folded), 1.4 * half)
+    least = np.arccos(np.minimum(half / radius, 1))  # from an axis: the words end there
+    turn = rng.uniform(least, np.pi / 2 - least) + np.pi / 2 * rng.integers(0, 4, v.size)
+    x, y = (np.clip(np.rint(radius * one(turn)), -half, half - 1).astype(np.int64) for one in (np.cos, np.sin))
+    return {"in_x": x, "in_y": y}
 
 
 def _limited(core: Core, cfg: dict[str, int], i: int, rng: np.random.Generator) -> dict[str, int]:
@@ -41,7 +70,18 @@ def _forward(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     rows.append([{"cfg_sine": 0, "cfg_radius": 0}.get(port.name, port.high // 8) for port in core.cfg])  # no threshold
     found = [dict(zip((port.name for port in core.cfg), row)) for row in rows]
     long = found[2] | {"cfg_l1": core.cfg[0].high}, found[2] | {"cfg_l2": core.cfg[1].high, "cfg_l1": 7}
-    return [*found, *long]
+    return [*found, *long, *(_divisors(core) if "cfg_sine" in found[0] else [])]
+
+
+def _divisors(core: Core) -> list[dict[str, int]]:
+    """Nothing, and behind it almost no threshold, so that a flag that stays is seen; then lengths and thresholds that
+    are powers of two, of which a divisor has one bit alone.
+    """
+    w, u = core.params["W"], core.params["U"]
+    rows = [(0, 0, 0, 0), ((1 << w) - 1, (1 << w) - 1, 16, 16)]
+    rows += [(1 << i, 1 << w - 1, 2 << min(i, u - 1), 2 << min(i, w - 2)) for i in range(0, w, 2)]
+    names = ("cfg_l1", "cfg_l2", "cfg_sine", "cfg_radius")
+    return [{port.name: dict(zip(names, row))[port.name] for port in core.cfg} for row in rows]
 
 
 def _inverse(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -69,7 +109,9 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     if core.function == "arm_fk3":
         return stimulus.joined(directions(core, rng), stimulus.saturation(core, cfg))
     if core.function == "keep2":
-        return {name: words for name, words in targets.corners(core, cfg, rng).items() if name != "in_elbow"}
+        found = {name: words for name, words in targets.corners(core, cfg, rng).items() if name != "in_elbow"}
+        long = min(cfg["cfg_l1"], cfg["cfg_l2"]) >> core.params["W"] - 2
+        return stimulus.joined(found, _bends(core, cfg, rng)) if long else found
     if core.function == "keep3":
         found = _targets(core, cfg, rng)
         return {name: found[name] for name in ("in_x", "in_y", "in_z")}
@@ -88,6 +130,10 @@ def _motions(core: Core, rng: np.random.Generator) -> Vectors:
             words = np.where(rng.random(count) < 0.3, rng.choice(stimulus.extremes(port), count),
                              rng.integers(port.low, port.high, count, endpoint=True))
             found[port.name] = words >> np.where(rng.random(count) < 0.4, rng.integers(0, port.width, count), 0)
+    if core.function.startswith("rates"):  # almost straight: a quotient by n2 is long
+        straight = rng.random(count) < 0.1
+        found["in_c2"][straight] = rng.choice([one, -one], straight.sum())
+        found["in_n2"][straight] = rng.choice([one, -one], straight.sum()) * 2.0 ** -rng.uniform(3, 12, straight.sum())
     return found
 
 

@@ -44,11 +44,14 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
-    """First of all elbows in one point, then cranks in the workspace, anywhere, alike, on the axes and beside them."""
+    """First of all elbows in one point and beside it, then cranks in the workspace, anywhere, alike, on the axes and
+    beside them.
+    """
     rng = np.random.default_rng(1)
     own = [name for name in MM if engine_delta.config(core.params, geometry.load(name), scale(core, name))["cfg_la"]
            == cfg["cfg_la"]]
-    alpha = [np.full((2, 3), np.arccos(np.clip(-cfg["cfg_base"] / (cfg["cfg_la"] or 1), -1, 1)))]
+    meet = np.arccos(np.clip(-cfg["cfg_base"] / (cfg["cfg_la"] or 1), -1, 1))
+    alpha = [np.full((2, 3), meet), meet + rng.uniform(-1, 1, (40, 3)) * 2.0 ** -rng.uniform(0, 16, (40, 1))]
     alpha += [workspace(own[0] if own else "klipper_delta", 40, rng), rng.uniform(-np.pi, np.pi, (50, 3)),
               np.repeat(rng.uniform(-np.pi, np.pi, (15, 1)), 3, axis=1)]
     axis = np.pi / 2 * rng.integers(0, 4, (25, 3))
