@@ -20,10 +20,10 @@ def words_of(core: Core, name: str) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Each robot with its own words; one whose cranks are as long as its rods; then extremes and some at random."""
+    """Each robot with its own words; one whose cranks and rods have the shortest length; extremes, some at random."""
     robots = [words_of(core, name) for name in SCALE]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
-    return [*robots, robots[0] | {"cfg_k": 0}, *edges,
+    return [*robots, robots[0] | {"cfg_k": 0, "cfg_c": core.cfg[1].high}, *edges,
             {port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}]
 
 
@@ -58,6 +58,15 @@ def _mixed(loads: list[dict[str, int]], samples: Vectors, rng: np.random.Generat
     return {name: np.array([row[name] for row in every]) for name in every[0]}
 
 
+def _stretched(core: Core, cfg: dict[str, int], feet: list[dict[str, int]], rng: np.random.Generator) -> np.ndarray:
+    """(3, N) words from a foot to a joint in the plane of its crank, as far away as crank and rod, alike, reach."""
+    reach = 2 * 2.0**(42 - engine_rus.FINE) / cfg["cfg_c"] / 2 ** (18 - core.params["W"])
+    angle = rng.uniform(-np.pi, np.pi, len(feet))
+    axes = np.array([[one["in_r21"], one["in_r22"]] for one in feet]).T / engine_rus.ONE
+    x, z = reach * np.cos(angle) * axes
+    return np.rint([x, reach * np.sin(angle), z]).astype(int)
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Poses of a robot behind its geometry; then joints on their axes, and geometry and poses at the ends of words."""
     rng = np.random.default_rng(1)
@@ -70,11 +79,14 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     loads = engine_rus.geometry(core.params, robot, scale)
     every = _mixed(loads, engine_rus.poses(core.params, robot, scale, turn, place, beta), rng)
     # a joint on its crank's axis: joint and link 0, position the foot; and next to it: squares and roots of any size
-    feet = [one for one in loads for _ in range(60 // len(loads))] * (12 if cfg["cfg_k"] == 0 else 1)
+    feet = [one for one in loads for _ in range(60 // len(loads))]
     far = np.where(rng.random(len(feet)) < 0.2, 2.0 ** rng.uniform(0, 9, len(feet)), 120 * rng.random(len(feet)) ** 0.5)
     ray = rng.normal(size=(3, len(feet)))
     beside = np.rint(ray / np.linalg.norm(ray, axis=0) * far).astype(int)
     beside[:, ::15] = 0
+    if cfg["cfg_k"] == 0:  # next to where a leg is stretched: the least of its roots
+        stretched = _stretched(core, cfg, loads * 400, rng)
+        feet, beside = feet + loads * 400, np.concatenate([beside, stretched], axis=1)
     axis = {port.name: np.array([0 if port.name[3] in "rcnl" else -one[port.name] + int(off["xyz".find(port.name[4])])
                                  if port.name[3] == "p" else one[port.name] for one, off in zip(feet, beside.T)])
             for port in core.inputs}
