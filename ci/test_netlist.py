@@ -7,7 +7,7 @@ import pytest
 from quadrance.cores import find
 
 from ci import cache, netlist
-from ci.netlist import FAILED, LATE, PASSED, TESTS, Verdict
+from ci.netlist import FAILED, LATE, LEFT, PASSED, TESTS, Verdict
 from tb.lib import tools
 from tb.lib.simulate import available
 from tb.lib.suite import SEED
@@ -89,7 +89,7 @@ def test_a_slow_netlist_is_named(monkeypatch):
     monkeypatch.setattr(netlist, "LIMIT", 1)
     monkeypatch.setattr(netlist, "bench", bench)
     verdict = netlist.judge("rational_ik1", "cyclonev", SEED)
-    assert list(verdict.results.values()) == [PASSED, LATE]
+    assert list(verdict.results.values()) == [PASSED, LATE, LEFT]
     assert verdict.why[-1].endswith("more than 1 s of Icarus")
 
 
@@ -117,7 +117,7 @@ def test_a_test_that_a_core_does_not_have_is_none_that_passed():
 def test_the_page_counts_tests():
     slow = Verdict("a", "ice40", {"lut": 7}, {"reset": PASSED, "random": LATE})
     text = netlist.page([slow, Verdict("b", "ice40", {}, {"reset": FAILED})])
-    assert "2 netlists: 1 tests passed, 1 tests FAILED, 1 tests too slow." in text
+    assert "2 netlists: 1 tests passed, 1 tests FAILED, 1 tests too slow, 0 tests left out." in text
     assert "| a | ice40 | 7 |  |  |  | passed |  | too slow |" in text
 
 

@@ -40,7 +40,8 @@ module engine_gd_n_products #(
         square0 <= in_op[1] && in_op[0] && in_run;
         still0  <= in_still;
         dest0   <= dest_now;
-        {write, step, still, error, square, dest} <= {write0, step0, still0, error0, square0, dest0};
+        {write, step, still, square, dest} <= {write0, step0, still0, square0, dest0};
+        error <= error0 && in_run;  // none of before a reset, whose sample would have it in its answer
     end
 
     // register file

@@ -26,7 +26,8 @@ CLOCKED = CORE.clocked
 FIXED = CLOCKED and CORE.latency is not None
 LATENCY, II = CORE.latency or min(CORE.ii or 1, 100), CORE.ii or 1  # where the latency varies, a moment inside it
 # A clock here costs as much as a thousand in the bulk run: here is every kind of sample, there is their number.
-RESETS = min(60, 15 * LATENCY)  # a core of one clock has no moment in between
+RESETS = min(60, 15 * LATENCY) if FIXED else 200  # a core of one clock has no moment in between, a program many
+WORK = 600  # clocks, where the latency varies, in which words are written and an iteration is worked on
 CLOCKS = 1_000  # about as many for the corners of all configurations
 SAMPLES = max(6, min(20, 1_000 // max(LATENCY, II)))
 
@@ -162,15 +163,16 @@ async def reset_in_flight(dut):
     if LATENCY > 64:  # one of them a round
         corners = [{name: words[i:i + 1] for name, words in corners.items()} for i in range(2)]
     corner = itertools.cycle(corners if LATENCY > 64 else [corners])
+    begin = {name: words[:400] for name, words in stimulus.corners(CORE, bench.cfg).items()}  # writes, then work
     offers = itertools.cycle((lambda: True, lambda: False, lambda: random.random() < 0.5))
     for index, offer in zip(range(RESETS), offers):
         waits = index // 3 % 2 == 1
         bench.pressure = _chance(1.0 if waits else random.choice((0.0, 0.7)))
-        words = stimulus.uniform(CORE, rng, 5)
-        sender = cocotb.start_soon(bench.send({name: values.repeat(4) for name, values in words.items()}))
+        words = {name: values.repeat(4) for name, values in stimulus.uniform(CORE, rng, 5).items()}
+        sender = cocotb.start_soon(bench.send(words if FIXED else begin))
         if waits:
             await bench.result()
-        for _ in range(random.randrange(3) if waits else random.randrange(1, 2 * LATENCY + 6)):
+        for _ in range(random.randrange(3) if waits else random.randrange(1, 2 * LATENCY + 6 if FIXED else WORK)):
             await bench.edge
         sender.cancel()
         await bench.reset(random.choice((1, 1, 2, 3)), offer)
