@@ -29,6 +29,8 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     if core.function == "keep2":  # joint 2 of the longest links anywhere but folded, to the last word of its cosine
         one = 1 << core.params["U"]
         found[7] |= {"cfg_mc2": one, "cfg_mn2": 0, "cfg_h2": -one}
+    if "keep" in core.function:
+        found += _bordered(core, found[4])
     return [{port.name: cfg[port.name] for port in core.cfg} for cfg in found]
 
 
@@ -61,6 +63,24 @@ def _limited(core: Core, cfg: dict[str, int], i: int, rng: np.random.Generator) 
         low, room = rng.uniform(-np.pi, np.pi), rng.uniform(0.5, 1.2) * 2 * np.pi if i % 3 else 7.0
         cfg |= arm_keep.limit(core.params, joint, low, low + (0.3 if i == 5 else room))
     return cfg
+
+
+def _bordered(core: Core, cfg: dict[str, int]) -> list[dict[str, int]]:
+    """Limits of which one answer keeps within by the last unit in every joint, or does not in one of them."""
+    number = int(core.function[-1])
+    free = cfg | {name: word for i in range(1, number + 1) for name, word in
+                  arm_keep.limit(core.params, i, -np.pi, np.pi).items()}
+    free = {port.name: free[port.name] for port in core.cfg}
+    answer = core.model(core.params, **corners(core, free), **free)
+    joint = np.array([[answer[f"out_{letter}{i}"] for letter in "cn"] for i in range(1, number + 1)])
+    clear = np.where(answer["out_status"] == 0, np.abs(joint).min(axis=(0, 1)), 0)  # the farthest from every axis
+    inside = {}
+    for i, (c, n) in enumerate(joint[:, :, np.argmax(clear)].tolist(), 1):
+        angle = np.arctan2(n, c) + 0.7
+        words = arm_keep.limit(core.params, i, angle - 1, angle + 1)
+        cosine = (c * words[f"cfg_mc{i}"] >> core.params["U"]) + (n * words[f"cfg_mn{i}"] >> core.params["U"])
+        inside |= words | {f"cfg_h{i}": cosine - 1}
+    return [free | inside, *(free | inside | {f"cfg_h{i}": inside[f"cfg_h{i}"] + 1} for i in range(1, number + 1))]
 
 
 def _forward(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:

@@ -20,10 +20,12 @@ def words_of(core: Core, name: str) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Each robot with its own words; one whose cranks and rods have the shortest length; extremes, some at random."""
+    """Each robot with its own words; one whose cranks are as long as its rods, and of the shortest ones; then extremes
+    and some at random.
+    """
     robots = [words_of(core, name) for name in SCALE]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
-    return [*robots, robots[0] | {"cfg_k": 0, "cfg_c": core.cfg[1].high}, *edges,
+    return [*robots, robots[0] | {"cfg_k": 0}, robots[0] | {"cfg_k": 0, "cfg_c": core.cfg[1].high}, *edges,
             {port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}]
 
 
@@ -79,12 +81,12 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     loads = engine_rus.geometry(core.params, robot, scale)
     every = _mixed(loads, engine_rus.poses(core.params, robot, scale, turn, place, beta), rng)
     # a joint on its crank's axis: joint and link 0, position the foot; and next to it: squares and roots of any size
-    feet = [one for one in loads for _ in range(60 // len(loads))]
+    feet = [one for one in loads for _ in range(60 // len(loads))] * (24 if cfg["cfg_k"] == 0 else 1)
     far = np.where(rng.random(len(feet)) < 0.2, 2.0 ** rng.uniform(0, 9, len(feet)), 120 * rng.random(len(feet)) ** 0.5)
     ray = rng.normal(size=(3, len(feet)))
     beside = np.rint(ray / np.linalg.norm(ray, axis=0) * far).astype(int)
     beside[:, ::15] = 0
-    if cfg["cfg_k"] == 0:  # next to where a leg is stretched: the least of its roots
+    if cfg["cfg_k"] == 0 and cfg["cfg_c"] == core.cfg[1].high:  # where a leg is stretched: its least roots
         stretched = _stretched(core, cfg, loads * 400, rng)
         feet, beside = feet + loads * 400, np.concatenate([beside, stretched], axis=1)
     axis = {port.name: np.array([0 if port.name[3] in "rcnl" else -one[port.name] + int(off["xyz".find(port.name[4])])
