@@ -52,7 +52,10 @@ STORE = tools.ROOT / "reports" / "mutants.json"
 
 @dataclass
 class Verdict:
-    """What became of the mutants of one core; those of the bench alone and survivors by the mutation that made them."""
+    """What became of the mutants of one core; those of the bench alone and survivors by the mutation that made them.
+
+    digest, cocotb : of what the verdict follows from, and of the cocotb bench.
+    """
 
     core: str
     digest: str = ""
@@ -137,6 +140,12 @@ def killed_by_bench(mutants: Mutants, mutant: Mutant | None, seed: int) -> bool:
     return False
 
 
+def check_unmutated(mutants: Mutants, seed: int) -> None:
+    """RuntimeError where the netlist fails that carries the mutants, none of them chosen."""
+    if killed_in_bulk(mutants, None, seed) or killed_by_bench(mutants, None, seed):
+        raise RuntimeError(f"{mutants.core.id}: the bench fails on the unmutated netlist too, so no kill would count")
+
+
 def clear(core: Core) -> None:
     """Remove the builds of the mutants of one core: no other run can use them."""
     for folder in (tools.BUILD / "sim").glob(f"*/{core.id}{LABEL}-*"):
@@ -167,8 +176,7 @@ def entered(verdict: Verdict, mutant: Mutant, field: str) -> None:
 def judge(core: Core, count: int, seed: int) -> Verdict:
     """Make, run and judge the mutants of one core."""
     mutants = mutate.make(core, count, seed)
-    if killed_in_bulk(mutants, None, seed) or killed_by_bench(mutants, None, seed):
-        raise RuntimeError(f"{core.id}: the bench fails on the unmutated netlist too, so no kill would count")
+    check_unmutated(mutants, seed)
     verdict = Verdict(core.id, digest(core, count), cocotb(), seed)
     prover = equivalence.Prover(mutants)
     for mutant in mutants.every:
@@ -184,8 +192,7 @@ def benched(core: Core, count: int, standing: Verdict) -> Verdict:
     if not left:
         return verdict
     mutants = mutate.make(core, count, standing.seed)
-    if killed_by_bench(mutants, None, standing.seed):
-        raise RuntimeError(f"{core.id}: the bench fails on the unmutated netlist too, so no kill would count")
+    check_unmutated(mutants, standing.seed)
     prover = equivalence.Prover(mutants)
     for mutant in mutants.every:
         name = left.get(str(mutant))
@@ -209,13 +216,13 @@ def proved(core: Core, count: int, standing: Verdict) -> Verdict:
 
 
 def digest(core: Core, count: int) -> str:
-    """Of all that a verdict follows from but the seed and the cocotb bench."""
+    """Digest of all that a verdict follows from but the seed and the cocotb bench."""
     return cache.digest([sources.bulk(core), mutate.preparation(core), equivalence.GRAPH,
                          equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
 
 
 def cocotb() -> str:
-    """Of the cocotb bench."""
+    """Digest of the cocotb bench."""
     return cache.digest(sources.cocotb())
 
 
@@ -311,7 +318,7 @@ def main() -> int:
     shown = [verdicts[core.id] for core in cores if core.id in verdicts]
     table = Table(*COLUMNS)
     for v in shown:
-        table.add_row(*row(v), style="red" if unexplained(v) else "")
+        table.add_row(*row(v), style="red" if v.rate < THRESHOLD or unexplained(v) else "")
     Console().print(table)
     for v in shown:
         for mutation in v.alive:

@@ -152,8 +152,10 @@ def test_where_the_bench_alone_has_changed(four, monkeypatch, kills, bench, long
         equivalent=equivalent)
 
 
-def test_a_bench_that_fails_on_the_core_itself_kills_nothing(four, monkeypatch):
-    monkeypatch.setattr(mutants, "killed_by_bench", lambda *_: True)
+@pytest.mark.parametrize("run", ["killed_in_bulk", "killed_by_bench"])
+def test_a_bench_that_fails_on_the_core_itself_kills_nothing(four, monkeypatch, run):
+    for name in ("killed_in_bulk", "killed_by_bench"):
+        monkeypatch.setattr(mutants, name, lambda *_, name=name: name == run)
     with pytest.raises(RuntimeError, match="unmutated"):
         mutants.benched(four.core, 4, mutants.Verdict(four.core.id, survivors=["mutate 1"]))
 

@@ -41,7 +41,7 @@ module engine_gd_n_products #(
         still0  <= in_still;
         dest0   <= dest_now;
         {write, step, still, square, dest} <= {write0, step0, still0, square0, dest0};
-        error <= error0 && in_run;  // none of before a reset, whose sample would have it in its answer
+        error <= error0 && in_run;  // not from before a reset: the next answer would have it
     end
 
     // register file

@@ -26,16 +26,12 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
         found = [*found[-7:], found[3]]
     if "keep" in core.function:
         found = [_limited(core, cfg, i, rng) for i, cfg in enumerate(found)]
-    if core.function == "keep2":  # joint 2 of the longest links anywhere but folded, to the last word of its cosine
-        one = 1 << core.params["U"]
-        found[7] |= {"cfg_mc2": one, "cfg_mn2": 0, "cfg_h2": -one}
-    if "keep" in core.function:
         found += _bordered(core, found[4])
     return [{port.name: cfg[port.name] for port in core.cfg} for cfg in found]
 
 
 def _shifts(core: Core) -> list[dict[str, int]]:
-    """Links whose gap is shifted by each cfg_e modulo 4 that the others leave out, and a longer one of 2^(W-1) LSB."""
+    """Links with the cfg_e that others leave out: 1, 5, 9, 13; and two of more than 2^(W-1) LSB that reach targets."""
     lengths = np.array([(40000, 30000), (33000, 9000), (1500, 1200), (100, 90), (6, 5)]) >> 16 - core.params["W"]
     pairs = [{"cfg_l1": l1, "cfg_l2": l2} for l1, l2 in np.maximum(lengths, 1).tolist()]
     return [pair | vector_solve.config(core.params, **pair) for pair in pairs]
@@ -66,7 +62,7 @@ def _limited(core: Core, cfg: dict[str, int], i: int, rng: np.random.Generator) 
 
 
 def _bordered(core: Core, cfg: dict[str, int]) -> list[dict[str, int]]:
-    """Limits of which one answer keeps within by the last unit in every joint, or does not in one of them."""
+    """Limits that one answer keeps by the last unit in every joint, then those that it misses by it in one of them."""
     number = int(core.function[-1])
     free = cfg | {name: word for i in range(1, number + 1) for name, word in
                   arm_keep.limit(core.params, i, -np.pi, np.pi).items()}
@@ -76,9 +72,11 @@ def _bordered(core: Core, cfg: dict[str, int]) -> list[dict[str, int]]:
     clear = np.where(answer["out_status"] == 0, np.abs(joint).min(axis=(0, 1)), 0)  # the farthest from every axis
     inside = {}
     for i, (c, n) in enumerate(joint[:, :, np.argmax(clear)].tolist(), 1):
-        angle = np.arctan2(n, c) + 0.7
-        words = arm_keep.limit(core.params, i, angle - 1, angle + 1)
-        cosine = (c * words[f"cfg_mc{i}"] >> core.params["U"]) + (n * words[f"cfg_mn{i}"] >> core.params["U"])
+        for middle in np.arctan2(n, c) + np.arange(0.7, 1, 0.01):
+            words = arm_keep.limit(core.params, i, middle - 1, middle + 1)
+            cosine = (c * words[f"cfg_mc{i}"] >> core.params["U"]) + (n * words[f"cfg_mn{i}"] >> core.params["U"])
+            if cosine & 1:  # then bit 0 of the limit alone decides
+                break
         inside |= words | {f"cfg_h{i}": cosine - 1}
     return [free | inside, *(free | inside | {f"cfg_h{i}": inside[f"cfg_h{i}"] + 1} for i in range(1, number + 1))]
 

@@ -26,8 +26,8 @@ CLOCKED = CORE.clocked
 FIXED = CLOCKED and CORE.latency is not None
 LATENCY, II = CORE.latency or min(CORE.ii or 1, 100), CORE.ii or 1  # where the latency varies, a moment inside it
 # A clock here costs as much as a thousand in the bulk run: here is every kind of sample, there is their number.
-RESETS = min(60, 15 * LATENCY) if FIXED else 200  # a core of one clock has no moment in between, a program many
-WORK = 600  # clocks, where the latency varies, in which words are written and an iteration is worked on
+RESETS = min(60, 15 * LATENCY) if FIXED else 200  # few where a sample takes one clock, many in a long program
+WORK = 600  # clocks, where the latency varies: words are written, and some iterations run
 CLOCKS = 1_000  # about as many for the corners of all configurations
 SAMPLES = max(6, min(20, 1_000 // max(LATENCY, II)))
 
@@ -98,9 +98,9 @@ async def corners_and_random_combinational(dut):
 
 @cocotb.test(skip=not CLOCKED)
 async def corners_back_to_back(dut):
-    """Corners at every configuration, without a gap and without a reset between; every other time the last one first.
+    """Corners at every configuration, without a gap and without a reset between; at every other one in reverse order.
 
-    The first ones have no direction, and their flags would hide one that an earlier configuration has left.
+    The first corners are singular: their flags would hide a flag that stays from the configuration before.
     """
     bench = await _fresh(dut)
     configs = stimulus.configs(CORE, _rng())
@@ -155,7 +155,7 @@ async def stalled_output_loses_nothing(dut):
 async def reset_in_flight(dut):
     """A reset at any moment drops what is in flight, takes nothing, and touches nothing that comes after it.
 
-    In every other three, one of each offer, it meets a result that waits for out_ready.
+    Every other group of three resets, one with each of `offers`, meets a result that waits for out_ready.
     """
     bench = await _fresh(dut)
     rng = _rng()

@@ -39,7 +39,7 @@ def specimen(fault: int) -> Specimen:
         model_name="", first_set=True)
 
 
-def broken(name: str, module: str, old: str, new: str, folder: Path) -> Core:
+def altered(name: str, module: str, old: str, new: str, folder: Path) -> Core:
     """A core of the list with another text in one of its modules."""
     core = find(name)
     text = next(path for path in core.sources if path.stem == module).read_text()
@@ -73,16 +73,16 @@ def test_broken_core_fails_in_bulk(fault):
 @pytest.mark.parametrize("unless", ["in_valid", "(out_valid && !out_ready)"])
 def test_a_reset_that_leaves_a_result_standing_fails(unless, tmp_path):
     """In a core of 27 clocks few resets meet a result that waits, unless the bench waits for one."""
-    core = broken("rotation_check", "rotation_check", "if (rst)\n            out_valid",
-                  f"if (rst && !{unless})\n            out_valid", tmp_path)
+    core = altered("rotation_check", "rotation_check", "if (rst)\n            out_valid",
+                   f"if (rst && !{unless})\n            out_valid", tmp_path)
     with pytest.raises(SystemExit, match="FAILED"):
         simulate(core, simulators()[0], tests=r"\.reset_in_flight$", seed=SEED)
 
 
 @pytest.mark.full
 def test_a_line_of_before_a_reset_that_reaches_an_answer_fails(tmp_path):
-    """One line in ten of a long program; as the core was, and only its netlist showed it. A seed that meets it."""
-    core = broken("engine_quaternion_gd_n", "engine_gd_n_products", "error0 && in_run", "error0", tmp_path)
+    """It takes a reset in one of ten lines of a long program; this seed has one. The core had this fault once."""
+    core = altered("engine_quaternion_gd_n", "engine_gd_n_products", "error0 && in_run", "error0", tmp_path)
     with pytest.raises(SystemExit, match="FAILED"):
         simulate(core, simulators()[0], tests=r"\.reset_in_flight$", seed=2026)
 
