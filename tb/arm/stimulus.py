@@ -26,6 +26,10 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
         found = [*found[-7:], found[3]]
     if "keep" in core.function:
         found = [_limited(core, cfg, i, rng) for i, cfg in enumerate(found)]
+    if core.function == "keep2":  # joint 2 of the longest links anywhere but folded, to the last word of its cosine
+        one = 1 << core.params["U"]
+        found[7] |= {"cfg_mc2": one, "cfg_mn2": 0, "cfg_h2": -one}
+    if "keep" in core.function:
         found += _bordered(core, found[4])
     return [{port.name: cfg[port.name] for port in core.cfg} for cfg in found]
 
@@ -72,11 +76,9 @@ def _bordered(core: Core, cfg: dict[str, int]) -> list[dict[str, int]]:
     clear = np.where(answer["out_status"] == 0, np.abs(joint).min(axis=(0, 1)), 0)  # the farthest from every axis
     inside = {}
     for i, (c, n) in enumerate(joint[:, :, np.argmax(clear)].tolist(), 1):
-        for middle in np.arctan2(n, c) + np.arange(0.7, 1, 0.01):
-            words = arm_keep.limit(core.params, i, middle - 1, middle + 1)
-            cosine = (c * words[f"cfg_mc{i}"] >> core.params["U"]) + (n * words[f"cfg_mn{i}"] >> core.params["U"])
-            if cosine & 1:  # then bit 0 of the limit alone decides
-                break
+        angle = np.arctan2(n, c) + 0.7
+        words = arm_keep.limit(core.params, i, angle - 1, angle + 1)
+        cosine = (c * words[f"cfg_mc{i}"] >> core.params["U"]) + (n * words[f"cfg_mn{i}"] >> core.params["U"])
         inside |= words | {f"cfg_h{i}": cosine - 1}
     return [free | inside, *(free | inside | {f"cfg_h{i}": inside[f"cfg_h{i}"] + 1} for i in range(1, number + 1))]
 
