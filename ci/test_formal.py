@@ -14,7 +14,7 @@ ICARUS = pytest.mark.skipif(not available("icarus"), reason="a core's states are
 FAULTS = [
     ("isqrt_comb-W15F1", "isqrt_digits.v", "~pair[0]} : {rem[D-1:0], pair}", "pair[0]} : {rem[D-1:0], pair}", "FAIL"),
     ("divide_comb-8by8", "divide_digits.v", "= |in_d[WD-1:B+1]", "= in_d[WD-1]", "FAIL"),
-    ("isqrt_iter-W16R4", "isqrt_iter.v", "&& (!out_valid || out_ready)", "", "UNKNOWN"),
+    ("isqrt_iter-W16R4", "isqrt.v", "&& (!out_valid || out_ready)", "", "UNKNOWN"),
     ("skid_buffer-W16", "skid_buffer.v", "if (in_ready) skid <= in_d;", "skid <= in_d;", "UNKNOWN"),
     ("round_saturate-16to8by6", "round_saturate.v", "in_x[SHIFT-1]}", "1'b0}", "FAIL"),
 ]

@@ -172,7 +172,7 @@ def test_words_that_are_never_read():
 
 def test_a_run_ends_well_with_enough_kills_and_an_argument_for_each_survivor():
     argued = r"mutate -cell $flatten\aim.\micro.$shiftx$rtl/cordic/cordic_aim_step.v:42$91 -port A -portbit 1085"
-    good = mutants.Verdict("classic_ik1_iter-A16", killed=99, survivors=[argued])
+    good = mutants.Verdict("classic_ik1-iter-A16", killed=99, survivors=[argued])
     assert mutants.enough([good]) and not mutants.unexplained(good)
     assert not mutants.enough([dataclasses.replace(good, killed=98)])
     assert not mutants.enough([dataclasses.replace(good, killed=198, survivors=[argued, "mutate x"])])

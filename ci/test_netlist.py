@@ -47,7 +47,7 @@ endmodule
 """
 
 
-@pytest.mark.parametrize(("name", "target"), [("isqrt_iter", "ice40"), ("isqrt_iter", "cyclonev"),
+@pytest.mark.parametrize(("name", "target"), [("isqrt", "ice40"), ("isqrt", "cyclonev"),
                                               ("rational_ik1", "cyclonev")])
 def test_netlist_keeps_reset_latency_and_results(name, target):
     core = find(name)
@@ -58,7 +58,7 @@ def test_netlist_keeps_reset_latency_and_results(name, target):
 @pytest.mark.parametrize("target", netlist.TARGETS)
 def test_an_inverted_bit_fails(target, tmp_path):
     """The output of one look-up table is inverted."""
-    core = find("isqrt_iter")
+    core = find("isqrt")
     text = netlist.synthesise(core, target).read_text()
     found = re.search(r"\.LUT(?:_INIT)?\(16'h([0-9a-f]+)\)", text)
     broken = tmp_path / "broken.v"
@@ -70,7 +70,7 @@ def test_an_inverted_bit_fails(target, tmp_path):
 @pytest.mark.parametrize("target", netlist.TARGETS)
 def test_the_zero_at_power_up_is_no_reset(target, tmp_path):
     """A netlist whose control flip-flops have no reset: with theirs at 0 from power-up it would pass."""
-    core = find("isqrt_iter")
+    core = find("isqrt")
     text = netlist.synthesise(core, target).read_text()
     broken = tmp_path / "broken.v"
     broken.write_text(re.sub(r"\.(R|SCLR)\(rst\)", r".\1(1'h0)", text))
@@ -104,12 +104,12 @@ def test_only_a_netlist_that_passed_is_not_tried_again(monkeypatch, tmp_path):
 
     monkeypatch.setattr(netlist, "judge", judge)
     for seed in (1, 1, 2, 2, 3):
-        assert Verdict(**netlist.judged("isqrt_iter", "ice40", seed)).passed == (seed != 1)
+        assert Verdict(**netlist.judged("isqrt", "ice40", seed)).passed == (seed != 1)
     assert tried == [1, 1, 2, 3]
 
 
 def test_a_test_that_a_core_does_not_have_is_none_that_passed():
-    assert list(netlist.tests(find("isqrt_iter"))) == list(TESTS)
+    assert list(netlist.tests(find("isqrt"))) == list(TESTS)
     assert list(netlist.tests(find("engine_newton_3r"))) == ["reset", "random"]
     assert list(netlist.tests(find("isqrt_comb"))) == ["random"]
 

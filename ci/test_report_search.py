@@ -91,10 +91,10 @@ def test_limits_are_in_lsb_of_q7_8(monkeypatch):
 
 
 def test_the_core_s_own_rule_decides():
-    listed = cores.find("classic_fk2_iter").params
-    assert designs.at("classic_fk2_iter", listed | {"A": 19}).params["A"] == 19
-    assert designs.at("classic_fk2_iter", listed | {"A": 20}) is None, "A > W + 3"
-    assert designs.at("classic_fk2_iter", listed | {"W": 12, "A": 16}) is None
+    listed = cores.find("classic_fk2").params
+    assert designs.at("classic_fk2", listed | {"A": 19}).params["A"] == 19
+    assert designs.at("classic_fk2", listed | {"A": 20}) is None, "A > W + 3"
+    assert designs.at("classic_fk2", listed | {"W": 12, "A": 16}) is None
     for core in cores.all_cores():
         if core.function in accuracy.JOINTS and core.first_set and designs.rule(core.name):
             assert designs.at(core.name, core.params), core.name

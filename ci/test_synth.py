@@ -12,7 +12,7 @@ from ci.synth.__main__ import scratch_ports
 
 
 def test_ports_of_an_unlisted_module_are_those_of_the_list():
-    core = cores.find("isqrt_iter-W16")
+    core = cores.find("isqrt-iter-W16")
     inputs, outputs, clocked = scratch_ports(core.name, core.params, core.sources)
     found = {port.name: port.width for port in (*inputs, *outputs)}
     listed = {port.name: port.width for port in (*core.inputs, *core.outputs)}

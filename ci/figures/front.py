@@ -15,7 +15,7 @@ from ci.figures import write
 
 ARM = "cobra600"
 TARGET = (210.0, 400.0)  # mm
-CORES = ("vector_ik2", "table_ik2", "classic_ik2_iter", "rational_ik2")
+CORES = ("vector_ik2", "table_ik2", "classic_ik2", "rational_ik2")
 COLOURS = {"vector": "tab:red", "table": "tab:purple", "rational": "tab:green", "classic": "tab:blue"}
 CODINGS = {"vector": "unit vector", "angle": "binary angle", "spread": "turn-spread"}
 

@@ -72,11 +72,9 @@ def codecs() -> dict[tuple[str, str], str]:
 
 
 def plain() -> list[Design]:
-    """Every kinematic core of the list with its own words; where a family has an iterative one, that alone."""
-    found = {core.name: core for core in cores.all_cores() if core.function in JOINTS}
-    small = {(core.family, core.function) for core in found.values() if core.architecture == "iter"}
-    return [Design(name, word_type(core)) for name, core in found.items()
-            if core.architecture == "iter" or (core.family, core.function) not in small]
+    """Every kinematic core of the list with its own words; of one with modes the first, which is the smallest."""
+    names = dict.fromkeys(core.name for core in cores.all_cores() if core.function in JOINTS)
+    return [Design(name, word_type(cores.find(name))) for name in names]
 
 
 def coded(families: tuple[str, ...] = ("vector", "table", "rational", "classic")) -> list[Design]:
@@ -104,12 +102,6 @@ def rule(name: str) -> str:
 
 
 @cache
-def _entries() -> dict[str, tuple[str, str, dict, str, dict]]:
-    """The entries of the list by the core's name."""
-    return {entry[3]: entry for entry in cores.listed((cores.RTL / "cores.toml").read_text())}
-
-
-@cache
 def _at(name: str, params: tuple[tuple[str, int], ...]) -> Core | None:
     core, wanted = cores.find(name), dict(params)
     try:
@@ -119,9 +111,7 @@ def _at(name: str, params: tuple[tuple[str, int], ...]) -> Core | None:
         broken = bool(legal.verdict(core, wanted))
     if broken:
         return None
-    family, function, shared, _, own = _entries()[name]
-    label = "".join(f"{key}{value}" for key, value in params)
-    return cores.expand(family, function, shared, name, own | {"sets": {label: wanted}}, core.sources)[0]
+    return cores.at(core, wanted)
 
 
 def at(name: str, params: dict[str, int]) -> Core | None:

@@ -24,6 +24,7 @@ PORTS = ("cfg", "in", "out")
 FUNCTION_KEYS = {"model", *PORTS, "status"}
 VARIES = "varies"  # the latency of a core that stops when it is done
 CORE_KEYS = {"architecture", "latency", "ii", "illegal", "sets", "checks"}
+MODES = {"iter": 0, "pipe": 1, "comb": 1}  # architectures of one module: the value of its parameter MODE
 
 
 @dataclass(frozen=True)
@@ -253,8 +254,24 @@ def listed(text: str) -> list[tuple[str, str, dict, str, dict]]:
             shared = {key: value for key, value in entry.items() if key not in cores}
             if not cores:
                 raise ValueError(f"cores.toml: {family}.{function} has no core")
-            found += [(family, function, shared, name, own) for name, own in cores.items()]
+            found += [(family, function, shared, name, one) for name, own in cores.items()
+                      for one in _by_mode(name, own)]
     return found
+
+
+def _by_mode(name: str, own: dict) -> list[dict]:
+    """The table of a core for each of its modes, each with the keys of a core without modes; the ids name the mode."""
+    modes = {key: value for key, value in own.items() if key in MODES and isinstance(value, dict)}
+    if not modes:
+        return [own]
+    _check_keys(f"cores.toml: {name}", own, {*modes, "illegal"}, set())
+
+    def sets(mode: str, table: dict) -> dict:
+        return {f"{mode}-{key}": {"MODE": MODES[mode], **params} for key, params in table.items()}
+
+    return [{**value, "architecture": mode, "illegal": [*own.get("illegal", []), *value.get("illegal", [])],
+             **{key: sets(mode, value[key]) for key in ("sets", "checks") if key in value}}
+            for mode, value in modes.items()]
 
 
 @cache
@@ -292,6 +309,14 @@ def all_cores() -> tuple[Core, ...]:
 def reported() -> tuple[Core, ...]:
     """Those of `all_cores` that the report has a row of."""
     return tuple(core for core in all_cores() if core.reported)
+
+
+def at(core: Core, params: dict[str, int]) -> Core:
+    """`core` at another parameter set: every parameter, its MODE included where it has one."""
+    *entry, own = next(one for one in listed((RTL / "cores.toml").read_text()) if one[3] == core.name and
+                       ("MODE" not in params or params["MODE"] == MODES[one[4]["architecture"]]))
+    label = "".join(f"{key}{value}" for key, value in params.items())
+    return expand(*entry, own | {"sets": {label: params}}, core.sources)[0]
 
 
 def find(name: str) -> Core:

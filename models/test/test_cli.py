@@ -224,10 +224,10 @@ def test_the_circle_of_an_engine(quadrance):
 
 def test_figures_are_those_of_the_report():
     report = json.loads((cores.ROOT / "reports" / "report.json").read_text())
-    row = next(row for row in report["cores"] if (row["core"], row["set"]) == ("classic_ik2_iter", "A16"))
-    found = catalogue.figures(cores.find("classic_ik2_iter"))
+    row = next(row for row in report["cores"] if (row["core"], row["set"]) == ("classic_ik2", "iter-A16"))
+    found = catalogue.figures(cores.find("classic_ik2"))
     assert found["alut"] == row["area"]["cyclonev"]["lut"] and found["error_mm"] == row["total_mm"]
-    assert catalogue.figures(catalogue.find("classic_ik2_iter", {"A": 15})) is None
+    assert catalogue.figures(catalogue.find("classic_ik2", {"A": 15})) is None
 
 
 def test_a_closed_pipe_is_no_error():

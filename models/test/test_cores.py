@@ -160,12 +160,12 @@ def test_latencies_follow_the_parameters():
 
 
 MEASURED = {
-    "isqrt_iter-W16R4": (2, 2), "isqrt_iter-W15F1R2": (5, 5), "isqrt_pipe-W16": (8, 1), "divide_iter-6by10F3R2": (5, 5),
-    "divide_pipe-8by8R3": (3, 1), "vector_to_spread_iter-W18S24": (10, 10), "vector_to_spread_iter-W8S13": (15, 15),
-    "cordic_rotate_iter-W16": (21, 21), "cordic_rotate_iter-W11A9": (16, 16), "cordic_rotate_pipe-W16": (20, 1),
-    "cordic_rotate_pipe-W11A9": (16, 1), "cordic_vector_iter-W11A9": (16, 16), "cordic_vector_pipe-W16": (17, 1),
-    "classic_fk1_iter-A16": (15, 15), "classic_fk2_iter-W12A10": (24, 24), "classic_fk3_iter-A16": (53, 53),
-    "classic_ik1_iter-W12A10": (14, 14), "classic_ik2_iter-A16": (61, 61), "classic_ik3_iter-W12A10": (58, 58),
+    "isqrt-iter-W16R4": (2, 2), "isqrt-iter-W15F1R2": (5, 5), "isqrt-pipe-W16": (8, 1), "divide-iter-6by10F3R2": (5, 5),
+    "divide-pipe-8by8R3": (3, 1), "vector_to_spread_iter-W18S24": (10, 10), "vector_to_spread_iter-W8S13": (15, 15),
+    "cordic_rotate-iter-W16": (21, 21), "cordic_rotate-iter-W11A9": (16, 16), "cordic_rotate-pipe-W16": (20, 1),
+    "cordic_rotate-pipe-W11A9": (16, 1), "cordic_vector-iter-W11A9": (16, 16), "cordic_vector-pipe-W16": (17, 1),
+    "classic_fk1-iter-A16": (15, 15), "classic_fk2-iter-W12A10": (24, 24), "classic_fk3-iter-A16": (53, 53),
+    "classic_ik1-iter-W12A10": (14, 14), "classic_ik2-iter-A16": (61, 61), "classic_ik3-iter-W12A10": (58, 58),
     "paper_ik1-S24": (10, 10), "paper_fk2-S8": (10, 10), "paper_fk3-S24": (17, 17), "paper_ik2-S8": (17, 17),
     "paper_ik3-S24": (45, 45)}
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from claims import CLAIMS, Claim, angles
 from quadrance import accuracy, classic, codecs, cordic, truth
-from quadrance.cores import Core, all_cores, joints
+from quadrance.cores import Core, all_cores, at, joints
 
 from tb.lib import legal
 from tb.lib.suite import SEED
@@ -298,13 +298,13 @@ def find(name: str) -> Core:
 def test_a_scaled_coordinate_of_a_short_word_is_seen() -> None:
     """x times 15/16 where W < 16."""
     scale = lambda model, p, **words: model(p, **words | {"in_x": words["in_x"] * 15 >> 4})  # noqa: E731
-    for name in ("rational_ik2-W12S16", "classic_ik2_iter-W12A10", "classic_ik3_iter-W12A10"):
+    for name in ("rational_ik2-W12S16", "classic_ik2-iter-W12A10", "classic_ik3-iter-W12A10"):
         with pytest.raises(AssertionError):
             test_inverse(broken(find(name), scale), SHARES[1])
-    for name in ("rational_ik1-W8S16", "classic_ik1_iter-W12A10"):
+    for name in ("rational_ik1-W8S16", "classic_ik1-iter-W12A10"):
         with pytest.raises(AssertionError):
             test_direction(broken(find(name), scale))
-    for name in ("classic_fk1_iter-W12A10", "classic_fk2_iter-W12A10", "classic_fk3_iter-W12A10"):
+    for name in ("classic_fk1-iter-W12A10", "classic_fk2-iter-W12A10", "classic_fk3-iter-W12A10"):
         with pytest.raises(AssertionError):
             test_forward(broken(find(name), lambda model, p, **words: (answer := model(p, **words)) | {
                 "out_x": answer["out_x"] * 15 >> 4}), SHARES[1])
@@ -322,7 +322,7 @@ def test_a_third_of_a_word_is_seen() -> None:
         return high
 
     for change, red in ((shifted, True), (lambda model, p, **words: model(p, **words), False)):
-        core = broken(find("classic_ik1_iter-W12A10"), change)
+        core = broken(find("classic_ik1-iter-W12A10"), change)
         if red:
             with pytest.raises(AssertionError):
                 test_direction(core)
@@ -331,7 +331,7 @@ def test_a_third_of_a_word_is_seen() -> None:
 
 
 def test_flags_a_word_too_early_or_late_are_seen() -> None:
-    for name in ("rational_ik2-S24", "classic_ik2_iter-A16", "paper_ik2-S24", "paper_ik2-S8"):
+    for name in ("rational_ik2-S24", "classic_ik2-iter-A16", "paper_ik2-S24", "paper_ik2-S8"):
         with pytest.raises(AssertionError):
             test_inverse(broken(find(name), lambda model, p, **words: (answer := model(p, **words)) | {
                 "out_status": np.roll(answer["out_status"], 1)}), SHARES[1])
@@ -339,9 +339,9 @@ def test_flags_a_word_too_early_or_late_are_seen() -> None:
 
 def test_laws_hold_where_a_word_is_much_shorter_than_another() -> None:
     """Few bits of an angle for many of a coordinate; more bits of a spread than of a coordinate's fraction."""
-    test_direction(legal.at(find("classic_ik1_iter-A16"), {"W": 11, "F": 1, "A": 5}))
+    test_direction(at(find("classic_ik1-iter-A16"), {"W": 11, "F": 1, "A": 5}))
     for name in ("paper_fk2-S8", "paper_fk3-S8"):
-        test_forward(legal.at(find(name), {"W": 13, "F": 3, "S": 10}), SHARES[1])
+        test_forward(at(find(name), {"W": 13, "F": 3, "S": 10}), SHARES[1])
 
 
 # The long run
@@ -352,7 +352,7 @@ def test_laws_hold_where_a_word_is_much_shorter_than_another() -> None:
 def test_random_sets_against_the_truth(core: Core) -> None:
     """Six random legal parameter sets of each core, other ones with every seed: the laws are laws of the parameters."""
     for params in legal.legal(core, 6, SEED):
-        one = legal.at(core, params)
+        one = at(core, params)
         print(one.id)
         if core.function == "ik1":
             test_direction(one)

@@ -25,7 +25,7 @@ module arm_quotient #(
     wire         ready, valid;
     wire [N+V-1:0] digits;
     wire [D-1:0] rest;
-    divide_iter #(.WN(N-1), .WD(D), .F(V+1), .R(R)) divider (
+    divide #(.WN(N-1), .WD(D), .F(V+1), .R(R)) divider (
         .clk(clk), .rst(rst), .in_valid(in_start), .in_ready(ready), .in_n(in_n[N-2:0] ^ {(N-1){in_n[N-1]}}),
         .in_d(in_d), .out_valid(valid), .out_ready(1'b1), .out_q(digits), .out_r(rest), .out_div_by_zero(out_zero));
     wire         unused = &{1'b0, ready, valid, rest};

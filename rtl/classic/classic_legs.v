@@ -43,7 +43,7 @@ module classic_legs #(
                                      : to_far[2*W+1:0] & {(2*W+2){!to_far[2*W+2]}};
     wire [W+G+1:0] unused_rem;
     wire           unused_valid;
-    isqrt_iter #(.W(2 * W + 2), .F(G), .R(2)) roots (.clk(clk), .rst(rst), .in_valid(ask), .in_ready(ready),
+    isqrt #(.W(2 * W + 2), .F(G), .R(2)) roots (.clk(clk), .rst(rst), .in_valid(ask), .in_ready(ready),
         .in_d(radicand), .out_valid(unused_valid), .out_ready(1'b1), .out_root(out_b), .out_rem(unused_rem));
     assign out_unreachable = far || near;
     always @(posedge clk) begin

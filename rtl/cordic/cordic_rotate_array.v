@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Full-circle, gain-compensated rotation, unrolled: the arithmetic of cordic_rotate_comb and cordic_rotate_pipe.
+// Full-circle, gain-compensated rotation, unrolled: the arithmetic of cordic_rotate_comb and cordic_rotate.
 // Quarter turns by exchange and sign, the gain (0.858785) as digits of the input, then cordic_turn_array.
-// 4 + C + T + (T+1)/2 registers where CLOCKED, none otherwise. Ports and arithmetic: cordic_rotate_iter.
+// 4 + C + T + (T+1)/2 registers where CLOCKED, none otherwise. Ports and arithmetic: cordic_rotate.
 `default_nettype none
 module cordic_rotate_array #(
     parameter W       = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word

@@ -104,7 +104,6 @@ def pairs() -> list[tuple[Core, Core]]:
 
 
 def _same_words(first: Core, second: Core) -> bool:
-    """Of the same word lengths, and of classic's two architectures the same."""
+    """Of the same word lengths and of the same MODE."""
     shared = set(first.params) & set(second.params)
-    return all(first.params[key] == second.params[key] for key in shared - {"R"}) \
-        and first.name.endswith("_comb") == second.name.endswith("_comb")
+    return all(first.params[key] == second.params[key] for key in shared - {"R"})

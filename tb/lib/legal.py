@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from quadrance.cores import RTL, Core, expand, listed, sources_of
+from quadrance.cores import Core, all_cores
 
 from tb.lib import tools
 
@@ -24,6 +24,9 @@ def ranges(core: Core) -> dict[str, tuple[int, int]]:
                  if (match := re.search(r"if \((.*?)\) begin : g_illegal", source.read_text(), re.S))), "")
     bounds = {}
     for name in core.params:
+        if name == "MODE":
+            bounds[name] = core.params[name], core.params[name]
+            continue
         low = max([int(word) for word in re.findall(rf"\b{name} < (\d+)", rule)], default=1)
         high = min([int(word) for word in re.findall(rf"\b{name} > (\d+)", rule)], default=LIMITS.get(name, WIDEST))
         bounds[name] = low, max(low, high)
@@ -49,7 +52,7 @@ def legal(core: Core, count: int, seed: int, tries: int = 400) -> list[dict[str,
     """
     rng, box = np.random.default_rng([seed, *core.name.encode()]), ranges(core)
     found: list[dict[str, int]] = []
-    seen = {tuple(one.params.items()) for one in _sets(core)}
+    seen = {tuple(one.params.items()) for one in all_cores() if one.name == core.name}
     for _ in range(tries):
         params = {name: int(rng.integers(low, high, endpoint=True)) for name, (low, high) in box.items()}
         if tuple(params.items()) in seen:
@@ -62,19 +65,3 @@ def legal(core: Core, count: int, seed: int, tries: int = 400) -> list[dict[str,
         if len(found) == count:
             break
     return found
-
-
-def _entry(core: Core) -> tuple[str, str, dict, str, dict]:
-    return next(entry for entry in listed((RTL / "cores.toml").read_text()) if entry[3] == core.name)
-
-
-def _sets(core: Core) -> tuple[Core, ...]:
-    family, function, shared, name, own = _entry(core)
-    return expand(family, function, shared, name, own, sources_of(name))
-
-
-def at(core: Core, params: dict[str, int]) -> Core:
-    """The core at another parameter set."""
-    family, function, shared, name, own = _entry(core)
-    label = "".join(f"{key}{value}" for key, value in params.items())
-    return expand(family, function, shared, name, own | {"sets": {label: params}}, sources_of(name))[0]

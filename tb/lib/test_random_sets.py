@@ -1,7 +1,7 @@
 """The long run: every core at two random legal parameter sets, another two with every seed, bench and bulk run."""
 
 import pytest
-from quadrance.cores import all_cores, find
+from quadrance.cores import all_cores, at, find
 
 from tb.lib import legal
 from tb.lib.simulate import simulate
@@ -17,7 +17,7 @@ def test_random_sets(core):
     assert len(chosen) == 2
     for params in chosen:
         print(core.name, params)
-        one = legal.at(core, params)
+        one = at(core, params)
         simulate(one, "verilator", seed=SEED)
         assert bulk_run(one, 100_000, SEED) > 0
 
@@ -28,6 +28,6 @@ def test_a_draw_is_legal_and_another_one_is_not():
     assert legal.ranges(core) == {"W": (4, 16), "F": (0, 12), "S": (2, 24)}
     first, = legal.legal(core, 1, 7)
     assert not legal.verdict(core, first) and legal.legal(core, 1, 7) == [first] != legal.legal(core, 1, 8)
-    assert legal.at(core, first).params == first and legal.at(core, first).latency == core.latency
+    assert at(core, first).params == first and at(core, first).latency == core.latency
     for params in core.illegal:
         assert legal.verdict(core, core.params | params) == "illegal"

@@ -10,7 +10,7 @@ FORWARD = [core for core in all_cores() if core.function in ("fk1", "fk2", "fk3"
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("name", ["rational_fk3", "classic_fk2_iter", "cordic_rotate_iter"])
+@pytest.mark.parametrize("name", ["rational_fk3", "classic_fk2", "cordic_rotate"])
 def test_joint_words_are_dense_on_all_eight_sides(name):
     core = find(name)
     for port in (port for port in core.inputs if port.type):

@@ -68,10 +68,7 @@ def at(core: Core, params: dict[str, int]) -> Core:
             return one
     if rule := _broken_rule(core, values):
         raise Refused(f"{core.name}: {', '.join(f'{k}={v}' for k, v in values.items())} is not supported: {rule}")
-    family, function, shared, name, own = next(
-        entry for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == core.name)
-    label = "".join(f"{key}{value}" for key, value in values.items())
-    return cores.expand(family, function, shared, name, own | {"sets": {label: values}}, core.sources)[0]
+    return cores.at(core, values)
 
 
 def _broken_rule(core: Core, values: dict[str, int]) -> str:

@@ -1,6 +1,6 @@
 // n * 2^F = q d + r, 0 <= r < d, in order, once for each word, after exactly ceil((WN + F) / R) clocks.
 // Invariant: after `age` clocks the same holds of the leading K numerator bits, and `todo` has the next bits.
-// rtl: arith/divide_iter.v arith/divide_digits.v
+// rtl: arith/divide.v arith/divide_digits.v
 // with: stream_token.sv grow_product.sv
 // proof 16by16 mode=prove depth=2 WN=16 WD=16 F=0 R=1
 // proof 16by16R2 mode=prove depth=2 WN=16 WD=16 F=0 R=2
@@ -16,15 +16,15 @@ module divide_iter_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
     wire [WD-1:0] out_r;
     wire [7:0] accepted, delivered, index;
     wire [WN+WD-1:0] token;
-    divide_iter #(.WN(WN), .WD(WD), .F(F), .R(R)) dut (.*);
+    divide #(.MODE(0), .WN(WN), .WD(WD), .F(F), .R(R)) dut (.*);
     stream_token #(.WI(WN+WD), .WO(N+WD+1)) stream (
         .in_data({in_n, in_d}), .out_data({out_q, out_r, out_div_by_zero}), .*);
-    (* hierconn *) wire [R*M-1:0] \dut.todo ;
-    (* hierconn *) wire [M-1:0] \dut.step ;
-    (* hierconn *) wire \dut.busy ;
-    (* hierconn *) wire [WD-1:0] \dut.d ;
-    (* hierconn *) wire [H-1:0] \dut.head_q ;
-    (* hierconn *) wire [R-1:0] \dut.next_q ;
+    (* hierconn *) wire [R*M-1:0] \dut.g_iterative.todo ;
+    (* hierconn *) wire [M-1:0] \dut.g_iterative.step ;
+    (* hierconn *) wire \dut.g_iterative.busy ;
+    (* hierconn *) wire [WD-1:0] \dut.g_iterative.d ;
+    (* hierconn *) wire [H-1:0] \dut.g_iterative.head_q ;
+    (* hierconn *) wire [R-1:0] \dut.g_iterative.next_q ;
 
     wire accept = in_valid && in_ready;
     wire [N-1:0] n = token[WN+WD-1:WD] << F;
@@ -32,23 +32,23 @@ module divide_iter_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
     reg [7:0] age;  // clocks since the accepting edge, until the result is there
     reg [N+WD-1:0] product;  // quotient so far times d
     wire [N+WD-1:0] first, grown;
-    grow_product #(.N(N), .WD(WD), .R(H)) head (.product(0), .d(in_d), .digits(\dut.head_q ), .grown(first));
-    grow_product #(.N(N), .WD(WD), .R(R)) step (.product(product), .d(\dut.d ), .digits(\dut.next_q ), .grown(grown));
+    grow_product #(.N(N), .WD(WD), .R(H)) head (.product(0), .d(in_d), .digits(\dut.g_iterative.head_q ), .grown(first));
+    grow_product #(.N(N), .WD(WD), .R(R)) step (.product(product), .d(\dut.g_iterative.d ), .digits(\dut.g_iterative.next_q ), .grown(grown));
     always @(posedge clk) begin
-        age <= accept ? 1 : age + \dut.busy ;
-        product <= accept ? first : \dut.busy ? grown : product;
+        age <= accept ? 1 : age + \dut.g_iterative.busy ;
+        product <= accept ? first : \dut.g_iterative.busy ? grown : product;
     end
 
     wire flight = accepted != delivered;
     wire here = flight && delivered == index;
     always @* if (live) begin
         assert (8'(accepted - delivered) <= 1);
-        assert (\dut.busy == (flight && !out_valid));
+        assert (\dut.g_iterative.busy == (flight && !out_valid));
         assert (in_ready == (!flight || (out_valid && out_ready)));
-        assert (\dut.step == (\dut.busy ? 1 << (M - age) : 0));
-        if (\dut.busy ) assert (age >= 1 && age <= M);
+        assert (\dut.g_iterative.step == (\dut.g_iterative.busy ? 1 << (M - age) : 0));
+        if (\dut.g_iterative.busy ) assert (age >= 1 && age <= M);
         if (out_valid) assert (age == M + 1);  // the latency
-        if (here) assert (\dut.d == d && out_div_by_zero == (d == 0));
+        if (here) assert (\dut.g_iterative.d == d && out_div_by_zero == (d == 0));
         if (here && d != 0) assert (out_r < d);
         if (arrived && d != 0) assert (product + out_r == n);
         if (arrived && d == 0) assert (&out_q && out_r == {{WD{1'b0}}, n} % (1 << WD));
@@ -63,8 +63,8 @@ module divide_iter_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
             else assert (product + out_r == prefix);
             assert (out_q >> K == 0);
             if (K < WD) assert (out_r >> K == 0);
-            if (a <= M) assert (\dut.todo [R*M-1 -: R] == n[N-K-1 -: R]);
+            if (a <= M) assert (\dut.g_iterative.todo [R*M-1 -: R] == n[N-K-1 -: R]);
         end
     end
-    if (M > 1) always @* if (live && here) assert (\dut.todo [R*(M-1)-1:0] == n[R*(M-1)-1:0]);
+    if (M > 1) always @* if (live && here) assert (\dut.g_iterative.todo [R*(M-1)-1:0] == n[R*(M-1)-1:0]);
 endmodule

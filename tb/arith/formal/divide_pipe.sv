@@ -1,6 +1,6 @@
 // n * 2^F = q d + r, 0 <= r < d, in order, once for each word, whatever the stalls.
 // Invariant: the followed word, wherever it is, carries the quotient of the leading K bits of its own numerator.
-// rtl: arith/divide_pipe.v arith/divide_digits.v
+// rtl: arith/divide.v arith/divide_digits.v
 // with: stream_token.sv grow_product.sv
 // proof 12by12 mode=prove depth=2 WN=12 WD=12 F=0 R=1
 // proof 8by8R3 mode=prove depth=2 WN=8 WD=8 F=0 R=3
@@ -14,26 +14,26 @@ module divide_pipe_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
     wire [WD-1:0] out_r;
     wire [7:0] accepted, delivered, index;
     wire [WN+WD-1:0] token;
-    divide_pipe #(.WN(WN), .WD(WD), .F(F), .R(R)) dut (.*);
+    divide #(.MODE(1), .WN(WN), .WD(WD), .F(F), .R(R)) dut (.*);
     stream_token #(.WI(WN+WD), .WO(N+WD+1)) stream (
         .in_data({in_n, in_d}), .out_data({out_q, out_r, out_div_by_zero}), .*);
-    (* hierconn *) wire [M:0] \dut.valid ;
+    (* hierconn *) wire [M:0] \dut.g_pipelined.valid ;
 
     wire [N-1:0] n = token[WN+WD-1:WD] << F;
     wire [WD-1:0] divisor = token[WD-1:0];
     always @* if (live) begin
-        assert (8'(accepted - delivered) == $countones(\dut.valid ));
+        assert (8'(accepted - delivered) == $countones(\dut.g_pipelined.valid ));
         assert (in_ready == (!out_valid || out_ready));
     end
 
     genvar s;
-    for (s = 0; s <= M; s = s + 1) begin : \dut.g_stage
+    for (s = 0; s <= M; s = s + 1) begin : \dut.g_pipelined.g_stage
         localparam K = H + s * R, A = K < WD ? K : WD, L = s == 0 ? H : R;
         (* hierconn *) wire [A-1:0] rem;
         (* hierconn *) wire [N-1:0] both;
         (* hierconn *) wire zero;
-        wire [M+1:0] ahead = {1'b0, \dut.valid } >> (s + 1);
-        wire mine = \dut.valid [s] && 8'(delivered + $countones(ahead)) == index;
+        wire [M+1:0] ahead = {1'b0, \dut.g_pipelined.valid } >> (s + 1);
+        wire mine = \dut.g_pipelined.valid [s] && 8'(delivered + $countones(ahead)) == index;
         reg [N+WD-1:0] product;  // of this stage's quotient and divisor
         wire [N+WD-1:0] before, grown;
         wire [WD-1:0] factor;
@@ -43,7 +43,7 @@ module divide_pipe_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
             assign before = 0, factor = in_d, digits = q;
         end else begin : g_digits
             (* hierconn *) wire [R-1:0] q;
-            assign before = \dut.g_stage [s-1].product, factor = \dut.g_stage [s-1].g_d.d, digits = q;
+            assign before = \dut.g_pipelined.g_stage [s-1].product, factor = \dut.g_pipelined.g_stage [s-1].g_d.d, digits = q;
         end
         grow_product #(.N(N), .WD(WD), .R(L)) step (.product(before), .d(factor), .digits(digits), .grown(grown));
         always @(posedge clk) if (in_ready) product <= grown;
@@ -61,6 +61,6 @@ module divide_pipe_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
     always @* if (live && arrived) begin
         assert (out_div_by_zero == (divisor == 0));
         if (divisor == 0) assert (&out_q && out_r == {{WD{1'b0}}, n} % (1 << WD));
-        else assert (\dut.g_stage [M].product + out_r == n && out_r < divisor);
+        else assert (\dut.g_pipelined.g_stage [M].product + out_r == n && out_r < divisor);
     end
 endmodule
