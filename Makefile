@@ -60,7 +60,7 @@ verdict: setup ## the report, and who wins at equal accuracy: the shortest words
 report-check: setup ## fails when the committed report no longer follows from the sources
 	@$(PY) -m ci.report --check
 
-packages: setup ## manifests of FuseSoC and Bender, file lists: written from rtl/cores.toml and the Verilog
+packages: setup ## manifests of FuseSoC and Bender: written from the Verilog
 	@$(PY) -m ci.packages
 
 formal: setup ## proofs of the arithmetic primitives and the handshakes that do not stand; FRESH=1 makes all again

@@ -173,6 +173,8 @@ def test_encoder_counts_are_exact(quadrance):
     (("sho",), "no command 'sho'; did you mean show?"),
     (("show", "rational_ik22"), "no core 'rational_ik22'; did you mean rational_ik2"),
     (("show", "qqq"), "no core 'qqq'; there are isqrt_comb"),
+    (("show", "classic_ik2_iter"), "classic_ik2_iter is now classic_ik2 with MODE = 0: classic_ik2-iter-A16"),
+    (("files", "divide_pipe-8by8R3"), "divide_pipe-8by8R3 is now divide with MODE = 1: divide-pipe-16by16"),
     (("show", "rational_ik2-S3"), "did you mean rational_ik2-S24"),
     (("show", "rational_ik2", "-p", "Z=1"), "no parameter of rational_ik2 'Z'; there are W, F, S"),
     (("show", "rational_ik2", "-p", "W=x"), "a parameter is NAME=INTEGER"),

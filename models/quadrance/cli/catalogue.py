@@ -41,6 +41,12 @@ def choose(what: str, name: str, known: Iterable[str]) -> str:
                                              f"there are {', '.join(known)}" if known else "there is none"))
 
 
+def successor(name: str) -> Core | None:
+    """The core that has a MODE for what was a module of its own, such as classic_ik2 for classic_ik2_iter."""
+    base, _, mode = name.partition("-")[0].rpartition("_")
+    return next((core for core in cores.all_cores() if core.name == base and core.architecture == mode), None)
+
+
 def find(name: str, params: dict[str, int] | None = None) -> Core:
     """The core of that name or ``name-set`` id, at other parameters where `params` names some.
 
@@ -54,6 +60,8 @@ def find(name: str, params: dict[str, int] | None = None) -> Core:
     if name not in ids and name.partition("-")[0] in ids:  # the core is known, the set is not
         name = choose(f"parameter set of {name.partition('-')[0]}", name,
                       (core.id for core in listed if core.name == name.partition("-")[0]))
+    if name not in ids and (now := successor(name)):
+        raise Refused(f"{name} is now {now.name} with MODE = {now.params['MODE']}: {now.id}")
     core = ids[choose("core", name, (core.name for core in listed) if "-" not in name else ids)]
     return at(core, params) if params else core
 
