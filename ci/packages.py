@@ -24,17 +24,16 @@ def version() -> str:
 
 def files() -> list[Path]:
     """Every Verilog file, each folder after those that it needs."""
-    folders: dict[str, set[str]] = {}
+    needs: dict[Path, set[Path]] = {}
     for path in sorted(cores.RTL.rglob("*.v")):
-        folders.setdefault(path.parent.name, set()).update(
-            one.parent.name for one in cores.sources_of(path.stem) if one.parent != path.parent)
-    ordered: list[str] = []
-    while len(ordered) < len(folders):
-        ready = [name for name, needs in folders.items() if name not in ordered and needs <= set(ordered)]
+        needs.setdefault(path.parent, set()).update(one.parent for one in cores.sources_of(path.stem))
+    ordered: list[Path] = []
+    while len(ordered) < len(needs):
+        ready = [folder for folder in needs if folder not in ordered and needs[folder] <= {folder, *ordered}]
         if not ready:
-            raise ValueError(f"folders of rtl/ need each other: {sorted(set(folders) - set(ordered))}")
-        ordered += sorted(ready)
-    return [path for name in ordered for path in sorted((cores.RTL / name).glob("*.v"))]
+            raise ValueError(f"folders of rtl/ need each other: {sorted(map(str, set(needs) - set(ordered)))}")
+        ordered += ready
+    return [path for folder in ordered for path in sorted(folder.glob("*.v"))]
 
 
 def manifests() -> dict[str, str]:

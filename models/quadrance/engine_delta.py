@@ -1,4 +1,4 @@
-"""Bit-true model of rtl/engine/engine_delta_fk, three cranks of a rotary delta to its tip, and its words for a robot.
+"""Bit-true model of engine_delta_fk, three cranks of a rotary delta to its tip, and its words for a robot.
 
 Words have 25 fraction bits, as on every program of the product engine, and 1.0 of a length is 2^(W + 2) LSB: what is
 formed of lengths then stays within a word. The frame: origin in the middle of the crank axes' plane, z along `up`.

@@ -1,4 +1,4 @@
-"""Bit-true model of rtl/engine/engine_rus_ik, a pose to the cranks of six RUS legs, and its words for a robot.
+"""Bit-true model of engine_rus_ik, a pose to the cranks of six RUS legs, and its words for a robot.
 
 The core's y is the axis that all cranks share at 90 degrees (`up` of the robot file), its x and z are the other two.
 Lengths are in LSB of 18 bits: the position's LSB at W = 18, a quarter of it at W = 16.

@@ -1,4 +1,4 @@
-"""Bit-true model of rtl/engine/engine_rus_fk: six crank vectors to the pose of a six-legged RUS robot, by Newton.
+"""Bit-true model of engine_rus_fk: six crank vectors to the pose of a six-legged RUS robot, by Newton.
 
 A word carries 1.0 as 2^25; the unit of length is the user's. The core's y is the axis that all cranks share at 90
 degrees (`up` of the robot file), its x and z are the other two, as in `engine_rus`.

@@ -19,7 +19,7 @@ MORE = 4  # fraction bits of a configured length below the LSB of a coordinate
 AXES = [f"{row}{column}" for row in "123" for column in "123"]
 
 
-# The engine (rtl/engine/product_engine.v)
+# The engine (product_engine.v)
 
 
 def _term(a: Ints, b: Ints) -> Ints:

@@ -1,4 +1,4 @@
-"""Error bounds of rtl/engine/engine_rus_fk, lengths in its unit."""
+"""Error bounds of engine_rus_fk, lengths in its unit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bit-true model of rtl/engine/engine_quaternion_gd_plane: gradient descent of any number of joints in the plane."""
+"""Bit-true model of engine_quaternion_gd_plane: gradient descent of any number of joints in the plane."""
 
 from __future__ import annotations
 

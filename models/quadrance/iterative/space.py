@@ -1,4 +1,4 @@
-"""Bit-true model of rtl/engine/engine_quaternion_gd_n: gradient descent of any number of revolute joints in space.
+"""Bit-true model of engine_quaternion_gd_n: gradient descent of any number of revolute joints in space.
 
 A joint is the unit vector of half its angle; see `step` for the recursion in float64.
 """

@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside is always at one line of the
 // table or between two passes, at most cfg_limit passes count, and no two in a row do not. So a result comes after at
 // most 2 cfg_limit + 2 passes. One clock of reset is enough, from any state.
-// rtl: engine/engine_quaternion_gd_vector.v engine/engine_gd_judge.v arith/schedule.v
+// rtl: engine/gradient/engine_quaternion_gd_vector.v engine/gradient/engine_gd_judge.v arith/schedule.v
 // with: one_inside.sv gradient_parts.sv
 // proof W16 mode=prove depth=2 W=16 F=8
 // proof W14 mode=prove depth=2 W=14 F=6
