@@ -168,8 +168,6 @@ def check_house(cores: tuple[Core, ...]) -> list[str]:
         page = RTL / core.family / "README.md"
         if not page.exists() or core.name not in page.read_text():
             wrong.append(f"{core.name}: {page.relative_to(ROOT)} does not name it")
-        if not (ROOT / "tb" / core.family / f"test_{core.family}.py").exists():
-            wrong.append(f"{core.name}: no bench tb/{core.family}/test_{core.family}.py")
         if core.reported and (core.name, json.dumps(core.params, sort_keys=True)) not in reported:
             wrong.append(f"{core.id}: no row in reports/report.json (make report)")
         if core.first_set and core.params and not core.illegal:

@@ -18,7 +18,7 @@ COCOTB = ("tb/lib/bench.py", "tb/lib/stream.py")
 
 def stimulus(core: Core) -> list[Path]:
     """The files that a core's samples come from: of its family, and of single models its own alone."""
-    family = importlib.import_module(f"tb.{core.family}.stimulus")
+    family = importlib.import_module(f"tb.stimulus.{core.family}")
     used = {one if isinstance(one, ModuleType) else inspect.getmodule(one) for one in vars(family).values()
             if isinstance(one, ModuleType | FunctionType)} - {family}
     own = getattr(family, "MODELS", {})

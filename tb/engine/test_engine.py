@@ -1,4 +1,4 @@
-"""Benches of the engines; stimulus.py beside this file has their corners."""
+"""Benches of engines beyond those of every core: samples in order, chains of a hundred joints."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,6 @@ from tb.engine.space import chain
 from tb.lib import bulk, suite
 from tb.lib.simulate import simulate
 
-test_bench, test_bulk, test_exhaustive = suite.family("engine")
 IN_ORDER = "engine_quaternion_gd_plane", "engine_quaternion_gd_n", "engine_rus_fk"
 CHAINS = [core for core in all_cores() if core.name in IN_ORDER]
 

@@ -1,4 +1,4 @@
-"""What to feed a core: its own corners (tb/<family>/stimulus.py), or the extremes of every port."""
+"""What to feed a core: its own corners (tb/stimulus/<family>.py), or the extremes of every port."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ Vectors = dict[str, np.ndarray]
 
 
 def _family(core: Core) -> ModuleType | None:
-    name = f"tb.{core.family}.stimulus"
-    return importlib.import_module(name) if find_spec(f"tb.{core.family}") and find_spec(name) else None
+    name = f"tb.stimulus.{core.family}"
+    return importlib.import_module(name) if find_spec(name) else None
 
 
 def extremes(port: Port) -> list[int]:

@@ -1,7 +1,4 @@
-"""The pytest side: which benches each family of cores gets.
-
-A family's test file says ``test_bench, test_bulk, test_exhaustive = suite.family("arith")``.
-"""
+"""The pytest side: which benches each core gets (tb/test_cores.py)."""
 
 from __future__ import annotations
 
@@ -89,10 +86,10 @@ def _marks(core: Core, simulator: str, usable: list[str]) -> list[pytest.MarkDec
     return [pytest.mark.full] + [pytest.mark.smoke] * (simulator == usable[0])
 
 
-def family(name: str):
-    """The three tests of one family: cocotb bench in both simulators, bulk run, long bulk run."""
+def benches():
+    """The three tests of every core: cocotb bench in both simulators, bulk run, long bulk run."""
     usable = simulators()
-    cores = [core for core in all_cores() if core.family == name]
+    cores = all_cores()
     ids = [core.id for core in cores]
     smoke = [pytest.param(core, id=core.id, marks=[pytest.mark.smoke] * core.first_set) for core in cores]
     benches = [pytest.param(simulator, core, id=f"{simulator}-{core.id}", marks=_marks(core, simulator, usable))

@@ -11,7 +11,7 @@ from quadrance.fixed import wrap
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
-from tb.vector import chains, targets
+from tb.stimulus import chains, targets
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:

@@ -9,9 +9,8 @@ from quadrance.fixed import to_fixed
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
-from tb.rational import stimulus as rational
-from tb.vector import targets
-from tb.vector.stimulus import directions
+from tb.stimulus import rational, targets
+from tb.stimulus.vector import directions
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:

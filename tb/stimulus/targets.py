@@ -7,7 +7,7 @@ from quadrance import vector_solve
 from quadrance.cores import Core
 
 from tb.lib.stimulus import Vectors
-from tb.rational import stimulus as rational
+from tb.stimulus import rational
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:

@@ -8,7 +8,7 @@ from quadrance.cores import Core
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
-from tb.vector import chains
+from tb.stimulus import chains
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:

@@ -8,8 +8,8 @@ from quadrance.cores import Core, joints
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors, extremes
-from tb.rational.stimulus import points
-from tb.vector import chains, targets
+from tb.stimulus import chains, targets
+from tb.stimulus.rational import points
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:

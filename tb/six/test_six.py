@@ -1,5 +1,0 @@
-"""Benches of the six-axis family; stimulus.py beside this file has its corners."""
-
-from tb.lib import suite
-
-test_bench, test_bulk, test_exhaustive = suite.family("six")
