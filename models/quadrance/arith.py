@@ -90,3 +90,23 @@ def root_product(p: Params, *, in_v: Ints, in_not: Ints) -> dict[str, Ints]:
     middle = segment << 10 | (offset & 0x100) << 1 | (~offset & 0x100) | offset & 0xFF
     w = np.where(row == 3, segment << 10 | (flip & 1) << 9, middle)
     return {"out_w": w, "out_slope": chord_slopes(p.get("B", 17))[row, segment]}
+
+
+@cache
+def root_slopes() -> Ints:
+    """2^32 / b^(3/2), b = 2 a + 1, raised as reciprocal_root.v says; entry 0 is that of q = 2."""
+    slopes = []
+    for b in [2049, *[0] * 127, *range(257, 2049, 2)]:
+        square = (((256 * b * b + b + 96) << 33) // b**3 << 25) // (b * b) if b else 0
+        root = 1 << (20 if b < 512 else 19 if b < 1024 else 17)
+        for _ in range(6):
+            root = root + square // root >> 1
+        slopes.append(root + 1 >> 1 if b else 0)
+    return ints(slopes)
+
+
+def reciprocal_root(q: Ints) -> Ints:
+    """``2^18 * 2 / sqrt(q)``, truncated, q / 2^18 from 1/4 to 2, as the tangent's product."""
+    q = ints(q)
+    w = (q >> 9 << 10) + 767 - (q & 0x1FF)
+    return w * root_slopes()[q >> 9 & 0x3FF] >> 17

@@ -13,11 +13,11 @@ import math
 
 import numpy as np
 
-from quadrance import vector_solve
+from quadrance import kernel_vector_solve
 from quadrance.arms import Arm, ArmError
 from quadrance.fixed import Ints, hold_last, ints, saturate, to_fixed, wrap
+from quadrance.kernel_vector_solve import SUM
 from quadrance.vector import GUARD
-from quadrance.vector_solve import SUM
 
 Params = dict[str, int]
 SWITCHES = ("BASE", "SHOULDER", "LATERAL", "ELBOW", "ABSOLUTE")
@@ -27,10 +27,10 @@ SWITCHES = ("BASE", "SHOULDER", "LATERAL", "ELBOW", "ABSOLUTE")
 
 
 def config(p: Params, *, cfg_l1: int, cfg_l2: int, cfg_lateral: int = 0, **rest: int) -> dict[str, int]:
-    """Derived words of arm_ik3: `vector_solve.config`, and minus the square of the lateral offset, in 16-bit LSB."""
+    """Derived words of arm_ik3: `kernel_vector_solve.config`, and minus the squared lateral offset, in 16-bit LSB."""
     more = {"cfg_base": 0, "cfg_shoulder": 0, "cfg_lateral": cfg_lateral, "cfg_ce": 1 << p["U"], "cfg_ne": 0} | rest
     lateral = cfg_lateral << 16 - p["W"]
-    return vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2) | {"cfg_bb": -lateral * lateral} | more
+    return kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2) | {"cfg_bb": -lateral * lateral} | more
 
 
 def switches(arm: Arm) -> dict[str, int]:
@@ -111,9 +111,9 @@ def fk3(p: Params, *, in_c1: Ints, in_n1: Ints, in_c2: Ints, in_n2: Ints, in_c3:
 def _radius(q: Ints, back: Ints) -> Ints:
     """The root of q with the sign of the shoulder's side, 4 fraction bits; 0 where q is negative."""
     q = np.maximum(q, 0)
-    s = vector_solve._spare(q)
-    root = vector_solve.reciprocal(vector_solve._inverse(q << 2 * s >> 7, np.True_))
-    product = vector_solve._shift(q << SUM, s >> 1) * root
+    s = kernel_vector_solve.spare_pairs(q)
+    root = kernel_vector_solve.reciprocal(kernel_vector_solve.inverse_product(q << 2 * s >> 7, np.True_))
+    product = kernel_vector_solve.shifted(q << SUM, s >> 1) * root
     return wrap(product >> np.where(s & 1, 29, 30), 22) ^ -ints(back != 0)
 
 
@@ -124,23 +124,23 @@ def _yaw(x: Ints, y: Ints, lateral: Ints, square: Ints, back: Ints) -> tuple[Int
     all that matters: a power of two stands for b, and the products are with 2 / sqrt(q') instead of 1/q'.
     """
     q = x * x + y * y
-    near, s = q < square, vector_solve._spare(q)
-    power = vector_solve._power(s) * np.where(lateral < 0, -1, 1)
+    near, s = q < square, kernel_vector_solve.spare_pairs(q)
+    power = kernel_vector_solve.direction_power(s) * np.where(lateral < 0, -1, 1)
     k1 = np.where(near, 0, _radius(q - square, back))
-    k2 = np.where(near, power, lateral << vector_solve.GUARD)
-    r = vector_solve.reciprocal(vector_solve._inverse(q << 2 * s >> 7, near))
-    b, a = vector_solve.seen(2 * k1 + 1, 2 * k2 + 1, x, y, 0, np.where(near, s >> 1, s))
+    k2 = np.where(near, power, lateral << kernel_vector_solve.GUARD)
+    r = kernel_vector_solve.reciprocal(kernel_vector_solve.inverse_product(q << 2 * s >> 7, near))
+    b, a = kernel_vector_solve.seen(2 * k1 + 1, 2 * k2 + 1, x, y, 0, np.where(near, s >> 1, s))
     return b * r, a * r, k1, near
 
 
 def _plain_yaw(x: Ints, y: Ints, shoulder: Ints, switch: int, back: Ints) -> tuple[Ints, ...]:
-    """`vector_solve.yaw` of an arm without lateral offset; the shoulder offset takes the place of rho's rounding."""
+    """`kernel_vector_solve.yaw` without lateral offset; the shoulder offset takes the place of rho's rounding."""
     q = x * x + y * y
-    s = vector_solve._spare(q)
-    power = vector_solve._power(s) * np.where(back != 0, -1, 1)
-    b, a = vector_solve.seen(2 * power + 1, ints(1), x, y, 0, s >> 1)
-    r = vector_solve.reciprocal(vector_solve._inverse(q << 2 * s >> 7, np.True_))
-    total = vector_solve._turn(2 * (b * r >> 31) + 1, 2 * (a * r >> 31) + 1, x, y)
+    s = kernel_vector_solve.spare_pairs(q)
+    power = kernel_vector_solve.direction_power(s) * np.where(back != 0, -1, 1)
+    b, a = kernel_vector_solve.seen(2 * power + 1, ints(1), x, y, 0, s >> 1)
+    r = kernel_vector_solve.reciprocal(kernel_vector_solve.inverse_product(q << 2 * s >> 7, np.True_))
+    total = kernel_vector_solve.turned(2 * (b * r >> 31) + 1, 2 * (a * r >> 31) + 1, x, y)
     place = 17
     addend = (~shoulder << place) + (1 << place) - 8 if switch else 1 << place - 5
     return b * r, a * r, wrap(total + addend >> place - 4, 21), np.zeros(np.shape(x), dtype=bool)
@@ -168,9 +168,9 @@ def branch(p: Params, x: Ints, y: Ints, z: Ints, elbow: Ints, back: Ints, cfg: d
         rho = wrap(rho - (shoulder * p["SHOULDER"] << 4), 21)
     else:
         c3, n3, rho, inside = _plain_yaw(x, y, shoulder, p["SHOULDER"], back)
-    c1, n1, c2, n2, clamped, zero = vector_solve._elbow(
-        rho, z, vector_solve.GUARD, elbow, l1, l2, *(ints(cfg[f"cfg_{name}"]) for name in "qre"))
-    c1, n1, c2, n2, c3, n3 = (vector_solve._word(p, product) for product in (c1, n1, c2, n2, c3, n3))
+    c1, n1, c2, n2, clamped, zero = kernel_vector_solve.elbow_plane(
+        rho, z, kernel_vector_solve.GUARD, elbow, l1, l2, *(ints(cfg[f"cfg_{name}"]) for name in "qre"))
+    c1, n1, c2, n2, c3, n3 = (kernel_vector_solve.unit_word(p, product) for product in (c1, n1, c2, n2, c3, n3))
     if p["ELBOW"]:
         c2, n2 = turn(p, c2, n2, ints(cfg["cfg_ce"]), ints(cfg["cfg_ne"]))
     on_axis = (x == 0) & (y == 0)

@@ -11,7 +11,8 @@ import numpy as np
 from quadrance import conversion
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate
 from quadrance.parallel.geometry import Floats, PoseError, Robot
-from quadrance.six import MORE, ONE, H, _dot, _fold, _low, _power, _reciprocal, _root, _sum, _term, _word
+from quadrance.product_engine import ONE, H, dot, fold, low, power_of, reciprocal, root, rounded, sum_of, term
+from quadrance.six import MORE
 
 Params = dict[str, int]
 Vector = list[Ints]
@@ -20,11 +21,11 @@ FLOOR = 7  # bit of |Q|^2 below which it is taken for nothing
 
 
 def _cross(a: Vector, b: Vector) -> Vector:
-    return [_dot((a[i - 2], b[i - 1]), (a[i - 1], b[i - 2], -1)) for i in range(3)]
+    return [dot((a[i - 2], b[i - 1]), (a[i - 1], b[i - 2], -1)) for i in range(3)]
 
 
 def _square(a: Vector) -> Ints:
-    return _dot(*zip(a, a))
+    return dot(*zip(a, a))
 
 
 def fk(p: Params, **ports: Ints) -> dict[str, Ints]:
@@ -37,29 +38,29 @@ def fk(p: Params, **ports: Ints) -> dict[str, Ints]:
     length = {name: ports[f"cfg_{name}"] << H - p["W"] - UP - MORE for name in ("base", "la", "lb")}
     c, n = ([ports[f"in_{letter}{i}"] << H - p["U"] for i in (1, 2, 3)] for letter in "cn")
     rx, ry = ([ports[f"cfg_{letter}{i}"] for i in (1, 2, 3)] for letter in "cn")
-    radius = [_dot((one, length["la"]), (length["base"], ONE)) for one in c]
-    first = [_dot((rx[0], radius[0])), _dot((ry[0], radius[0])), _dot((n[0], length["la"]))]
-    a, b = ([_dot((rx[i], radius[i]), (first[0], ONE, -1)), _dot((ry[i], radius[i]), (first[1], ONE, -1)),
-             _dot((n[i], length["la"]), (first[2], ONE, -1))] for i in (1, 2))
+    radius = [dot((one, length["la"]), (length["base"], ONE)) for one in c]
+    first = [dot((rx[0], radius[0])), dot((ry[0], radius[0])), dot((n[0], length["la"]))]
+    a, b = ([dot((rx[i], radius[i]), (first[0], ONE, -1)), dot((ry[i], radius[i]), (first[1], ONE, -1)),
+             dot((n[i], length["la"]), (first[2], ONE, -1))] for i in (1, 2))
     aa, bb, normal = _square(a), _square(b), _cross(a, b)
-    power = _power(_fold(aa) | _fold(bb))
-    up = [_low(one, power) for one in normal]
-    aa, bb = _low(aa, power), _low(bb, power)
-    v = [_dot((aa, one), (bb, other, -1)) for one, other in zip(b, a)]
-    reach = [_dot((length["lb"] << 1, one)) for one in up]
-    total = _sum(*(_term(one, one) for one in reach), *(~_term(one, one) for one in v))
+    power = power_of(fold(aa) | fold(bb))
+    up = [low(one, power) for one in normal]
+    aa, bb = low(aa, power), low(bb, power)
+    v = [dot((aa, one), (bb, other, -1)) for one, other in zip(b, a)]
+    reach = [dot((length["lb"] << 1, one)) for one in up]
+    total = sum_of(*(term(one, one) for one in reach), *(~term(one, one) for one in v))
     far = total < 0
-    h = _root(np.where(far, 0, _word(total)), (normal[2] >= 0) ^ (ports["cfg_above"] != 0))
-    q = [_dot((h, one), (other, ONE)) for one, other in zip(up, _cross(v, up))]
+    h = root(np.where(far, 0, rounded(total)), (normal[2] >= 0) ^ (ports["cfg_above"] != 0))
+    q = [dot((h, one), (other, ONE)) for one, other in zip(up, _cross(v, up))]
     square = _square(q)
-    seen = _fold(square) >> FLOOR << FLOOR
-    none, power = seen == 0, _power(seen)
+    seen = fold(square) >> FLOOR << FLOOR
+    none, power = seen == 0, power_of(seen)
     s = np.ceil(np.log2(np.maximum(power, 1) + 0.5)).astype(np.int64) - 1
     shift = np.maximum(s - 1, 0) // 2
-    rod = _dot((_reciprocal(_low(square, np.where(none, 0, 1 << 2 * shift)) >> 7), length["lb"]))
+    rod = dot((reciprocal(low(square, np.where(none, 0, 1 << 2 * shift)) >> 7), length["lb"]))
     answer, overflow, never = {}, ints(0), np.logical_and.accumulate(none, axis=-1)
     for name, one, elbow in zip("xyz", q, first):
-        word = hold_last(_dot((rod, _low(one, 2 << shift)), (elbow, ONE)), ~none)
+        word = hold_last(dot((rod, low(one, 2 << shift)), (elbow, ONE)), ~none)
         answer[f"out_{name}"], over = saturate(round_shift(np.where(never, elbow, word), H - p["W"] - UP), p["W"])
         overflow = overflow | over
     far = far | (total >> 3 >= ONE * 2)

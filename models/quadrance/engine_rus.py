@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 
 from quadrance.conversion import vector_to_angle
 from quadrance.fixed import Ints, hold_last, ints, round_shift, wrap
+from quadrance.kernel_vector_solve import slopes
 from quadrance.parallel.geometry import Floats, PoseError, Robot, check_pose
-from quadrance.vector_solve import _slopes
 
 Params = dict[str, int]
 LEGS = 6
@@ -47,7 +47,7 @@ def _table(word: Ints, divide: bool) -> Ints:
     flip = 0x7FF if divide else 0
     low = ((~word >> 15 & 1) << 11) + ((word >> 4 & 0x7FF) ^ flip)
     w = ((word >> 16 & 0x1FF) << 12 if divide else (word >> 15 & 0x3FF) << 12) + low
-    return ((w << 4) + 8) * (_slopes()[1024 * divide + (word >> 16 & 0x1FF)] << 6)
+    return ((w << 4) + 8) * (slopes()[1024 * divide + (word >> 16 & 0x1FF)] << 6)
 
 
 def _word(product: Ints) -> Ints:
@@ -173,7 +173,7 @@ def rotation_check(p: Params, **ports: Ints) -> dict[str, Ints]:
 # Words for a robot
 
 
-def _frame(robot: Robot) -> Floats:
+def frame(robot: Robot) -> Floats:
     """(3, 3): rows are the core's x, y, z in the robot's frame."""
     x = np.eye(3)[2 if robot.up[0] else 0]
     return np.array([x, robot.up, np.cross(x, robot.up)])
@@ -218,7 +218,7 @@ def _sample(load: int, leg_number: int, rows: np.ndarray, position: np.ndarray, 
 
 def geometry(p: Params, robot: Robot, mm_per_lsb: float) -> list[dict[str, int]]:
     """One load sample a leg: input words by port name."""
-    turn = _frame(robot)
+    turn = frame(robot)
     samples = []
     for number in range(robot.legs):
         joint, foot, radial = (turn @ one[number] for one in (robot.joint, robot.foot, robot.radial))
@@ -237,7 +237,7 @@ def poses(p: Params, robot: Robot, mm_per_lsb: float, rotation: ArrayLike, posit
     PoseError
         For a matrix that is no rotation, or a word that does not fit.
     """
-    turn = _frame(robot)
+    turn = frame(robot)
     rotation, position = check_pose(rotation, position)
     position, beta = np.broadcast_arrays(position, np.asarray(beta, dtype=np.float64)[..., None])
     rotation = np.broadcast_to(rotation, (*position.shape[:-1], 3, 3))

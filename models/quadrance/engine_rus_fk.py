@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance.engine_rus import _frame
+from quadrance.engine_rus import frame
 from quadrance.fixed import Ints, ints, wrap
 from quadrance.parallel.geometry import Floats, PoseError, Robot, check_pose
 from quadrance.truth import floats
@@ -53,7 +53,7 @@ def quaternion(rotation: ArrayLike) -> Floats:
 
 def start(p: Params, robot: Robot, unit: float, rotation: ArrayLike, position: ArrayLike) -> list[Row]:
     """The samples that write a start; `unit` in mm, position in mm."""
-    turn = _frame(robot)
+    turn = frame(robot)
     rotation, position = check_pose(rotation, position)
     return _writes(p, 0, [*quaternion(turn @ rotation @ turn.T), *(turn @ position / unit)])
 
@@ -80,7 +80,7 @@ def loads(p: Params, robot: Robot, unit: float, rotation: ArrayLike, position: A
     """
     if robot.legs != LEGS:
         raise PoseError(f"{robot.id}: the core wants six legs; for a delta see parallel.delta.forward")
-    turn, rows = _frame(robot), start(p, robot, unit, rotation, position) + link(p, beta)
+    turn, rows = frame(robot), start(p, robot, unit, rotation, position) + link(p, beta)
     for i, angle in enumerate(floats(alpha)):
         joint, foot, radial = (turn @ one[i] for one in (robot.joint, robot.foot, robot.radial))
         rows += _writes(p, i + 1, [*joint / unit, *foot / unit, radial[0], radial[2],

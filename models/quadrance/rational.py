@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 
-from quadrance import arith, codecs, vector_solve
+from quadrance import arith, codecs, kernel_vector_solve
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 
 Params = dict[str, int]
@@ -113,7 +113,7 @@ def fk3(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints, cfg_l1: Ints, cfg_l
 # Two and three joints, inverse
 
 
-config = vector_solve.config  # words that the inverse cores want besides the lengths
+config = kernel_vector_solve.config  # words that the inverse cores want besides the lengths
 
 
 def _about_axis(s: int, axis: Ints, negative: Ints, product: Ints) -> Ints:
@@ -141,8 +141,8 @@ def _plane(p: Params, x: Ints, y: Ints, more: int, elbow: Ints, *words: Ints,
 
     The gap is that of the quadrance of the word x, or of the `exact` one.
     """
-    found = vector_solve.solve(x, y, more, elbow, *words, spread=True, exact=exact)
-    j1 = _direction(p, *vector_solve.seen(found.k1, found.k2, x, y, more, found.s), found.reciprocal)
+    found = kernel_vector_solve.solve(x, y, more, elbow, *words, spread=True, exact=exact)
+    j1 = _direction(p, *kernel_vector_solve.seen(found.k1, found.k2, x, y, more, found.s), found.reciprocal)
     square = _square(found.cosine)
     bent = found.clamped | (square >> 39 != 0)  # n2^2 is less than c2^2
     upright = _about_axis(p["S"], 1 + 2 * elbow, found.short == (elbow != 0), square)
@@ -167,8 +167,8 @@ def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1
         in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
     x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
     on_axis = (x == 0) & (y == 0)
-    b, a, r, rho = vector_solve.yaw(x, y)
-    j1, j2, clamped, zero = _plane(p, rho, z, vector_solve.GUARD, elbow, l1, l2, cfg_q, cfg_r, cfg_e,
+    b, a, r, rho = kernel_vector_solve.yaw(x, y)
+    j1, j2, clamped, zero = _plane(p, rho, z, kernel_vector_solve.GUARD, elbow, l1, l2, cfg_q, cfg_r, cfg_e,
                                    exact=x * x + y * y + z * z)
     return {"out_j1": hold_last(j1, ~zero), "out_j2": j2, "out_j3": hold_last(_direction(p, b, a, r), ~on_axis),
             "out_status": ints(clamped) + 2 * ints(on_axis)}

@@ -9,78 +9,13 @@ import math
 
 import numpy as np
 
-from quadrance import conversion, vector
+from quadrance import conversion
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
+from quadrance.product_engine import ONE, G, H, N, dot, fold, root, rounded, sum_of, term, unit
 
 Params = dict[str, int]
-N, H, G = 27, 25, 3  # bits of a word, its fraction bits, fraction bits of a sum below them
-ONE = 1 << H
 MORE = 4  # fraction bits of a configured length below the LSB of a coordinate
 AXES = [f"{row}{column}" for row in "123" for column in "123"]
-
-
-# The engine (product_engine.v)
-
-
-def _term(a: Ints, b: Ints) -> Ints:
-    return ints(a) * ints(b) >> H - G
-
-
-def _sum(*terms: Ints) -> Ints:
-    """The adder: 32 bits, from half a unit on."""
-    total = ints(1 << G - 1)
-    for term in terms:
-        total = total + term
-    return wrap(total, 2 * N - H + G)
-
-
-def _word(total: Ints) -> Ints:
-    return wrap(total >> G, N)
-
-
-def _dot(*pairs: tuple[Ints, Ints]) -> Ints:
-    """A word: the sum of products; of a negative one, (a, b, -1), the one's complement is added."""
-    return _word(_sum(*(~_term(*pair[:2]) if len(pair) == 3 else _term(*pair) for pair in pairs)))
-
-
-def _fold(word: Ints) -> Ints:
-    return word ^ word >> 63
-
-
-def _power(seen: Ints) -> Ints:
-    """2^s that brings the leading one of the OR of magnitudes to bit 25, 0 for nothing."""
-    bits = np.ceil(np.log2(np.maximum(seen, 1) + 0.5)).astype(np.int64)
-    return np.where(seen > 0, np.int64(1) << 26 - np.minimum(bits, 26), 0)
-
-
-def _low(a: Ints, b: Ints) -> Ints:
-    return wrap(ints(a) * ints(b), N)
-
-
-def _reciprocal(q: Ints, minus: Ints | bool = False) -> Ints:
-    """The word 1 / (2 sqrt(q)) of a table argument u2.18; where `minus`, that of the slope's complement."""
-    q = ints(q) & 0xFFFFF
-    w = (q >> 9 << 10) + 767 - (q & 0x1FF)
-    return wrap(w * (vector._root_slopes()[q >> 9 & 0x3FF] ^ -ints(minus)) >> 12, N)
-
-
-def _root(y: Ints, minus: Ints) -> Ints:
-    """+-sqrt(y) of a word y >= 0: y 4^j in [1/4, 1), its reciprocal root, times y 2^(j + 1)."""
-    power = _power(_fold(y))
-    s = np.ceil(np.log2(np.maximum(power, 1) + 0.5)).astype(np.int64) - 1
-    shift = np.maximum(s - 1, 0) // 2
-    four, two = np.where(power > 0, np.int64(1) << 2 * shift, 0), np.where(power > 0, np.int64(2) << shift, 0)
-    return _dot((_low(y, two), _reciprocal(_low(y, four) >> 7, minus)))
-
-
-def _unit(a: Ints, b: Ints, floor: int = 0, minus: Ints | bool = False) -> tuple[Ints, Ints, Ints, Ints]:
-    """(a, b, g, none): the vector scaled up, the reciprocal of its length, and where nothing of it lies above bit
-    `floor`: there it has no direction."""
-    seen = (_fold(a) | _fold(b)) >> floor << floor & ONE * 2 - 1
-    power = _power(seen)
-    a, b = _low(a, power), _low(b, power)
-    q = _sum(_term(a, a), _term(b, b))
-    return a, b, _reciprocal(q >> 12, minus), seen == 0
 
 
 # Forward
@@ -95,20 +30,20 @@ def fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
     c, n = ([None] + [ints(ports[f"in_{letter}{i}"]) << H - p["U"] for i in range(1, 7)] for letter in "cn")
     a1, a2, b, c1, c2, c3, c4 = (_length(p, ports[f"cfg_{name}"]) for name in ("a1", "a2", "b", "c1", "c2", "c3", "c4"))
     down = wrap(-n[5], N)
-    c23, n23 = _dot((c[3], c[2]), (n[2], n[3], -1)), _dot((c[3], n[2]), (c[2], n[3]))
-    t, s = _dot((c[5], c[4])), _dot((c[5], n[4]))
-    e1, e2, e3 = _dot((c[6], t), (n[4], n[6], -1)), _dot((c[6], s), (c[4], n[6])), _dot((c[6], down))
-    u1, r31 = _dot((c23, e1), (n23, e3)), _dot((c23, e3), (n23, e1, -1))
-    r11, r21 = _dot((c[1], u1), (n[1], e2, -1)), _dot((n[1], u1), (c[1], e2))
-    f1, f2 = _dot((n[5], c[4])), _dot((n[5], n[4]))
-    u3, r33 = _dot((c[5], n23), (c23, f1)), _dot((c[5], c23), (n23, f1, -1))
-    r13, r23 = _dot((c[1], u3), (n[1], f2, -1)), _dot((n[1], u3), (c[1], f2))
-    r12, r22 = _dot((r23, r31), (r33, r21, -1)), _dot((r33, r11), (r13, r31, -1))
-    r32 = _dot((r13, r21), (r23, r11, -1))
-    x1 = _dot((a1, ONE), (c2, n[2]), (c3, n23), (a2, c23))
-    x = _dot((x1, c[1]), (b, n[1], -1), (c4, r13))
-    y = _dot((x1, n[1]), (b, c[1]), (c4, r23))
-    z = _dot((c1, ONE), (c2, c[2]), (c3, c23), (a2, n23, -1), (c4, r33))
+    c23, n23 = dot((c[3], c[2]), (n[2], n[3], -1)), dot((c[3], n[2]), (c[2], n[3]))
+    t, s = dot((c[5], c[4])), dot((c[5], n[4]))
+    e1, e2, e3 = dot((c[6], t), (n[4], n[6], -1)), dot((c[6], s), (c[4], n[6])), dot((c[6], down))
+    u1, r31 = dot((c23, e1), (n23, e3)), dot((c23, e3), (n23, e1, -1))
+    r11, r21 = dot((c[1], u1), (n[1], e2, -1)), dot((n[1], u1), (c[1], e2))
+    f1, f2 = dot((n[5], c[4])), dot((n[5], n[4]))
+    u3, r33 = dot((c[5], n23), (c23, f1)), dot((c[5], c23), (n23, f1, -1))
+    r13, r23 = dot((c[1], u3), (n[1], f2, -1)), dot((n[1], u3), (c[1], f2))
+    r12, r22 = dot((r23, r31), (r33, r21, -1)), dot((r33, r11), (r13, r31, -1))
+    r32 = dot((r13, r21), (r23, r11, -1))
+    x1 = dot((a1, ONE), (c2, n[2]), (c3, n23), (a2, c23))
+    x = dot((x1, c[1]), (b, n[1], -1), (c4, r13))
+    y = dot((x1, n[1]), (b, c[1]), (c4, r23))
+    z = dot((c1, ONE), (c2, c[2]), (c3, c23), (a2, n23, -1), (c4, r33))
     answer, overflow = {}, ints(0)
     for axis, word in zip("xyz", (x, y, z)):
         answer[f"out_{axis}"], over = saturate(round_shift(word, H - p["W"]), p["W"])
@@ -157,7 +92,7 @@ def slack(p: Params) -> int:
 
 
 def _off(p: Params, *pairs: tuple) -> Ints:
-    return _fold(_dot(*pairs)) >> slack(p) != 0
+    return fold(dot(*pairs)) >> slack(p) != 0
 
 
 def no_rotation(p: Params, r: dict[str, Ints]) -> Ints:
@@ -190,36 +125,36 @@ def _branch(p: Params, **ports: Ints) -> tuple[list[tuple[Ints, Ints]], Ints, In
     x, y, z = (ports[f"in_{axis}"] << H - p["W"] for axis in "xyz")
     a1, b, c1, c2, c4, k = (_length(p, ports[f"cfg_{name}"]) for name in ("a1", "b", "c1", "c2", "c4", "k"))
     wrong = no_rotation(p, r)
-    px, py = _dot((x, ONE), (c4, r["13"], -1)), _dot((y, ONE), (c4, r["23"], -1))
-    pz = _dot((z, ONE), (c4, r["33"], -1), (c1, -ONE))
-    total = _sum(_term(px, px), ~_term(b, b), _term(py, py))
+    px, py = dot((x, ONE), (c4, r["13"], -1)), dot((y, ONE), (c4, r["23"], -1))
+    pz = dot((z, ONE), (c4, r["33"], -1), (c1, -ONE))
+    total = sum_of(term(px, px), ~term(b, b), term(py, py))
     inside = total < 0
-    x1 = _root(np.where(inside, 0, _word(total)), back)
-    cosine, sine, g, no1 = _unit(_dot((x1, px), (b, py)), _dot((x1, py), (b, px, -1)))
-    c_1, n_1 = _held(_dot((cosine, g)), _dot((sine, g)), no1)
-    x = _dot((a1, -ONE), (x1, ONE))
-    total = _sum(_term(x, x), ~_term(c2, c2), _term(pz, pz), ~_term(k, k))
+    x1 = root(np.where(inside, 0, rounded(total)), back)
+    cosine, sine, g, no1 = unit(dot((x1, px), (b, py)), dot((x1, py), (b, px, -1)))
+    c_1, n_1 = _held(dot((cosine, g)), dot((sine, g)), no1)
+    x = dot((a1, -ONE), (x1, ONE))
+    total = sum_of(term(x, x), ~term(c2, c2), term(pz, pz), ~term(k, k))
     far = total >> G >= 1 << N - 1
-    t = _dot((_word(total), ports["cfg_r"]))
+    t = dot((rounded(total), ports["cfg_r"]))
     product = t * ports["cfg_e"]
     outside = far | (product < -ONE) | (product >= ONE)
     c_e = np.where(outside, np.where((product < 0) & ~far, -ONE, ONE), wrap(product, N))
-    n_e = _root(_dot((ints(ONE), ONE), (c_e, c_e, -1)), down)
-    k1, k2 = _dot((c2, ONE), (k, c_e)), _dot((k, n_e))
-    cosine, sine, g, no2 = _unit(_dot((k1, pz), (k2, x)), _dot((k1, x), (k2, pz, -1)))
-    c_2, n_2 = _held(_dot((cosine, g)), _dot((sine, g)), no2)
+    n_e = root(dot((ints(ONE), ONE), (c_e, c_e, -1)), down)
+    k1, k2 = dot((c2, ONE), (k, c_e)), dot((k, n_e))
+    cosine, sine, g, no2 = unit(dot((k1, pz), (k2, x)), dot((k1, x), (k2, pz, -1)))
+    c_2, n_2 = _held(dot((cosine, g)), dot((sine, g)), no2)
     cp, np_ = ports["cfg_cp"], ports["cfg_np"]
-    c_3, n_3 = _dot((cp, c_e), (n_e, np_)), _dot((cp, n_e), (c_e, np_, -1))
-    c23, n23 = _dot((c_2, c_3), (n_2, n_3, -1)), _dot((n_2, c_3), (c_2, n_3))
-    u3, m23 = _dot((c_1, r["13"]), (n_1, r["23"])), _dot((c_1, r["23"]), (n_1, r["13"], -1))
-    m13, c_5 = _dot((c23, u3), (n23, r["33"], -1)), _dot((n23, u3), (c23, r["33"]))
-    cosine, sine, g, no4 = _unit(m13, m23, floor(p), flip)
-    c_4, n_4 = _held(_dot((cosine, g)), _dot((sine, g)), no4)
-    n_5 = _dot((c_4, m13), (n_4, m23))
-    t = _dot((n_4, c23, -1))
-    w1, w2, w3 = _dot((t, c_1), (c_4, n_1, -1)), _dot((t, n_1), (c_4, c_1)), _dot((n_4, n23))
-    n_6 = _dot((w1, r["11"]), (w2, r["21"]), (w3, r["31"]))
-    c_6 = _dot((w1, r["12"]), (w2, r["22"]), (w3, r["32"]))
+    c_3, n_3 = dot((cp, c_e), (n_e, np_)), dot((cp, n_e), (c_e, np_, -1))
+    c23, n23 = dot((c_2, c_3), (n_2, n_3, -1)), dot((n_2, c_3), (c_2, n_3))
+    u3, m23 = dot((c_1, r["13"]), (n_1, r["23"])), dot((c_1, r["23"]), (n_1, r["13"], -1))
+    m13, c_5 = dot((c23, u3), (n23, r["33"], -1)), dot((n23, u3), (c23, r["33"]))
+    cosine, sine, g, no4 = unit(m13, m23, floor(p), flip)
+    c_4, n_4 = _held(dot((cosine, g)), dot((sine, g)), no4)
+    n_5 = dot((c_4, m13), (n_4, m23))
+    t = dot((n_4, c23, -1))
+    w1, w2, w3 = dot((t, c_1), (c_4, n_1, -1)), dot((t, n_1), (c_4, c_1)), dot((n_4, n23))
+    n_6 = dot((w1, r["11"]), (w2, r["21"]), (w3, r["31"]))
+    c_6 = dot((w1, r["12"]), (w2, r["22"]), (w3, r["32"]))
     vectors = [(c_1, n_1), (c_2, n_2), (c_3, n_3), (c_4, n_4), (c_5, n_5), (c_6, n_6)]
     return vectors, ints(inside | outside), no1 + 2 * ints(no2) + 8 * ints(no4), ints(wrong)
 

@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 
-from quadrance import codecs, vector_solve
+from quadrance import codecs, kernel_vector_solve
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 
 Params = dict[str, int]
@@ -85,19 +85,20 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
 
 
 def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
-    """Words that the inverse cores want besides the lengths: those of `vector_solve.config`."""
-    return vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+    """Words that the inverse cores want besides the lengths: those of `kernel_vector_solve.config`."""
+    return kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
 
 
 def _angle(p: Params, c: Ints, n: Ints) -> Ints:
-    """The word of a joint of vector_solve, cosine and sine with 49 fraction bits."""
+    """The word of a joint of kernel_vector_solve, cosine and sine with 49 fraction bits."""
     return codecs.angle_of_vector(p["A"], c >> 29, n >> 29)
 
 
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
         cfg_e: Ints) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    c1, n1, c2, n2, clamped, zero = vector_solve.plane(p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    c1, n1, c2, n2, clamped, zero = kernel_vector_solve.plane(
+        p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
     return {"out_j1": hold_last(_angle(p, c1, n1), ~zero), "out_j2": _angle(p, c2, n2),
             "out_status": ints(clamped) + 2 * ints(zero)}
 
@@ -105,7 +106,7 @@ def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
         cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
     """Joint 3 has the direction of (x, y); then `ik2` on (rho, z)."""
-    c1, n1, c2, n2, clamped, zero, c3, n3, on_axis = vector_solve.space(
+    c1, n1, c2, n2, clamped, zero, c3, n3, on_axis = kernel_vector_solve.space(
         p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
     return {"out_j1": hold_last(_angle(p, c1, n1), ~zero), "out_j2": _angle(p, c2, n2),
             "out_j3": hold_last(_angle(p, c3, n3), ~on_axis), "out_status": ints(clamped) + 2 * ints(on_axis)}

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 
+from quadrance import arith
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
+from quadrance.kernel_vector_solve import plane, space, unit_word
 
 Params = dict[str, int]
 GUARD = 5  # bits of A, B and rho below the LSB of a coordinate
@@ -59,26 +59,6 @@ def fk3(p: Params, *, in_c1: Ints, in_n1: Ints, in_c2: Ints, in_n2: Ints, in_c3:
 # Inverse
 
 
-@cache
-def _root_slopes() -> Ints:
-    """2^32 / b^(3/2), b = 2 a + 1, raised as reciprocal_root.v says; entry 0 is that of q = 2."""
-    slopes = []
-    for b in [2049, *[0] * 127, *range(257, 2049, 2)]:
-        square = (((256 * b * b + b + 96) << 33) // b**3 << 25) // (b * b) if b else 0
-        root = 1 << (20 if b < 512 else 19 if b < 1024 else 17)
-        for _ in range(6):
-            root = root + square // root >> 1
-        slopes.append(root + 1 >> 1 if b else 0)
-    return ints(slopes)
-
-
-def reciprocal_root(q: Ints) -> Ints:
-    """``2^18 * 2 / sqrt(q)``, truncated, q / 2^18 from 1/4 to 2, as the tangent's product."""
-    q = ints(q)
-    w = (q >> 9 << 10) + 767 - (q & 0x1FF)
-    return w * _root_slopes()[q >> 9 & 0x3FF] >> 17
-
-
 def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     """``(x, y) / sqrt(x^2 + y^2)``, each coordinate nearest (ties upward); the last vector where x = y = 0."""
     x, y = (ints(word) << 16 - p["W"] for word in np.broadcast_arrays(in_x, in_y))
@@ -87,6 +67,29 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     spare = 15 - np.ceil(np.log2(either + 1)).astype(np.int64)
     x, y = x << spare, y << spare
     half = 1 << 16 - p["U"]
-    root = reciprocal_root((x * x >> 12) + (y * y >> 12) + 1)
+    root = arith.reciprocal_root((x * x >> 12) + (y * y >> 12) + 1)
     c, n = ((part * root >> 17) + half >> 17 - p["U"] for part in (x, y))
     return {"out_c1": hold_last(c, ~zero, 1 << p["U"]), "out_n1": hold_last(n, ~zero), "out_status": 2 * ints(zero)}
+
+
+def _held(p: Params, joint: int, c: Ints, n: Ints, undefined: Ints) -> dict[str, Ints]:
+    """The words of a joint, the last ones where it has no direction."""
+    return {f"out_c{joint}": hold_last(unit_word(p, c), ~undefined, 1 << p["U"]),
+            f"out_n{joint}": hold_last(unit_word(p, n), ~undefined)}
+
+
+def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
+        cfg_e: Ints) -> dict[str, Ints]:
+    """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
+    c1, n1, c2, n2, clamped, zero = plane(p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    return {**_held(p, 1, c1, n1, zero), "out_c2": unit_word(p, c2), "out_n2": unit_word(p, n2),
+            "out_status": ints(clamped) + 2 * ints(zero)}
+
+
+def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
+        cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
+    """Joint 3 has the direction of (x, y); then `ik2` on (rho, z), rho with GUARD fraction bits."""
+    c1, n1, c2, n2, clamped, zero, c3, n3, on_axis = space(
+        p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    return {**_held(p, 1, c1, n1, zero), "out_c2": unit_word(p, c2), "out_n2": unit_word(p, n2),
+            **_held(p, 3, c3, n3, on_axis), "out_status": ints(clamped) + 2 * ints(on_axis)}

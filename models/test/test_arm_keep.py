@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from quadrance import arm, arm_keep, arms, truth, truth_arm, vector_solve
+from quadrance import arm, arm_keep, arms, kernel_vector_solve, truth, truth_arm
 
 P2 = {"W": 16, "F": 8, "U": 16}
 FREE = (-math.pi, math.pi)
@@ -30,7 +30,7 @@ def _keep3(built: arms.Arm, target: np.ndarray, room: tuple = (FREE, FREE, FREE)
 def _keep2(l1: int, l2: int, x: np.ndarray, y: np.ndarray, room: tuple = (FREE, FREE)) -> dict[str, np.ndarray]:
     words = {name: word for i, ends in enumerate(room, 1) for name, word in arm_keep.limit(P2, i, *ends).items()}
     return arm_keep.keep2(P2, in_x=x, in_y=y, **words, cfg_l1=l1, cfg_l2=l2,
-                          **vector_solve.config(P2, cfg_l1=l1, cfg_l2=l2))
+                          **kernel_vector_solve.config(P2, cfg_l1=l1, cfg_l2=l2))
 
 
 def _path(built: arms.Arm, low: tuple, high: tuple, count: int = 3000) -> tuple[np.ndarray, np.ndarray]:

@@ -35,7 +35,7 @@ def answer() -> list:
 
 def pose_of(p: dict, name: str, words: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Rotations and positions in mm of the words (N, 7); the quaternion made unit."""
-    frame, value = engine_rus._frame(geometry.load(name)), words / 2.0 ** (p["W"] - 2)
+    frame, value = engine_rus.frame(geometry.load(name)), words / 2.0 ** (p["W"] - 2)
     q = value[:, :4] / np.linalg.norm(value[:, :4], axis=1, keepdims=True)
     return frame.T @ geometry.of_quaternion(q) @ frame, value[:, 4:] @ frame * UNIT[name]
 
@@ -47,7 +47,7 @@ def near(turn: np.ndarray, place: np.ndarray, degrees: float, mm: float, rng: np
 
 def quantised(p: dict, robot: geometry.Robot, name: str, alpha: np.ndarray, beta: float):
     """(elbows, ball joints, LB) in mm as the words of a robot say them."""
-    turn, unit = engine_rus._frame(robot), UNIT[name]
+    turn, unit = engine_rus.frame(robot), UNIT[name]
     one = 2.0 ** (p["W"] - 2)
 
     def word(value):
@@ -227,7 +227,7 @@ def test_words_that_do_not_fit_are_refused():
 
 def _program() -> tuple[dict[str, int], list[list[str]]]:
     """First line of each section, and the lines: A, B, C, D, DEST, operation, ACT."""
-    text = (cores.RTL / "engine" / "engine_rus_fk_program.v").read_text()
+    text = (cores.RTL / "engine" / "rus" / "engine_rus_fk_program.v").read_text()
     body = text[text.index("LINES = {"):text.index("reg [39:0] lines")]
     sections, lines = {}, []
     for title, line in re.findall(r"/\* (.*?) \*/ ([^\n]*)", body):
@@ -241,7 +241,7 @@ def _program() -> tuple[dict[str, int], list[list[str]]]:
 def test_the_program_reads_no_word_that_is_still_on_its_way():
     """Along every jump of engine_rus_fk_steps; t, in PAIR, is read as it was before, but never while it is written."""
     sections, lines = _program()
-    steps = (cores.RTL / "engine" / "engine_rus_fk_steps.v").read_text()
+    steps = (cores.RTL / "engine" / "rus" / "engine_rus_fk_steps.v").read_text()
     named = {name: int(value) for name, value in re.findall(r"([A-Z]+) = 8'd(\d+)[,;]", steps)}
     assert named == {name: line for name, line in sections.items() if name != "MOVE"} | {"END": len(lines)}
     order = sorted(sections, key=sections.get)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import accuracy, arms, bounds, codecs, cores, truth, vector
+from quadrance import accuracy, arith, arms, bounds, codecs, cores, truth
 from quadrance.cores import Core, joints
 
 
@@ -175,7 +175,7 @@ def test_the_last_vector_is_held_where_there_is_no_direction(core):
 def test_reciprocal_root_at_every_word():
     """Within its share of the length's bound: all but what the squares lose."""
     q = np.arange(1 << 16, (1 << 19) + 2)
-    relative = vector.reciprocal_root(q) / 2.0**19 * np.sqrt(q / 2.0**18) - 1
+    relative = arith.reciprocal_root(q) / 2.0**19 * np.sqrt(q / 2.0**18) - 1
     assert np.abs(relative).max() <= bounds.vector_length()
 
 

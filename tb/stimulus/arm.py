@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from quadrance import arm, arm_keep, vector_solve
+from quadrance import arm, arm_keep, kernel_vector_solve
 from quadrance.cores import Core
 from quadrance.fixed import to_fixed
 
@@ -37,7 +37,7 @@ def _shifts(core: Core) -> list[dict[str, int]]:
     """Links with the cfg_e that others leave out: 1, 5, 9, 13; and two of more than 2^(W-1) LSB that reach targets."""
     lengths = np.array([(40000, 30000), (33000, 9000), (1500, 1200), (100, 90), (6, 5)]) >> 16 - core.params["W"]
     pairs = [{"cfg_l1": l1, "cfg_l2": l2} for l1, l2 in np.maximum(lengths, 1).tolist()]
-    return [pair | vector_solve.config(core.params, **pair) for pair in pairs]
+    return [pair | kernel_vector_solve.config(core.params, **pair) for pair in pairs]
 
 
 def _bends(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:

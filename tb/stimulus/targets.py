@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from quadrance import vector_solve
+from quadrance import kernel_vector_solve
 from quadrance.cores import Core
 
 from tb.lib.stimulus import Vectors
@@ -19,7 +19,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
                (64, 50), (700, 900), (2900, 3000), *rng.integers(0, high, (3, 2), endpoint=True).tolist(),
                *rng.integers(0, half, (3, 2)).tolist()]
     pairs = [{"cfg_l1": min(l1, high), "cfg_l2": min(l2, high)} for l1, l2 in lengths]
-    return [pair | vector_solve.config(core.params, **pair) for pair in pairs]
+    return [pair | kernel_vector_solve.config(core.params, **pair) for pair in pairs]
 
 
 def corners(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:

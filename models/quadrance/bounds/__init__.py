@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import classic, codecs, conversion, cordic, paper, table, truth, vector, vector_solve
+from quadrance import classic, codecs, conversion, cordic, kernel_vector_solve, paper, table, truth, vector
 from quadrance.cores import Core
 from quadrance.fixed import ints, wrap
 from quadrance.truth import Floats, floats
@@ -477,7 +477,7 @@ def _vector_inverse(q: ArrayLike) -> Floats:
 def vector_gap(p: Params, l1: int, l2: int) -> float:
     """Error of the quadrance (LSB^2 of 16-bit words) that c2 of vector_ik2 stands for: the half that rounds the gap,
     twice, the rounding of cfg_r, the cut of c2 to 25 bits. 16 at L1 = L2 = 2^13."""
-    words = vector_solve.config(p, cfg_l1=l1, cfg_l2=l2)
+    words = kernel_vector_solve.config(p, cfg_l1=l1, cfg_l2=l2)
     l1, l2 = (length << 16 - p["W"] for length in (l1, l2))
     half = 2.0 ** (6 - 2 * words["cfg_e"]) if words["cfg_e"] < 4 else 0
     return 2 * half + 2 * l1 * l2 * (1 / words["cfg_r"] + 2**-25)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import bounds, vector_solve
+from quadrance import bounds, kernel_vector_solve, vector
 from quadrance.cores import all_cores
 
 LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16000, 300), (300, 16000), (768, 512), (30, 20),
          (5, 2), (1, 1), (100, 100), (16384, 16384), (30000, 2000), (20000, 25000), (60000, 60000)]
-SETS = {core.id: core.params for core in all_cores() if core.model_name == "vector_solve.ik2"}
+SETS = {core.id: core.params for core in all_cores() if core.model_name == "vector.ik2"}
 P = {"W": 16, "F": 8, "U": 16}
 CASES = [pytest.param(p, l1 >> 16 - p["W"], l2 >> 16 - p["W"], id=f"{name}-{l1}-{l2}")
          for name, p in SETS.items() for l1, l2 in LINKS]
@@ -28,8 +28,8 @@ def _targets(p: dict[str, int], l1: int, l2: int, count: int = 60_000) -> tuple[
 
 
 def _answer(p: dict[str, int], l1: int, l2: int, x: np.ndarray, y: np.ndarray, elbow: object) -> dict[str, np.ndarray]:
-    return vector_solve.ik2(p, in_x=x, in_y=y, in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
-                            **vector_solve.config(p, cfg_l1=l1, cfg_l2=l2))
+    return vector.ik2(p, in_x=x, in_y=y, in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                            **kernel_vector_solve.config(p, cfg_l1=l1, cfg_l2=l2))
 
 
 def _tip(p: dict[str, int], out: dict[str, np.ndarray], l1: int, l2: int) -> tuple[np.ndarray, ...]:
@@ -133,17 +133,17 @@ def test_the_reciprocal_never_reaches_four() -> None:
     """1/q' and 2 / sqrt(q') next to q' = 1/4, where the register of 1/q' ends."""
     q = np.arange(1 << 23, (1 << 23) + (1 << 17))
     for root in (0, 1):
-        assert np.max(vector_solve._inverse(q, np.full(q.shape, root)) >> 23) < 1 << 26
+        assert np.max(kernel_vector_solve.inverse_product(q, np.full(q.shape, root)) >> 23) < 1 << 26
 
 
-SPACE = {core.id: core.params for core in all_cores() if core.model_name == "vector_solve.ik3"}
+SPACE = {core.id: core.params for core in all_cores() if core.model_name == "vector.ik3"}
 SPACE_CASES = [pytest.param(p, l1 >> 16 - p["W"], l2 >> 16 - p["W"], id=f"{name}-{l1}-{l2}")
                for name, p in SPACE.items() for l1, l2 in LINKS]
 
 
 def _answer3(p: dict[str, int], l1: int, l2: int, target: np.ndarray, elbow: object) -> dict[str, np.ndarray]:
-    return vector_solve.ik3(p, **dict(zip(("in_x", "in_y", "in_z"), target)), in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
-                            **vector_solve.config(p, cfg_l1=l1, cfg_l2=l2))
+    return vector.ik3(p, **dict(zip(("in_x", "in_y", "in_z"), target)), in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                            **kernel_vector_solve.config(p, cfg_l1=l1, cfg_l2=l2))
 
 
 def _upright(p: dict[str, int], l1: int, l2: int) -> tuple[np.ndarray, np.ndarray]:
@@ -214,7 +214,7 @@ def test_rho_and_the_yaw_are_within_their_bounds() -> None:
     target = rng.integers(-32768, 32768, (2, 200_000)) >> rng.integers(0, 16, 200_000)
     target = target[:, (target != 0).any(axis=0)]
     exact = np.hypot(*target)
-    b, a, r, rho = vector_solve.yaw(*target)
+    b, a, r, rho = kernel_vector_solve.yaw(*target)
     assert np.all(np.abs(rho / 16 - exact) <= bounds.vector_rho(P, target))
     c3, n3, (length, turned) = b * r / 2**49, a * r / 2**49, bounds._vector_yaw(exact)
     assert np.all(np.abs(np.hypot(c3, n3) - 1) <= length)

@@ -1,4 +1,4 @@
-"""Bit-true models of the inverse cores of rtl/vector: joint words are unit vectors."""
+"""Bit-true model of kernel_vector_solve and its parts: joint 2 of a target, and the axis that joint 1 is seen from."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from quadrance.fixed import Ints, hold_last, ints, wrap
+from quadrance.fixed import Ints, ints, wrap
 
 Params = dict[str, int]
 
@@ -34,7 +34,7 @@ def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
 
 
 @cache
-def _slopes() -> Ints:
+def slopes() -> Ints:
     """The words of kernel_vector_slopes.v: 4 ranges of 512 segments."""
     table = np.zeros((4, 512), dtype=np.int64)
     for a in range(512):
@@ -49,51 +49,51 @@ def _slopes() -> Ints:
     return table.ravel() & 0xFFFFF
 
 
-def _factor(word: Ints) -> Ints:
+def factor_word(word: Ints) -> Ints:
     """The upper bits of a 26-bit first factor and the constant 1 behind them, 1.0 is 2^25."""
     return (word >> 26 - FACTOR << 26 - FACTOR) + (1 << 25 - FACTOR)
 
 
-def _root(v: Ints, fine: bool) -> tuple[Ints, Ints]:
+def root_product(v: Ints, fine: bool) -> tuple[Ints, Ints]:
     """sqrt(v / 2^26) as a product with 49 fraction bits; `fine`: with a range of its own for v below 2^-12."""
     low, tiny = v >> 21 == 0, (v >> 14 == 0) & fine
     e = np.where(tiny, (v << 5) + 16 & 0x1FFFFF, np.where(low, v & 0x1FFFFF, v >> 5))
     w = (e >> 11 << 16) + ((~e >> 11 & 1) << 15) + ((e & 0x7FF) << 4)
-    return _factor(w), _slopes()[np.where(tiny, 1024, 512 * low) + (e >> 12)]
+    return factor_word(w), slopes()[np.where(tiny, 1024, 512 * low) + (e >> 12)]
 
 
-def _inverse(q: Ints, root: Ints) -> Ints:
+def inverse_product(q: Ints, root: Ints) -> Ints:
     """A quarter of 1/q, or of 2 / sqrt(q), q' = q / 2^25 from 1/4 to 1, as a product with 49 fraction bits."""
     a, d = q >> 16, q & 0xFFFF
     w = (a << 16) + np.where(root, ((~d >> 15 & 1) << 15) + ((d >> 15) << 14) + (~d >> 1 & 0x3FFF), ~d & 0xFFFF)
-    return _factor(w) * (_slopes()[1024 + 512 * ints(root) + (a & 511)] << 6)
+    return factor_word(w) * (slopes()[1024 + 512 * ints(root) + (a & 511)] << 6)
 
 
-def _spare(q: Ints) -> Ints:
+def spare_pairs(q: Ints) -> Ints:
     """Pairs of upper bits that a 32-bit q > 0 can spare; 15 for 0."""
     bits = np.ceil(np.log2(np.maximum(q, 1) + 0.5)).astype(np.int64)
     return (32 - bits) // 2 - (q == 0)
 
 
-def _turn(k1: Ints, k2: Ints, x: Ints, y: Ints, more: int = 0) -> Ints:
+def turned(k1: Ints, k2: Ints, x: Ints, y: Ints, more: int = 0) -> Ints:
     """k1 x + k2 y, k with GUARD + 1 fraction bits, x with `more` and y with none; the sum has SUM."""
     cut = GUARD + 1 - SUM
     return (k1 * x >> cut + more) + (k2 * y >> cut)
 
 
-def _shift(total: Ints, s: Ints) -> Ints:
+def shifted(total: Ints, s: Ints) -> Ints:
     """A sum with SUM fraction bits times 2^(2 s - 7), truncated, in 27 bits; it fits but next to the shoulder."""
     return wrap(wrap(total, 34 + SUM) << 2 * s >> SUM + 7, 27)
 
 
-def _word(p: Params, product: Ints) -> Ints:
+def unit_word(p: Params, product: Ints) -> Ints:
     """A unit vector's coordinate, nearest (ties upward), of a product with 49 fraction bits."""
     return wrap((product >> 48 - p["U"]) + 1 >> 1, p["U"] + 2)
 
 
 def seen(k1: Ints, k2: Ints, x: Ints, y: Ints, more: int, s: Ints) -> tuple[Ints, Ints]:
     """(x, y) seen from the axis (k1, k2): k1 x + k2 y and k1 y - k2 x, shifted."""
-    return _shift(_turn(k1, k2, x, y, more), s), _shift(_turn(-k2, k1, x, y, more), s)
+    return shifted(turned(k1, k2, x, y, more), s), shifted(turned(-k2, k1, x, y, more), s)
 
 
 def reciprocal(inverse: Ints) -> Ints:
@@ -101,7 +101,7 @@ def reciprocal(inverse: Ints) -> Ints:
     return wrap(inverse >> 23, 27)
 
 
-def _power(s: Ints) -> Ints:
+def direction_power(s: Ints) -> Ints:
     """What stands for k1 where q is the quadrance of a direction alone: 2^15, or 2^16 where s is odd."""
     return np.int64(1) << 15 + GUARD + (s & 1)
 
@@ -127,7 +127,7 @@ def solve(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: I
     `spread`: as kernel_solve does it, whose root is finer near 0 and takes the elbow's sign when it has become k2. The
     gap is that of the quadrance of the word x where it is not given `exact`.
     """
-    total = _turn(x << GUARD + 1 - more, y << GUARD + 1, x, y, more)
+    total = turned(x << GUARD + 1 - more, y << GUARD + 1, x, y, more)
     q, gap = total >> SUM, (total if exact is None else exact << SUM) + (cfg_q << SUM)
     up = 2 * cfg_e - 7 - SUM
     n = gap << np.maximum(up, 0) >> np.maximum(-up, 0)
@@ -138,20 +138,20 @@ def solve(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: I
     c2 = np.where(clamped, np.where(short, -1, 1) << 25, product >> 24)
     fine = np.where(clamped, 0, product >> 23)  # c2 with a bit more
     square = c2 * fine >> 25  # 2^26: the root of 1 - c2^2 would read 1
-    w, slope = _root(~square & 0x3FFFFFF, spread)
+    w, slope = root_product(~square & 0x3FFFFFF, spread)
     w = np.where(clamped | (square >> 26 != 0), 1 << 25 - FACTOR, np.where((elbow == 1) & (not spread), -w, w))
     k1 = (c2 * l2 >> 25 - GUARD) + (l1 << GUARD)
     n2 = w * (slope << 6)
     k2 = (n2 >> 24) * l2 >> 25 - GUARD
     k2 = np.where((elbow == 1) & spread, ~k2, k2)
-    s = _spare(q)
-    inverse = _inverse(total << 2 * s >> 7 + SUM, clamped)
-    k1 = np.where(clamped, np.where(k1 < 0, -1, 1) * _power(s), k1)
+    s = spare_pairs(q)
+    inverse = inverse_product(total << 2 * s >> 7 + SUM, clamped)
+    k1 = np.where(clamped, np.where(k1 < 0, -1, 1) * direction_power(s), k1)
     s = np.where(clamped, s >> 1, s)
     return Solved(product, n2, 2 * k1 + 1, 2 * k2 + 1, s, reciprocal(inverse), clamped, short, q == 0)
 
 
-def _elbow(x: Ints, y: Ints, more: int, *words: Ints) -> tuple[Ints, ...]:
+def elbow_plane(x: Ints, y: Ints, more: int, *words: Ints) -> tuple[Ints, ...]:
     """(c1, n1, c2, n2, unreachable, at the shoulder) of the target (x, y), x with `more` fraction bits.
 
     Cosines and sines are the products that they are, with 49 fraction bits.
@@ -165,18 +165,18 @@ def _elbow(x: Ints, y: Ints, more: int, *words: Ints) -> tuple[Ints, ...]:
 def yaw(x: Ints, y: Ints) -> tuple[Ints, Ints, Ints, Ints]:
     """(x, y) shifted and 2 / sqrt(q'), whose products are (c3, n3); its length c3 x + n3 y, GUARD fraction bits."""
     q = x * x + y * y
-    s = _spare(q)
-    b, a = seen(2 * _power(s) + 1, ints(1), x, y, 0, s >> 1)
-    r = reciprocal(_inverse(q << 2 * s >> 7, np.True_))
-    total = _turn(2 * (b * r >> 31) + 1, 2 * (a * r >> 31) + 1, x, y)  # of cosines with 18 fraction bits: 17
+    s = spare_pairs(q)
+    b, a = seen(2 * direction_power(s) + 1, ints(1), x, y, 0, s >> 1)
+    r = reciprocal(inverse_product(q << 2 * s >> 7, np.True_))
+    total = turned(2 * (b * r >> 31) + 1, 2 * (a * r >> 31) + 1, x, y)  # of cosines with 18 fraction bits: 17
     return b, a, r, total + (1 << 16 - GUARD) >> 17 - GUARD
 
 
 def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
-    """`_elbow` of the ports of a core in the plane; `words`: `cfg_l1`, `cfg_l2` and the rest of `config`."""
+    """`elbow_plane` of the ports of a core in the plane; `words`: `cfg_l1`, `cfg_l2` and the rest of `config`."""
     x, y, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_elbow, *words))
     x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
-    return _elbow(x, y, 0, elbow, l1, l2, *rest)
+    return elbow_plane(x, y, 0, elbow, l1, l2, *rest)
 
 
 def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
@@ -184,27 +184,4 @@ def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words:
     x, y, z, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, *words))
     x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
     b, a, r, rho = yaw(x, y)
-    return *_elbow(rho, z, GUARD, elbow, l1, l2, *rest), b * r, a * r, (x == 0) & (y == 0)
-
-
-def _held(p: Params, joint: int, c: Ints, n: Ints, undefined: Ints) -> dict[str, Ints]:
-    """The words of a joint, the last ones where it has no direction."""
-    return {f"out_c{joint}": hold_last(_word(p, c), ~undefined, 1 << p["U"]),
-            f"out_n{joint}": hold_last(_word(p, n), ~undefined)}
-
-
-def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
-        cfg_e: Ints) -> dict[str, Ints]:
-    """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    c1, n1, c2, n2, clamped, zero = plane(p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
-    return {**_held(p, 1, c1, n1, zero), "out_c2": _word(p, c2), "out_n2": _word(p, n2),
-            "out_status": ints(clamped) + 2 * ints(zero)}
-
-
-def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
-        cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
-    """Joint 3 has the direction of (x, y); then `ik2` on (rho, z), rho with GUARD fraction bits."""
-    c1, n1, c2, n2, clamped, zero, c3, n3, on_axis = space(
-        p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
-    return {**_held(p, 1, c1, n1, zero), "out_c2": _word(p, c2), "out_n2": _word(p, n2), **_held(p, 3, c3, n3, on_axis),
-            "out_status": ints(clamped) + 2 * ints(on_axis)}
+    return *elbow_plane(rho, z, GUARD, elbow, l1, l2, *rest), b * r, a * r, (x == 0) & (y == 0)
