@@ -46,6 +46,7 @@ class Write:
     ----------
     ready : first clock, counted as `Read.at` is, in which the place can be read.
     port : a memory: it cannot be read in the clock before `ready` either, in which it is written.
+    needed : some line has to read it.
     also : another place in which the same word is found; where it is read there, it is read.
     """
 
@@ -53,6 +54,7 @@ class Write:
     ready: int
     name: str = ""
     port: bool = True
+    needed: bool = True
     also: Place | None = None
 
 
@@ -188,6 +190,6 @@ def soundness(program: Program) -> list[str]:
             if writer not in (None, BEFORE)}
     wrong += [f"{program.at(number)}: {write.name or program.titles.get(write.place, write.place)} is written, and no "
               "line reads it" for number, line in enumerate(program.lines) for write in line.writes
-              if write.port and write.place not in program.results
+              if write.needed and write.place not in program.results
               and not used & {(table[number], place) for place in (write.place, write.also)}]
     return list(dict.fromkeys(wrong))

@@ -48,7 +48,7 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
     """
     at, names = fields(word), names or {}
     act, reads, wrong = at["act"], [], []
-    writes = [Write(WORD, READY[WORD], port=False)]
+    writes = [Write(WORD, READY[WORD], port=False, needed=False)]
 
     def register(key: str) -> None:
         reads.append(Read(at[key], 0, names.get(key, "")))
@@ -87,13 +87,13 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
         writes.append(Write(POWER, READY[POWER], port=False))
     if act & ROOT:
         reads.append(Read(POWER, 2))
-        writes += [Write(RECIPROCAL, READY[RECIPROCAL], port=False), Write(NONE, READY[NONE], port=False)]
+        writes += [Write(RECIPROCAL, READY[RECIPROCAL], port=False), Write(NONE, READY[NONE], port=False, needed=False)]
     if act & HOLD:
         reads += [Read(NONE, 1), Read(NONE, 2)]
     if act & FAR:
         if at["align"] == LOW:
             reads.append(Read(LONG, 2))
-        writes.append(Write(LONG, READY[LONG], port=False))
+        writes.append(Write(LONG, READY[LONG], port=False, needed=False))
     if act & CLAMP:
         reads.append(Read(LONG, 1))
     if at["dest"]:
