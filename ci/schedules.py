@@ -1,172 +1,61 @@
-"""Reader of the cycle tables: `python -m ci.schedules` checks them, `--write` fills the pages as well.
+"""Check of everything that plays a table of control words: `python -m ci.schedules`.
 
-A table is a localparam whose source lines each start with a `/* label */` and hold the operations of one clock, or of
-`{n{...}}` equal clocks. A comment `NAME = bits,  // W ... <- R ...: text` names an operation and the registers that it
-writes and reads; `// Schedule. start: W ... <- R ...` names those that the accepting clock writes. A schedule instance
-plays one table or several, one behind the other. A page holds `<!-- schedule:MODULE -->` ... `<!-- /schedule -->`.
+- A program of an engine: `ci.programs` reads its words and follows each of them to the lines that read it.
+- A schedule of a kernel: `ci.dataflow` plays the elaborated core, so that no comment has to say what a line does.
+- Each instance in rtl/ is one that some core plays, and so is read.
+- The latency that `cores.toml` gives a core with one schedule is that of its table.
 """
 
 from __future__ import annotations
 
 import re
 import sys
-from collections import Counter
-from dataclasses import dataclass
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from pyslang.driver import Driver
-from quadrance.cores import ROOT, RTL, Core, all_cores
+from quadrance.cores import ROOT, RTL, Core, all_cores, expand, listed
 
-OPERATION = re.compile(r"^\s*(?:localparam\s*\[[^\]]*\]\s*)?(\w+)\s*=\s*\d+'[bdh]\w+[,;]"
-                       r"(?:[ \t]*//[ \t]*([^:\n]*?)<-([^:\n]*):[ \t]*(.+))?$", re.M)
-OPERATION_NAME = re.compile(r"^\s*(\w+)\s*=", re.M)
-START = re.compile(r"//\s*Schedule\. start:\s*(.*?)<-")
-GROUP = re.compile(r"^[ \t]*localparam\s*\[[^\]]*\][ \t]*(?://[ \t]*(.+))?\n((?:\s*\w+\s*=\s*\d+'[bdh].*\n)+)", re.M)
-TABLE = re.compile(r"^[ \t]*localparam\s*\[[^\]]*\]\s*(\w+)\s*=\s*\{\s*\n"
-                   r"((?:\s*/\*.*\n)+)", re.M)
-LINE = re.compile(r"/\*\s*(.*?)\s*\*/\s*(.*?)\s*(?:\};?)?,?\s*$")
-INSTANCE = re.compile(r"^\s*schedule\s*#\([^;]*?\.TABLE\(\s*\{?([\w\s,]+?)\}?\s*\)", re.M)
-BLOCK = re.compile(r"(<!-- schedule:(\w+) -->\n)(.*?)(<!-- /schedule -->)", re.S)
+from ci import dataflow, programs
+from ci.programs import Played
+
+SCHEDULES = ("schedule", "schedule_counter")
+INSTANCE = re.compile(rf"^[ \t]*(?:{'|'.join(programs.PLAYERS)})\s*#\(", re.M)
+
+Place = tuple[Path, int]  # the file and the line of an instance
 
 
-@dataclass(frozen=True)
-class Operation:
-    """One named operation: registers written at the end of its clock, registers read in it, what it does."""
-
-    writes: frozenset[str]
-    reads: frozenset[str]
-    text: str
+def instances() -> set[Place]:
+    """Every instance of a player in rtl/."""
+    return {(path, text.count("\n", 0, match.end()) + 1) for path in RTL.rglob("*.v") for text in [path.read_text()]
+            for match in INSTANCE.finditer(text)}
 
 
-@dataclass(frozen=True)
-class Line:
-    """One line of a table: its label, how often it is repeated ("1", or an expression), the names in each column."""
-
-    label: str
-    times: str
-    columns: tuple[str, ...]
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        return tuple(re.findall(r"[A-Za-z_]\w*", " ".join(self.columns)))
+def unread(tables: dict[Core, list[Played]], placed: set[Place]) -> list[str]:
+    """Instances that no core plays."""
+    read = {(one.path, one.at) for every in tables.values() for one in every}
+    return [f"{path.relative_to(ROOT)}:{line}: no core of cores.toml plays this table, so nothing reads it"
+            for path, line in sorted(placed - read)]
 
 
-@dataclass(frozen=True)
-class Table:
-    """A table: its lines."""
-
-    lines: tuple[Line, ...]
-
-
-@dataclass(frozen=True)
-class Schedules:
-    """All that one Verilog file says about its schedules; `instances` are the tables that each instance plays."""
-
-    start: frozenset[str]
-    operations: dict[str, Operation]
-    groups: dict[str, str]  # operation -> what the group of operations decides, the title of its column
-    tables: dict[str, Table]
-    instances: tuple[tuple[str, ...], ...]
+def turned(core: Core) -> list[Core]:
+    """A core with one of its switches, parameters of 0 or 1, the other way."""
+    family, function, shared, name, own = next(
+        entry for entry in listed((RTL / "cores.toml").read_text()) if entry[3] == core.name)
+    own = {key: value for key, value in own.items() if key != "checks"}
+    return [one for key, value in core.params.items() if value in (0, 1) for one in expand(
+        family, function, shared, name, own | {"sets": {f"{key}{1 - value}": core.params | {key: 1 - value}}},
+        core.sources)]
 
 
-def _registers(words: str) -> frozenset[str]:
-    return frozenset(words.replace(",", " ").split()) - {"-"}
-
-
-def _line(text: str) -> Line:
-    label, body = LINE.search(text).groups()
-    times = "1"
-    if repeated := re.fullmatch(r"\{\s*([^{}]+?)\s*\{(.*)\}\s*\}?", body):
-        times, body = repeated.groups()
-    body = body.strip().removeprefix("{").removesuffix("}")
-    return Line(label, times, tuple(column.strip(" {}") for column in body.split(",")))
-
-
-def read(text: str) -> Schedules:
-    """The schedules of a Verilog text."""
-    operations = {name: Operation(_registers(writes), _registers(reads), what.strip())
-                  for name, writes, reads, what in OPERATION.findall(text)}
-    groups = {name: title for title, lines in GROUP.findall(text) for name in OPERATION_NAME.findall(lines)}
-    tables = {name: Table(tuple(_line(line) for line in lines.splitlines() if line.strip()))
-              for name, lines in TABLE.findall(text)}
-    played = tuple(tuple(re.findall(r"\w+", names)) for names in INSTANCE.findall(text))
-    start = frozenset().union(*(_registers(words) for words in START.findall(text)))
-    return Schedules(start, operations, groups, tables, played)
-
-
-def problems(schedules: Schedules, where: str) -> list[str]:
-    """Unknown names, and registers that a line reads although no line before it has written them."""
-    wrong = []
-    for names in schedules.instances:
-        if unknown := [name for name in names if name not in schedules.tables]:
-            wrong.append(f"{where}: no table {unknown[0]}")
-            continue
-        written = set(schedules.start)
-        for line in (line for name in names for line in schedules.tables[name].lines):
-            if unknown := [name for name in line.names if name not in schedules.operations]:
-                wrong.append(f"{where}: '{line.label}': no operation {unknown[0]}")
-                continue
-            operations = [schedules.operations[name] for name in line.names]
-            for register in sorted(frozenset().union(*(one.reads for one in operations)) - written):
-                wrong.append(f"{where}: '{line.label}': {register} is read, but no line before it has written it")
-            written |= frozenset().union(*(one.writes for one in operations))
-    return list(dict.fromkeys(wrong))
-
-
-def _titles(schedules: Schedules) -> list[str]:
-    """What each column decides: the comment of the group that most of its operations stand in."""
-    lines = [line for table in schedules.tables.values() for line in table.lines]
-    titles = []
-    for column in range(max(len(line.columns) for line in lines)):
-        cells = " ".join(cell for line in lines for cell in line.columns[column:column + 1])
-        names = set(re.findall(r"\w+", cells))
-        titles += Counter(schedules.groups.get(name) or "operations" for name in sorted(names)).most_common(1)
-    return [title for title, _ in titles]
-
-
-def markdown(schedules: Schedules) -> str:
-    """The tables and their operations, for a page."""
-    lines, titles = [], _titles(schedules)
-    for name, table in schedules.tables.items():
-        width = max(len(line.columns) for line in table.lines)
-        lines += [f"| {name} | " + " | ".join(titles[:width]) + " |", "|---" * (width + 1) + "|"]
-        for line in table.lines:
-            times = "" if line.times == "1" else f" ({line.times} x)"
-            cells = [" + ".join(re.findall(r"\w+", column)) for column in line.columns]
-            lines.append(f"| {line.label}{times} | " + " | ".join(cells + [""] * (width - len(cells))) + " |")
-        lines.append("")
-    used = {name for table in schedules.tables.values() for line in table.lines for name in line.names}
-    lines += ["| operation | writes | reads | what it does |", "|---|---|---|---|"]
-    lines += [f"| {name} | {' '.join(sorted(one.writes)) or '–'} | {' '.join(sorted(one.reads)) or '–'} | {one.text} |"
-              for name, one in schedules.operations.items() if name in used]
-    return "\n".join(lines) + "\n"
-
-
-def _module(name: str) -> Path:
-    return next(RTL.rglob(f"{name}.v"))
-
-
-def filled(page: str) -> str:
-    """The page with its schedule blocks as the Verilog has them."""
-    return BLOCK.sub(lambda block: block[1] + markdown(read(_module(block[2]).read_text())) + block[4], page)
-
-
-def elaborated_lines(core: Core) -> set[int]:
-    """LINES of every schedule instance below a core at its parameters, as pyslang elaborates them."""
-    driver = Driver()
-    driver.addStandardArgs()
-    words = ["slang", "--std", "1364-2005", "--top", core.name, *(f"-G{k}={v}" for k, v in core.params.items()),
-             *(f'"{source}"' for source in core.sources)]
-    if not (driver.parseCommandLine(" ".join(words)) and driver.processOptions() and driver.parseAllSources()):
-        return set()
-    lines: set[int] = set()
-
-    def visit(symbol: object) -> None:
-        if type(symbol).__name__ == "InstanceSymbol" and symbol.definition.name == "schedule":
-            lines.add(int(str(symbol.body.find("LINES").value)))
-
-    driver.createCompilation().getRoot().visit(visit)
-    return lines
+def chosen(tables: dict[Core, list[Played]]) -> list[Core]:
+    """Few cores that play every schedule between them, the first parameter sets before others."""
+    plays = {core: {(one.path, one.at) for one in every if one.player in SCHEDULES} for core, every in tables.items()}
+    wanted, found = set().union(*plays.values()), []
+    while wanted:
+        best = max(plays, key=lambda core: (len(plays[core] & wanted), core.first_set))
+        found.append(best)
+        wanted -= plays[best]
+    return found
 
 
 def latency_problems(core: Core, lines: set[int]) -> list[str]:
@@ -182,30 +71,31 @@ def latency_problems(core: Core, lines: set[int]) -> list[str]:
     return []
 
 
+def played(cores: tuple[Core, ...]) -> dict[Core, list[Played]]:
+    """The tables that each core plays; cores without any are left out."""
+    tables = {core: programs.played(core) for core in cores
+              if any(source.stem in programs.PLAYERS or source.stem in programs.MACHINES for source in core.sources)}
+    return {core: every for core, every in tables.items() if every}
+
+
 def check(cores: tuple[Core, ...]) -> list[str]:
-    """Everything wrong with the tables, with the pages that show them and with the latencies they give."""
-    wrong = []
-    for path in sorted(RTL.rglob("*.v")):
-        text = path.read_text()
-        if INSTANCE.search(text):
-            wrong += problems(read(text), str(path.relative_to(ROOT)))
-    for path in sorted(RTL.rglob("*.md")):
-        page = path.read_text()
-        if filled(page) != page:
-            wrong.append(f"{path.relative_to(ROOT)}: stale schedule, fill it by `python -m ci.schedules --write`")
-    for core in cores:
-        if any(source.stem == "schedule" for source in core.sources):
-            wrong += latency_problems(core, elaborated_lines(core))
+    """Everything wrong with the tables and with the latencies that they give."""
+    tables, placed = played(cores), instances()
+    files = {path for path, _ in placed - {(one.path, one.at) for every in tables.values() for one in every}}
+    tables |= played(tuple(one for core in tables if core.first_set and files & set(core.sources)
+                           for one in turned(core)))
+    wrong = unread(tables, placed)
+    by_place: dict[Place, Played] = {}
+    for core, every in tables.items():
+        by_place |= {(one.path, one.at): one for one in every if one.player not in SCHEDULES}
+        wrong += latency_problems(core, {len(one.words) for one in every if one.player == "schedule"})
+    wrong += [text for _, one in sorted(by_place.items()) for text in programs.problems(one)]
+    with ThreadPoolExecutor(2) as pool:
+        wrong += [text for texts in pool.map(dataflow.problems, chosen(tables)) for text in texts]
     return wrong
 
 
 def main() -> int:
-    if "--write" in sys.argv[1:]:
-        for path in sorted(RTL.rglob("*.md")):
-            page = path.read_text()
-            if filled(page) != page:
-                path.write_text(filled(page))
-                print(path.relative_to(ROOT))
     wrong = check(all_cores())
     print("\n".join(wrong) if wrong else "schedules: every table in order")
     return bool(wrong)

@@ -1,71 +1,107 @@
-"""The reader of the cycle tables bites: each fault that it is there for is found in a small table."""
+"""The check of the schedules finds each fault that it is there for, and leaves no table out."""
 
-import dataclasses
+import functools
+from dataclasses import replace
 
-from quadrance.cores import find
+import pytest
+from quadrance.cores import RTL, all_cores, find
 
-from ci import schedules
-
-SOURCE = """
-    // Schedule. start: x y <- in_x in_y
-    localparam [1:0]   // the sum
-        NONE = 2'b00,
-        ADD  = 2'b01;  // sum <- x y: adds
-    localparam [1:0]
-        KEEP = 2'b10;  // z <- sum: moves on
-    //                  left   right
-    localparam [2*4-1:0] HEAD = {
-        /* sum       */ {ADD,  NONE},
-        /* some more */ {M{ADD, KEEP}}};
-    localparam [2*2-1:0] TAIL = {
-        /* last      */ {KEEP | ADD, NONE}};
-    schedule #(.LINES(M + 2), .BITS(4), .TABLE({HEAD, TAIL})) control (
-        .clk(clk));
-"""
+from ci import dataflow, schedules
 
 
-def wrong(text: str) -> str:
-    return "\n".join(schedules.problems(schedules.read(text), "x.v"))
+@functools.cache
+def tables():
+    """The tables of the first parameter sets."""
+    return schedules.played(tuple(core for core in all_cores() if core.first_set))
 
 
-def test_a_correct_table_is_read_and_printed() -> None:
-    assert wrong(SOURCE) == ""
-    one = schedules.read(SOURCE)
-    assert one.instances == (("HEAD", "TAIL"),) and one.start == {"x", "y"}
-    printed = schedules.markdown(one)
-    assert "| HEAD | the sum | operations |" in printed
-    assert "| some more (M x) | ADD | KEEP |" in printed
-    assert "| last | KEEP + ADD | NONE |" in printed
-    assert "| KEEP | z | sum | moves on |" in printed
+def broken(name, stem, changes, folder):
+    """What is said of a core with one source changed."""
+    core = find(name)
+    source = next(one for one in core.sources if one.stem == stem)
+    text = source.read_text()
+    for old, new in changes:
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    (folder / source.name).write_text(text)
+    sources = tuple(folder / source.name if one == source else one for one in core.sources)
+    return "\n".join(dataflow.play(replace(core, sources=sources)))
 
 
-def test_use_before_write_is_found() -> None:
-    assert "'sum': sum is read" in wrong(SOURCE.replace("{ADD,  NONE}", "{ADD | KEEP, NONE}"))
-    assert "y is read" in wrong(SOURCE.replace("start: x y", "start: x"))
-    assert "'last': sum is read" in wrong(SOURCE.replace("{HEAD, TAIL}", "TAIL"))
+def test_a_sound_core_is_quiet_and_takes_its_latency():
+    core = find("rational_fk3")
+    assert dataflow.play(core) == []
+    assert dataflow.play(replace(core, latency=core.latency + 1)) == [
+        f"sample {n} takes {core.latency} clocks, cores.toml says {core.latency + 1}" for n in (1, 2)]
 
 
-def test_unknown_names_are_found() -> None:
-    assert "no operation ADDD" in wrong(SOURCE.replace("KEEP | ADD", "KEEP | ADDD"))
-    assert "no table TALE" in wrong(SOURCE.replace("{HEAD, TAIL}", "{HEAD, TALE}"))
+def test_two_lines_of_a_schedule_swapped_are_found(tmp_path):
+    said = broken("rational_fk3", "kernel_chain", [("/* c2, n2       */ {CHORD | COS}", "/* c2, n2       */ {PLACE}"),
+                                                   ("/* A, B         */ {PLACE}", "/* A, B         */ {CHORD | COS}")],
+                  tmp_path)
+    assert "out_x is made of kernel.exact" in said and "which the sample has not written" in said
 
 
-def test_a_stale_page_is_found() -> None:
-    page = "a\n<!-- schedule:kernel_chain -->\nold\n<!-- /schedule -->\nb\n"
-    fresh = schedules.filled(page)
-    assert fresh != page and "UPRIGHT" in fresh and "old" not in fresh
-    assert schedules.filled(fresh) == fresh
+def test_two_lines_of_a_schedule_with_a_counter_swapped_are_found(tmp_path):
+    said = broken("classic_fk2_iter", "classic_chain_iter", [
+        ("/* L2 to its quadrant */ {START, LINK_2}", "/* L2 to its quadrant */ {C{MICRO, STEP}}"),
+        ("/* turn by j2         */ {C{MICRO, STEP}}", "/* turn by j2         */ {START, LINK_2}")], tmp_path)
+    assert "which the sample has not written" in said
+
+
+def test_two_lines_of_a_loop_swapped_are_found(tmp_path):
+    said = broken("engine_quaternion_gd", "engine_quaternion_gd", [
+        ("/* read c12; c1    */ {CHORD, L1,    COS12}", "/* read c12; c1    */ {CHORD, L1,    SIN12 | X}"),
+        ("/* read s12; L1 c1 */ {CHORD, L1,    SIN12 | X}", "/* read s12; L1 c1 */ {CHORD, L1,    COS12}")], tmp_path)
+    assert "which the sample has not written" in said
+
+
+def test_a_result_at_another_clock_is_found(tmp_path):
+    said = broken("vector_ik1", "vector_ik1", [
+        ("/* x root  */ {COS | LEFT | SECOND}", "/* x root  */ {SIN}"),
+        ("/* y root  */ {SIN}", "/* y root  */ {COS | LEFT | SECOND}")], tmp_path)
+    assert "sample 1 takes 7 clocks, cores.toml says 8" in said
+
+
+@pytest.mark.parametrize("name", ["arm_fk3", "table_ik1"])
+def test_what_a_core_may_hold_from_before_is_needed(name, monkeypatch):
+    monkeypatch.setitem(dataflow.SETTINGS, name, dataflow.Before())
+    assert "which the sample has not written" in "\n".join(dataflow.play(find(name)))
+
+
+def test_every_instance_of_a_player_is_read():
+    placed = schedules.instances()
+    assert {path.stem for path, _ in placed} >= {"six_inverse_program", "classic_chain_iter", "kernel_chain"}
+    assert len(placed) == sum(text.count(f"{player} #(") for path in RTL.rglob("*.v") for text in [path.read_text()]
+                              for player in ("schedule", "schedule_counter", "engine_program")) - 3  # the modules
+    few = {core: every for core, every in tables().items() if core.family != "paper"}
+    left = schedules.unread(few, placed)
+    assert any("paper_chain.v" in line and "no core of cores.toml plays this table" in line for line in left)
+    assert not any("kernel_chain.v" in line for line in left)
+
+
+def test_a_core_with_a_switch_turned_plays_the_table_that_no_set_plays():
+    at = {one.at for core in schedules.turned(find("arm_ik3")) for one in schedules.played((core,))[core]}
+    assert len(at) == 3
+
+
+def test_the_chosen_cores_play_every_schedule():
+    chosen = schedules.chosen(tables())
+    every = {(one.path, one.at) for tables_of in tables().values() for one in tables_of
+             if one.player in schedules.SCHEDULES}
+    assert {(one.path, one.at) for core in chosen for one in tables()[core]} >= every
+    assert len(chosen) < len(tables())
 
 
 def test_latency_is_that_of_the_elaborated_table() -> None:
     core = find("rational_fk3")
-    assert schedules.elaborated_lines(core) == {9}
+    assert {len(one.words) for one in tables()[core]} == {9}
     assert schedules.latency_problems(core, {9}) == []
-    assert "latency 8" in schedules.latency_problems(dataclasses.replace(core, latency=8, ii=8), {9})[0]
+    assert "latency 8" in schedules.latency_problems(replace(core, latency=8, ii=8), {9})[0]
 
 
 def test_clocks_shared_with_the_sample_before_are_no_lines_of_the_table() -> None:
     core = find("table_fk3")
-    assert core.ii < core.latency and schedules.elaborated_lines(core) == {5}
+    assert core.ii < core.latency and {len(one.words) for one in tables()[core]} == {5}
     assert schedules.latency_problems(core, {5}) == []
     assert "gives 6" in schedules.latency_problems(core, {4})[0]

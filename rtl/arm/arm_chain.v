@@ -37,16 +37,16 @@ module arm_chain #(
 );
     localparam G = 5, N = W + 3 + G;  // guard bits; bits of A, B and rho
 
-    // Schedule. start: a b c1 n1 c2 n2 c3 n3 <- in_c1 in_n1 in_c2 in_n2 in_c3 in_n3
+    // Schedule, a clock a line
     localparam [7:0]
-        JOINT1 = 8'h01,   // - <- c1 n1: turn by joint 1, not by joint 2
-        JOINT3 = 8'h02,   // - <- c3 n3: turn by joint 3
-        COS    = 8'h04,   // exact base <- a b: the first coordinate of the turned (a, b), and what is to be added
-        SIN    = 8'h08,   // exact base b <- a b: the second; behind joint 1 the lateral offset is b
-        A      = 8'h10,   // a <- exact base: the sum is the new a
-        B      = 8'h20,   // b <- exact base: the sum is the new b
-        Z      = 8'h40,   // z <- exact base: the sum is z
-        LAST   = 8'h80;   // x <- exact base: the sum is x; y is in the clock after
+        JOINT1 = 8'h01,   // turn by joint 1, not by joint 2
+        JOINT3 = 8'h02,   // turn by joint 3
+        COS    = 8'h04,   // the first coordinate of the turned (a, b), and what is to be added
+        SIN    = 8'h08,   // the second; behind joint 1 the lateral offset is b
+        A      = 8'h10,   // the sum is the new a
+        B      = 8'h20,   // the sum is the new b
+        Z      = 8'h40,   // the sum is z
+        LAST   = 8'h80;   // the sum is x; y is in the clock after
     //                 work
     localparam [8*7-1:0] CHAIN = {
         /* A       */ {COS},

@@ -40,19 +40,19 @@ module arm_choose #(
 );
     localparam N = U + 2, S = U + 6;  // bits of a word, of a sum of cosines
 
-    // Schedule. start: allowed score last operands <- in_c in_n
+    // Schedule, a clock a line
     // Between branches the operands are those of the first line, joint 1 and the middle of its limits
     localparam [2:0]        // operands of the next clock
-        MIDDLE1 = 3'b00_0,  // operands <- -: joint 1 and the middle of its limits
-        MIDDLE2 = 3'b01_0,  // operands <- -: joint 2
-        MIDDLE3 = 3'b10_0,  // operands <- -: joint 3
-        LAST1   = 3'b00_1,  // operands <- last: joint 1 and what the last answer has for it
-        LAST2   = 3'b01_1,  // operands <- last: joint 2
-        LAST3   = 3'b10_1;  // operands <- last: joint 3
+        MIDDLE1 = 3'b00_0,  // joint 1 and the middle of its limits
+        MIDDLE2 = 3'b01_0,  // joint 2
+        MIDDLE3 = 3'b10_0,  // joint 3
+        LAST1   = 3'b00_1,  // joint 1 and what the last answer has for it
+        LAST2   = 3'b01_1,  // joint 2
+        LAST3   = 3'b10_1;  // joint 3
     localparam [2:0]        // what the cosine is
-        LIMIT  = 3'b1_0_0,  // allowed <- allowed operands: of a joint with the middle of its limits
-        STEP   = 3'b0_1_0,  // score <- score operands: of the step of a joint
-        BETTER = 3'b0_0_1;  // best number <- allowed score: nothing; the branch is the answer if the best so far
+        LIMIT  = 3'b1_0_0,  // of a joint with the middle of its limits
+        STEP   = 3'b0_1_0,  // of the step of a joint
+        BETTER = 3'b0_0_1;  // nothing; the branch is the answer if the best so far
     localparam [5*6-1:0] TWO = {
         /* limit 1 */ {LAST1,   LIMIT},
         /* step 1  */ {MIDDLE2, STEP},

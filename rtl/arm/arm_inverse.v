@@ -41,32 +41,32 @@ module arm_inverse #(
 );
     localparam D = (2*W + 7 + R - 1) / R;        // clocks of a quotient
 
-    // Schedule. start: x y z c1 n1 c2 n2 left right singular <- in_c1 in_n1 in_c2 in_n2 in_c3 in_n3 in_x in_y in_z
+    // Schedule, a clock a line
     // The operands of the first line are y, -x and joint 1, or 3 in space: no other choice is 0
     localparam [12:0]                           // operands of the next clock
-        DOT   = 13'b1_00_000_001_001_1,         // right <- -: (x, y) with the same left ones, x c + y n
-        CROSS = 13'b1_00_000_000_000_0,         // right <- -: y c - x n
-        DOT1  = 13'b0_10_010_001_001_1,         // left right <- c1 n1: x c1 + y n1
-        LINK2 = 13'b0_00_000_010_010_1,         // left right <- c2 n2: L2 c2 and L2 |n2| with the least sine
-        OFF   = 13'b0_00_011_010_010_1,         // left right <- n2: L2 n2
-        RHO   = 13'b0_10_100_100_011_1,         // left right <- c1: L1 c1 + e c1
-        RHO2  = 13'b0_01_010_101_100_0,         // left right <- n1: p less f n1
-        REST  = 13'b0_01_001_011_011_0,         // left right <- digits: q - e s
-        NONE  = 13'b0_00_000_000_000_0;         // - <- -: no product
+        DOT   = 13'b1_00_000_001_001_1,         // (x, y) with the same left ones, x c + y n
+        CROSS = 13'b1_00_000_000_000_0,         // y c - x n
+        DOT1  = 13'b0_10_010_001_001_1,         // x c1 + y n1
+        LINK2 = 13'b0_00_000_010_010_1,         // L2 c2 and L2 |n2| with the least sine
+        OFF   = 13'b0_00_011_010_010_1,         // L2 n2
+        RHO   = 13'b0_10_100_100_011_1,         // L1 c1 + e c1
+        RHO2  = 13'b0_01_010_101_100_0,         // p less f n1
+        REST  = 13'b0_01_001_011_011_0,         // q - e s
+        NONE  = 13'b0_00_000_000_000_0;         // no product
     localparam [11:0]                           // where the sum goes, and quotients
-        TO_T  = 12'b100000_0_00_000,            // t <- x y left right: to t
-        TO_XY = 12'b010000_0_00_000,            // x y <- x y z left right: x is the sum, y is z
-        TO_P  = 12'b001000_0_00_000,            // p <- left right: to p
-        TO_Q  = 12'b000100_0_00_000,            // q <- left right: to q
-        TO_AB = 12'b000011_0_00_000,            // a b <- left right: each product alone
-        TO_B  = 12'b000001_0_00_000,            // b <- left right: the second product
-        DIV_S = 12'b000000_1_00_000,            // digits <- p b n2: s = -v'x / f begins
-        WAIT  = 12'b000000_0_00_000,            // - <- -: digits
-        GET_S = 12'b000000_0_00_100,            // s singular <- digits: s
-        DIV_1 = 12'b000000_1_01_000,            // digits <- q: w1 begins
-        GET_1 = 12'b000000_0_00_010,            // w1 singular <- digits: w1
-        DIV_3 = 12'b000000_1_10_010,            // digits w1 singular <- t p digits: w1; w3 begins
-        GET_3 = 12'b000000_0_00_001;            // w3 singular <- digits: w3
+        TO_T  = 12'b100000_0_00_000,            // the sum goes to t
+        TO_XY = 12'b010000_0_00_000,            // x is the sum, y is z
+        TO_P  = 12'b001000_0_00_000,            // the sum goes to p
+        TO_Q  = 12'b000100_0_00_000,            // the sum goes to q
+        TO_AB = 12'b000011_0_00_000,            // each product alone
+        TO_B  = 12'b000001_0_00_000,            // the second product
+        DIV_S = 12'b000000_1_00_000,            // s = -v'x / f begins
+        WAIT  = 12'b000000_0_00_000,            // digits
+        GET_S = 12'b000000_0_00_100,            // s is made
+        DIV_1 = 12'b000000_1_01_000,            // w1 begins
+        GET_1 = 12'b000000_0_00_010,            // w1 is made
+        DIV_3 = 12'b000000_1_10_010,            // w1; w3 begins
+        GET_3 = 12'b000000_0_00_001;            // w3
     localparam [25*(2*D+6)-1:0] PLANE = {
         /* v'y       */ {DOT,   TO_Q},
         /* v'x       */ {LINK2, TO_P},

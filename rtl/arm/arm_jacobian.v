@@ -34,26 +34,26 @@ module arm_jacobian #(
     output wire signed [W-1:0] out_z,
     output wire                out_overflow
 );
-    // Schedule. start: c1 n1 c3 n3 s w2 w3 left right <- in_c1 in_n1 in_c2 in_n2 in_c3 in_n3 in_w1 in_w2 in_w3
+    // Schedule, a clock a line
     // The operands of the first line are L2 and (c2, n2): the choice of right ones that is 0, and what a start loads
     localparam [10:0]                  // operands of the next clock
-        ALONG = 11'b001_001_01_01_1,   // left right <- s w2: velocity across link 1, a s - L1 w2
-        DOWN  = 11'b000_010_01_10_1,   // left right <- s: velocity along link 1, -b s
-        RHO   = 11'b010_011_01_10_1,   // left right <- c1 n1: distance from the yaw axis, a c1 - b n1
-        YAW   = 11'b100_000_01_00_0,   // left right <- w3: velocity of the plane there, a w3
-        LEVEL = 11'b010_011_10_11_1,   // left right <- c1 n1: v' turned by joint 1, the first coordinate, q c1 - p n1
-        UP    = 11'b011_100_10_11_0,   // left right <- c1 n1: the second, q n1 + p c1
-        TURN3 = 11'b101_101_11_10_1,   // left right <- c3 n3: (p, b) turned by joint 3, the first coordinate
-        LAST3 = 11'b110_110_11_10_0,   // left right <- c3 n3: the second
-        NONE  = 11'b000_000_00_00_0;   // - <- -: the table ends
+        ALONG = 11'b001_001_01_01_1,   // velocity across link 1, a s - L1 w2
+        DOWN  = 11'b000_010_01_10_1,   // velocity along link 1, -b s
+        RHO   = 11'b010_011_01_10_1,   // distance from the yaw axis, a c1 - b n1
+        YAW   = 11'b100_000_01_00_0,   // velocity of the plane there, a w3
+        LEVEL = 11'b010_011_10_11_1,   // v' turned by joint 1, the first coordinate, q c1 - p n1
+        UP    = 11'b011_100_10_11_0,   // the second, q n1 + p c1
+        TURN3 = 11'b101_101_11_10_1,   // (p, b) turned by joint 3, the first coordinate
+        LAST3 = 11'b110_110_11_10_0,   // the second sum
+        NONE  = 11'b000_000_00_00_0;   // the table ends
     localparam [7:0]                   // where the sum goes
-        TO_AB = 8'b1_1100_000,         // a b <- left right: each product alone, and L1 to a
-        TO_A  = 8'b0_1000_000,         // a <- left right: to a
-        TO_B  = 8'b0_0100_000,         // b <- left right: to b
-        TO_P  = 8'b0_0010_000,         // p <- left right: to p
-        TO_Q  = 8'b0_0001_000,         // q <- left right: to q
-        OUT_Z = 8'b0_0010_100,         // p z <- a left right: a is z, the sum goes to p
-        OUT_X = 8'b0_1000_011;         // a x <- a left right: a is x, the sum is y
+        TO_AB = 8'b1_1100_000,         // each product alone, and L1 to a
+        TO_A  = 8'b0_1000_000,         // the sum goes to a
+        TO_B  = 8'b0_0100_000,         // the sum goes to b
+        TO_P  = 8'b0_0010_000,         // the sum goes to p
+        TO_Q  = 8'b0_0001_000,         // the sum goes to q
+        OUT_Z = 8'b0_0010_100,         // a is z, the sum goes to p
+        OUT_X = 8'b0_1000_011;         // a is x, the sum is y
     localparam [5*19-1:0] PLANE = {
         /* L1 + e, f */ {ALONG, TO_AB},
         /* v' across */ {DOWN,  TO_P},

@@ -45,52 +45,52 @@ module arm_solve #(
     output wire               out_by1,
     output wire [3:0]         out_status
 );
-    // Schedule. start: k1 k2 x y z minus_q elbow back clamped <- in_x in_y in_z in_elbow in_back
+    // Schedule, a clock a line
     localparam [6:0]               // operands of the two multipliers
-        KEEP    = 7'h00,           // - <- -: hold
-        K1      = 7'h01,           // k1 <- left right addend clamped s: the product is k1
-        K2      = 7'h02,           // k2 <- left right: the product is k2
-        TURN    = 7'h04,           // k1 k2 <- k1 k2: (-k2, k1)
-        MOVE    = 7'h0a,           // k1 k2 <- k2 left right: k2 moves to k1, the product is k2
-        POWER   = 7'h10,           // k1 k2 <- s back: a power of two with the side of the shoulder as its sign, and 0
-        RHO     = 7'h20,           // k1 k2 x y s minus_q zero3 <- k1 k2 x y z zero: rho - a and z are the new x and y
-        TAKE    = 7'h40;           // k1 k2 <- left right back near_axis odd_root s: (rho, b), near the axis (0, power)
+        KEEP    = 7'h00,           // hold
+        K1      = 7'h01,           // the product is k1
+        K2      = 7'h02,           // the product is k2
+        TURN    = 7'h04,           // (k1, k2) becomes (-k2, k1)
+        MOVE    = 7'h0a,           // k2 moves to k1, the product is k2
+        POWER   = 7'h10,           // a power of two with the side of the shoulder as its sign, and 0
+        RHO     = 7'h20,           // rho - a and z are the new x and y
+        TAKE    = 7'h40;           // (rho, b), near the axis (0, power)
     localparam [1:0]               // left operand of the third multiplier
-        SHIFTED = 2'd0,            // left <- k1 k2 x y s: the shifted sum
-        FACTOR  = 2'd1,            // left <- factor: first factor of a root or a reciprocal
-        PRODUCT = 2'd2,            // left <- left right: the product
-        HOLD    = 2'd3;            // - <- -: hold
+        SHIFTED = 2'd0,            // the shifted sum
+        FACTOR  = 2'd1,            // first factor of a root or a reciprocal
+        PRODUCT = 2'd2,            // the product
+        HOLD    = 2'd3;            // hold
     localparam [2:0]               // and the right one
-        CFG_R   = 3'd0,            // right <- -: cfg_r
-        CFG_L2  = 3'd1,            // right <- -: cfg_l2
-        SLOPE   = 3'd2,            // right <- slope: second factor
-        RESULT  = 3'd3,            // right <- left right: the product
-        SAME    = 3'd4;            // - <- -: hold
+        CFG_R   = 3'd0,            // cfg_r
+        CFG_L2  = 3'd1,            // cfg_l2
+        SLOPE   = 3'd2,            // second factor
+        RESULT  = 3'd3,            // the product
+        SAME    = 3'd4;            // hold
     localparam [1:0]               // what is added to the product of the next clock
-        NONE    = 2'b00,           // addend <- -: nothing
-        HALF    = 2'b01,           // addend <- -: the half that rounds a word
-        LENGTH  = 2'b10;           // addend <- -: L1
+        NONE    = 2'b00,           // nothing
+        HALF    = 2'b01,           // the half that rounds a word
+        LENGTH  = 2'b10;           // L1
     localparam [17:0]              // the rest
-        OTHER   = 18'h00000,       // - <- -: nothing
-        BYTES   = 18'h00001,       // s <- k1 k2 x y: bytes that q can spare
-        PAIRS   = 18'h00002,       // s zero <- k1 k2 x y s: pairs of bits that q can spare
-        GAP     = 18'h00004,       // beyond short <- k1 k2 x y minus_q s: sign and range of q - Q1 - Q2
-        ROOT    = 18'h00008,       // factor slope <- left right elbow clamped: read n2
-        READ    = 18'h00010,       // slope <- factor clamped: read 1/q' or 2/sqrt(q')
-        INVERSE = 18'h00020,       // factor <- k1 k2 x y s clamped: first factor of the same
-        COS2    = 18'h00040,       // c2 clamped left <- left right addend beyond short: c2
-        SIN2    = 18'h00080,       // n2 <- left right addend: n2
-        HALVE   = 18'h00100,       // s odd_root <- s clamped: not q is shifted but its root: out of reach, and for rho
-        COS1    = 18'h00200,       // c1 <- left right addend zero: c1
-        SIN1    = 18'h00400,       // n1 <- left right addend zero: n1
-        COS3    = 18'h00800,       // c3 <- left right addend zero: c3
-        SIN3    = 18'h01000,       // n3 minus_q <- left right addend zero: n3; what is added to rho
-        TEST    = 18'h02000,       // near_axis <- k1 k2 x y minus_q: nearer to the yaw axis than b
-        PLAIN   = 18'h04000,       // clamped minus_q <- near_axis: q without b, and no root of it but near the axis
-        TO_C    = 18'h08000,       // kept <- c2 n2: cosine of joint 2 turned by the elbow's constant
-        TO_N    = 18'h10000,       // c2 n2 <- c2 n2 kept: sine, and both go to joint 2
-        BY_C    = 18'h28000,       // kept <- c1 n1 c2 n2: cosine of joint 2 turned by joint 1
-        BY_N    = 18'h30000;       // c2 n2 <- c1 n1 c2 n2 kept: sine, and both go to joint 2
+        OTHER   = 18'h00000,       // nothing
+        BYTES   = 18'h00001,       // bytes that q can spare
+        PAIRS   = 18'h00002,       // pairs of bits that q can spare
+        GAP     = 18'h00004,       // sign and range of q - Q1 - Q2
+        ROOT    = 18'h00008,       // read n2
+        READ    = 18'h00010,       // read 1/q' or 2/sqrt(q')
+        INVERSE = 18'h00020,       // first factor of the same
+        COS2    = 18'h00040,       // the product is c2
+        SIN2    = 18'h00080,       // the product is n2
+        HALVE   = 18'h00100,       // not q is shifted but its root: out of reach, and for rho
+        COS1    = 18'h00200,       // the product is c1
+        SIN1    = 18'h00400,       // the product is n1
+        COS3    = 18'h00800,       // the product is c3
+        SIN3    = 18'h01000,       // the product is n3; what is added to rho
+        TEST    = 18'h02000,       // nearer to the yaw axis than b
+        PLAIN   = 18'h04000,       // q without b, and no root of it but near the axis
+        TO_C    = 18'h08000,       // cosine of joint 2 turned by the elbow's constant
+        TO_N    = 18'h10000,       // sine, and both go to joint 2
+        BY_C    = 18'h28000,       // cosine of joint 2 turned by joint 1
+        BY_N    = 18'h30000;       // sine, and both go to joint 2
     //                      operands  left     right   addend  rest
     localparam [9*32-1:0] YAW = {
         /* x^2 + y^2   */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},

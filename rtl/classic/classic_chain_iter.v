@@ -31,29 +31,29 @@ module classic_chain_iter #(
     localparam C = (W + 1) / 2;
     localparam T = (W - C + 1) / 2 + 1;
 
-    // Schedule. start: x y now then yaw <- in_j1 in_j2 in_j3
+    // Schedule, a clock a line
     localparam [7:0]            // what is done
-        SUM    = 8'b00000000,   // x y xf yf <- x y xf yf: plus the shifted word, crosswise
-        START  = 8'b00001001,   // x y xf yf z now then <- x y now then yaw: a start word; the joint's angle
-        MICRO  = 8'b00000010,   // x y xf yf z <- x y xf yf z: micro-rotation
-        DIGIT  = 8'b00000110,   // x y z <- x y xf yf z: digit of the residual angle, none where it is 0
-        SIGNS  = 8'b00001000,   // x y xf yf <- x y xf yf now: SUM with the signs of the joint's quadrant
-        LESS   = 8'b00010000,   // x y xf yf <- x y xf yf: SUM with the one's complement
-        HALVE  = 8'b00100000,   // x y xf yf <- y xf: x = xf = 0, y = yf = rho / 2
-        FRESH  = 8'b01000000,   // x y xf yf <- x y xf yf: SUM to xf and yf; x = y = 0
-        LIFT   = 8'b10000001;   // y z now then <- now then yaw: y leaves as the height, y = 0; the joint's angle
+        SUM    = 8'b00000000,   // plus the shifted word, crosswise
+        START  = 8'b00001001,   // a start word; the joint's angle
+        MICRO  = 8'b00000010,   // micro-rotation
+        DIGIT  = 8'b00000110,   // digit of the residual angle, none where it is 0
+        SIGNS  = 8'b00001000,   // SUM with the signs of the joint's quadrant
+        LESS   = 8'b00010000,   // SUM with the one's complement
+        HALVE  = 8'b00100000,   // x = xf = 0, y = yf = rho / 2
+        FRESH  = 8'b01000000,   // SUM to xf and yf; x = y = 0
+        LIFT   = 8'b10000001;   // y leaves as the height, y = 0; the joint's angle
     localparam [5:0]            // the word that is added, in the code of cordic_term
-        STEP   = 6'b000000,     // - <- -: shifted by the step of the loop
-        BY_0   = 6'b000000,     // - <- -: shifted by 0
-        BY_1   = 6'b000001,     // - <- -: by 1
-        BY_2   = 6'b000010,     // - <- -: by 2
-        BY_5   = 6'b000110,     // - <- -: by 5
-        BY_9   = 6'b010000,     // - <- -: by 9
-        BY_10  = 6'b010001,     // - <- -: by 10
-        BY_16  = 6'b011001,     // - <- -: by 16
-        LINK_1 = 6'b000011,     // - <- -: in_s1
-        LINK_2 = 6'b001100,     // - <- -: in_s2
-        HALF   = 6'b100000;     // - <- -: half an LSB, and the mean of what the shifts round down
+        STEP   = 6'b000000,     // shifted by the step of the loop
+        BY_0   = 6'b000000,     // shifted by 0
+        BY_1   = 6'b000001,     // by 1
+        BY_2   = 6'b000010,     // by 2
+        BY_5   = 6'b000110,     // by 5
+        BY_9   = 6'b010000,     // by 9
+        BY_10  = 6'b010001,     // by 10
+        BY_16  = 6'b011001,     // by 16
+        LINK_1 = 6'b000011,     // in_s1
+        LINK_2 = 6'b001100,     // in_s2
+        HALF   = 6'b100000;     // half an LSB, and the mean of what the shifts round down
     localparam BITS = 14;
     localparam IN_PLANE = 2 * (C + T) + 3, IN_SPACE = C + T + 10;
     //                             done   word

@@ -37,24 +37,24 @@ module classic_solve_iter #(
     localparam U = JOINTS == 3 ? C : (W + 1) / 3 + 1;  // x grows up to here; for rho as far as it has bits
     localparam WAIT = JOINTS == 3 ? 0 : 5 - W % 2;  // the roots take W + 6 clocks or one more, phi without it W + 2
 
-    // Schedule. start: x y z mirror elbow axis origin height last term q <- in_x in_y in_z in_elbow
+    // Schedule, a clock a line
     localparam [2:0]         // the vectoring; x, y and z are those of cordic_aim_step
-        HOLD    = 3'b000,    // - <- -: the roots are not there yet
-        JOIN    = 3'b000,    // out_j1 <- phi z origin: the last line
-        GROW    = 3'b011,    // x y z <- x y z mirror: micro-rotation
-        TURN    = 3'b001,    // y z <- x y z mirror: what it adds to x is below the last bit
-        DIVIDE  = 3'b101;    // y z <- x y z mirror: the same without the low bits of x
+        HOLD    = 3'b000,    // the roots are not there yet
+        JOIN    = 3'b000,    // the last line
+        GROW    = 3'b011,    // micro-rotation
+        TURN    = 3'b001,    // what it adds to x is below the last bit
+        DIVIDE  = 3'b101;    // the same without the low bits of x
     localparam [2:0]         // at its end
-        STAY    = 3'b000,    // - <- -: it goes on
-        TO_PHI  = 3'b001,    // y z mirror out_j3 <- product z axis: the next one is of (K rho, K z)
-        TO_HALF = 3'b010,    // x y z mirror phi <- a b z elbow: of (b, a)
-        TO_REST = 3'b100;    // x y mirror out_j2 <- b product z elbow: of (b, f a), z goes on
+        STAY    = 3'b000,    // it goes on
+        TO_PHI  = 3'b001,    // the next one is of (K rho, K z)
+        TO_HALF = 3'b010,    // the next one is of (b, a)
+        TO_REST = 3'b100;    // the next one is of (b, f a), z goes on
     localparam [3:0]         // squares and products, in classic_legs
-        NONE    = 4'b0000,   // - <- -: nothing, or products in flight
-        X2      = 4'b0111,   // q term left right <- q term last height: r^2 = x^2; z is squared
-        Y2      = 4'b0001,   // q <- q term: plus y^2
-        Z2      = 4'b1001,   // q a b <- q term: plus z^2; the roots begin
-        LIFT    = 4'b0100;   // left right product <- height: K z, two clocks later
+        NONE    = 4'b0000,   // nothing, or products in flight
+        X2      = 4'b0111,   // r^2 = x^2; z is squared
+        Y2      = 4'b0001,   // the sum, plus y^2
+        Z2      = 4'b1001,   // the sum, plus z^2; the roots begin
+        LIFT    = 4'b0100;   // K z, two clocks later
     localparam BITS = 10;
     //                                vectoring at its end products
     localparam [BITS*(L+1)-1:0] YAW = {

@@ -34,12 +34,12 @@ module vector_to_spread_iter #(
         end
     endgenerate
 
-    // Schedule. start: d rem k singular <- in_c in_n
+    // Schedule, a clock a line
     localparam [0:0]
-        DIVIDE = 1'b1;  // rem digits <- rem d k singular: R quotient bits; 1 - s has the inverted bits of s
+        DIVIDE = 1'b1;  // R quotient bits; 1 - s has the inverted bits of s
     localparam [0:0]
-        NONE = 1'b0,    // - <- -: nothing
-        LAST = 1'b1;    // - <- -: out_valid follows
+        NONE = 1'b0,    // nothing
+        LAST = 1'b1;    // out_valid follows
     //                                division end
     localparam [2*M-1:0] TABLE = {
         /* quotient bits    */ {(M-1){DIVIDE,  NONE}},

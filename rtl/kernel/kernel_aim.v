@@ -23,12 +23,12 @@ module kernel_aim (
     output wire signed [40:0] out_square,
     output wire [3:0]         out_status
 );
-    // Schedule. start: x y k x_long word <- in_x in_y
+    // Schedule, a clock a line
     localparam [2:0]
-        TO_Y = 3'b001,  // square word <- word k y: square x, y is next
-        TO_M = 3'b000,  // w slope word <- square word k x y x_long: square y, read 1/q; m is next, the shorter one
-        BOTH = 3'b010,  // u v <- w slope word k x y x_long: m w and m slope
-        GIVE = 3'b100;  // - <- u v k x y x_long: the direction goes out
+        TO_Y = 3'b001,  // square x, y is next
+        TO_M = 3'b000,  // square y, read 1/q; m is next, the shorter one
+        BOTH = 3'b010,  // m w and m slope
+        GIVE = 3'b100;  // the direction goes out
     //                       work
     localparam [4*3-1:0] AIM = {
         /* 1 x^2         */ {TO_Y},

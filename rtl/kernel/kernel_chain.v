@@ -30,15 +30,15 @@ module kernel_chain #(
 );
     localparam G = 5, D = 12, N = W + 2 + G;  // guard bits; bits of an offset; bits of A and B
 
-    // Schedule. start: read <- in_j2
+    // Schedule, a clock a line
     localparam [5:0]
-        WAIT  = 6'b000000,  // chords <- read: the memories' words
-        CHORD = 6'b000001,  // major minor chords <- chords read: complete both roots with the two multipliers
-        COS   = 6'b000010,  // read <- chords: with CHORD: cosine on the first multiplier, not the sine; reads joint 1
-        PLACE = 6'b000100,  // a b chords <- major minor read: (L2, 0) turned by joint 2 and moved by L1
-        ROUND = 6'b001000,  // exact read <- a b major minor: a turn's two products, to be rounded; reads joint 3
-        YAW   = 6'b010000,  // a b z chords <- a b major minor exact read: z is y; (x, 0) goes on
-        LAST  = 6'b100000;  // y <- exact: y is rounded; x is in the clock after
+        WAIT  = 6'b000000,  // the memories' words
+        CHORD = 6'b000001,  // complete both roots with the two multipliers
+        COS   = 6'b000010,  // with CHORD: cosine on the first multiplier, not the sine; reads joint 1
+        PLACE = 6'b000100,  // (L2, 0) turned by joint 2 and moved by L1
+        ROUND = 6'b001000,  // a turn's two products, to be rounded; reads joint 3
+        YAW   = 6'b010000,  // z is y; (x, 0) goes on
+        LAST  = 6'b100000;  // y is rounded; x is in the clock after
     //                   roots           turn
     localparam [6*3-1:0] ELBOW = {
         /* joint 2      */ {WAIT},

@@ -35,13 +35,13 @@ module kernel_fixed_frame #(
     localparam M = W + G, P = W + D + 1 + G;  // bits of a product without its sign, of a sum
     localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and what N products of each sign lose
 
-    // Schedule. start: chords length <- in_j2 in_l
+    // Schedule, a clock a line
     localparam [4:0]
-        CHORD = 5'b00001,  // major minor swap <- chords: complete both roots with the two multipliers
-        LEAN  = 5'b00010,  // chords <-: with CHORD: these are the roots of p, not those of t, whose clock ends z
-        RISE  = 5'b00100,  // a held <- major minor length swap: L sin p and L cos p
-        REACH = 5'b01000,  // held y_part <- a major minor swap: a sin t and a cos t
-        LAST  = 5'b10000;  // x <- held: the product ends x, that of y waits for the clock after
+        CHORD = 5'b00001,  // complete both roots with the two multipliers
+        LEAN  = 5'b00010,  // with CHORD: these are the roots of p, not those of t, whose clock ends z
+        RISE  = 5'b00100,  // L sin p and L cos p
+        REACH = 5'b01000,  // a sin t and a cos t
+        LAST  = 5'b10000;  // the product ends x, that of y waits for the clock after
     //                 work
     localparam [5*5-1:0] LINK = {
         /* roots of p    */ {CHORD | LEAN},

@@ -32,46 +32,46 @@ module kernel_solve #(
     output wire [40:0]        out_square,
     output wire [3:0]         out_status
 );
-    // Schedule. start: k1 k2 x y z minus_q s elbow clamped <- in_x in_y in_z in_elbow
+    // Schedule, a clock a line
     localparam [6:0]              // operands of the two multipliers
-        KEEP    = 7'b0000000,     // - <- -: hold
-        K1      = 7'b0000001,     // k1 <- left right addend clamped s: the product is k1
-        K2      = 7'b0000010,     // k2 <- left right elbow: the product is k2; with HALVE the elbow gives its sign
-        TURN    = 7'b0000100,     // k1 k2 <- k1 k2: (-k2, k1)
-        MOVE    = 7'b0001010,     // k1 k2 <- k2 left right: k2 moves to k1, the product is k2
-        POWER   = 7'b0010000,     // k1 k2 <- s: a power of two and 0
-        UP      = 7'b0100000,     // k1 k2 x y s minus_q rho zero3 <- k1 k2 x y z zero gap_xy: 0 and z; the sum is rho
-        RHO     = 7'b1000000;     // k1 x <- rho: rho
+        KEEP    = 7'b0000000,     // hold
+        K1      = 7'b0000001,     // the product is k1
+        K2      = 7'b0000010,     // the product is k2; with HALVE the elbow gives its sign
+        TURN    = 7'b0000100,     // (k1, k2) becomes (-k2, k1)
+        MOVE    = 7'b0001010,     // k2 moves to k1, the product is k2
+        POWER   = 7'b0010000,     // a power of two and 0
+        UP      = 7'b0100000,     // 0 and z; the sum is rho
+        RHO     = 7'b1000000;     // rho
     localparam [1:0]              // left operand of the third multiplier
-        SHIFTED = 2'd0,           // left <- k1 k2 x y s: the shifted sum
-        FACTOR  = 2'd1,           // left <- factor: first factor of a root or a reciprocal
-        PRODUCT = 2'd2,           // left <- left right: the product
-        HOLD    = 2'd3;           // - <- -: hold
+        SHIFTED = 2'd0,           // the shifted sum
+        FACTOR  = 2'd1,           // first factor of a root or a reciprocal
+        PRODUCT = 2'd2,           // the product
+        HOLD    = 2'd3;           // hold
     localparam [2:0]              // and the right one
-        CFG_R   = 3'd0,           // right <- -: cfg_r
-        CFG_L2  = 3'd1,           // right <- -: cfg_l2
-        SLOPE   = 3'd2,           // right <- slope: second factor
-        RESULT  = 3'd3,           // right <- left right: the product
-        SAME    = 3'd4;           // - <- -: hold
+        CFG_R   = 3'd0,           // cfg_r
+        CFG_L2  = 3'd1,           // cfg_l2
+        SLOPE   = 3'd2,           // second factor
+        RESULT  = 3'd3,           // the product
+        SAME    = 3'd4;           // hold
     localparam                    // what is added to the product of the next clock
-        NONE    = 1'b0,           // addend <- -: nothing
-        LENGTH  = 1'b1;           // addend <- -: L1
+        NONE    = 1'b0,           // nothing
+        LENGTH  = 1'b1;           // L1
     localparam [13:0]             // the rest
-        OTHER   = 14'h0000,       // - <- -: nothing
-        BYTES   = 14'h0001,       // s <- k1 k2 x y: bytes that q can spare
-        PAIRS   = 14'h0002,       // s zero <- k1 k2 x y s: pairs of bits that q can spare
-        GAP     = 14'h0004,       // beyond short <- k1 k2 x y minus_q s: sign and range of q - Q1 - Q2
-        ROOT    = 14'h0008,       // factor slope bent <- left right elbow clamped short: give joint 2 by c2^2, read n2
-        READ    = 14'h0010,       // slope <- factor clamped: read 1/q'
-        INVERSE = 14'h0020,       // factor <- k1 k2 x y s clamped: first factor of 1/q'
-        COS2    = 14'h0040,       // clamped left <- left right beyond short: the product is c2
-        SIN2    = 14'h0080,       // - <- left right elbow short bent: give joint 2 by n2^2 if that is less
-        HALVE   = 14'h0100,       // s <- s clamped: not q is shifted but its root: out of reach, and for joint 3
-        SIDE    = 14'h0200,       // a_left b_left x_near <- left right k1 k2 x y s: which is less; b is held if b is
-        BASE    = 14'h0400,       // gap_xy <- k1 k2 x y minus_q: the sum is x^2 + y^2 - Q1 - Q2
-        NEAREST = 14'h0800,       // minus_q <- -: half a unit of rho
-        J3      = 14'h1000,       // - <- left right a_left b_left x_near zero: give joint 3
-        J1      = 14'h2000;       // - <- left right a_left b_left x_near zero: give joint 1
+        OTHER   = 14'h0000,       // nothing
+        BYTES   = 14'h0001,       // bytes that q can spare
+        PAIRS   = 14'h0002,       // pairs of bits that q can spare
+        GAP     = 14'h0004,       // sign and range of q - Q1 - Q2
+        ROOT    = 14'h0008,       // give joint 2 by c2^2, read n2
+        READ    = 14'h0010,       // read 1/q'
+        INVERSE = 14'h0020,       // first factor of 1/q'
+        COS2    = 14'h0040,       // the product is c2
+        SIN2    = 14'h0080,       // give joint 2 by n2^2 if that is less
+        HALVE   = 14'h0100,       // not q is shifted but its root: out of reach, and for joint 3
+        SIDE    = 14'h0200,       // which is less; b is held if b is
+        BASE    = 14'h0400,       // the sum is x^2 + y^2 - Q1 - Q2
+        NEAREST = 14'h0800,       // half a unit of rho
+        J3      = 14'h1000,       // give joint 3
+        J1      = 14'h2000;       // give joint 1
     //                     operands  left     right   addend  rest
     localparam [1*27-1:0] PLANE = {
         /* gap         */ {KEEP,     SHIFTED, CFG_R,  NONE,   GAP}};

@@ -39,11 +39,11 @@ module kernel_tangent (
         for (i = 0; i < 512; i = i + 1)
             slopes[i] = slope_at(i[8:0]);
 
-    // Schedule. start: x y k x_long zero <- in_x in_y
+    // Schedule, a clock a line
     localparam [2:0]
-        LONG  = 3'b001,  // slope w <- x y k x_long: shift the longer coordinate
-        SHORT = 3'b010,  // factor <- x y k x_long w: shift the other one, times w
-        GIVE  = 3'b100;  // - <- factor slope x y x_long zero: times the slope, the tangent
+        LONG  = 3'b001,  // shift the longer coordinate
+        SHORT = 3'b010,  // shift the other one, times w
+        GIVE  = 3'b100;  // times the slope, the tangent
     //                       work
     localparam [3*3-1:0] AIM = {
         /* 1 M           */ {LONG},

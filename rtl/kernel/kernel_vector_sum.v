@@ -36,10 +36,10 @@ module kernel_vector_sum #(
     localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
     localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half of what N products lose
 
-    // Schedule. start: r1 r2 next cosine sine <- in_c1 in_n1
+    // Schedule, a clock a line
     localparam [1:0]
-        TURN = 2'b01,  // r1 r2 sine cosine <- r1 r2 next cosine sine: the sine; the cosine of the clock before goes on
-        LAST = 2'b10;  // x y_part <- r1 r2 cosine sine: products with the length; the next link is taken in this clock
+        TURN = 2'b01,  // the sine; the cosine of the clock before goes on
+        LAST = 2'b10;  // products with the length; the next link is taken in this clock
     //                 work
     localparam [2*2-1:0] LINK = {
         /* C n + N c */ {TURN},

@@ -24,12 +24,12 @@ module kernel_wrist #(
     output wire [A-1:0]       out_j3,
     output reg                out_overflow
 );
-    // Schedule. start: goal y phi <- in_x in_y in_phi
+    // Schedule, a clock a line
     localparam [2:0]
-        COSINE = 3'b001,  // chord <- phi: read the cosine
-        SINE   = 3'b000,  // chord root <- phi chord: read the sine; the cosine is a root
-        X      = 3'b010,  // x goal root over <- root goal y chord: x of the wrist; the sine is a root
-        Y      = 3'b100;  // over <- root goal over: y of the wrist, which the kernel takes in this clock
+        COSINE = 3'b001,  // read the cosine
+        SINE   = 3'b000,  // read the sine; the cosine is a root
+        X      = 3'b010,  // x of the wrist; the sine is a root
+        Y      = 3'b100;  // y of the wrist, which the kernel takes in this clock
     localparam [4*3-1:0] WRIST = {
         /* cosine */ {COSINE},
         /* sine   */ {SINE},

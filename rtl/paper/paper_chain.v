@@ -32,32 +32,32 @@ module paper_chain #(
     localparam R = 3;            // digits of s' a clock
     localparam M = (S + R) / R;  // clocks of the division
 
-    // Schedule. start: j1 k2 j3 range rounded acc quad spread <- in_j1 in_j2 in_j3
+    // Schedule, a clock a line
     localparam [4:0]        // factors of the multiplier; the square root takes its product
-        QUAD   = 5'b00000,  // - <- -: quad and spread (an operation that uses the product names them)
-        DIFF_1 = 5'b00001,  // - <- digits spread k2 obtuse: s1 (1-g), first product of s1 (-) g; g is s' or 1 - s'
-        DIFF_2 = 5'b00010,  // - <- digits spread k2 obtuse: g (1-s1), second product
-        SINE   = 5'b00100,  // - <- quad acc j1 k2 obtuse: q3 s
-        COSINE = 5'b01000,  // - <- quad acc j1 k2 obtuse: q3 (1-s)
-        TURN   = 5'b10000;  // - <- h spread: qa s3 or qa (1-s3)
+        QUAD   = 5'b00000,  // quad and spread (an operation that uses the product names them)
+        DIFF_1 = 5'b00001,  // s1 (1-g), first product of s1 (-) g; g is s' or 1 - s'
+        DIFF_2 = 5'b00010,  // g (1-s1), second product
+        SINE   = 5'b00100,  // q3 s
+        COSINE = 5'b01000,  // q3 (1-s)
+        TURN   = 5'b10000;  // qa s3 or qa (1-s3)
     localparam [5:0]         // sums and division
-        HOLD   = 6'b000000,  // - <- -: nothing
-        LAW    = 6'b000001,  // acc h <- quad spread acc: b -+ L1 with b = sqrt(Q2 (1-s2)), and Q2 s2
-        Q3     = 6'b000010,  // quad obtuse range acc <- acc h k2 range: q3 = (b -+ L1)^2 + Q2 s2; then acc = 0
-        DIVIDE = 6'b000100,  // h digits <- h quad: R digits of s' = Q2 s2 / q3
-        DIFFER = 6'b001000,  // acc <- acc: the root less acc
-        QA     = 6'b010000,  // h <- quad: qa = q3 - qz, the product
-        CLEAR  = 6'b100000;  // h <- -: 0, so that the accepting clock squares L2 alone
+        HOLD   = 6'b000000,  // nothing
+        LAW    = 6'b000001,  // b -+ L1 with b = sqrt(Q2 (1-s2)), and Q2 s2
+        Q3     = 6'b000010,  // q3 = (b -+ L1)^2 + Q2 s2; then acc = 0
+        DIVIDE = 6'b000100,  // R digits of s' = Q2 s2 / q3
+        DIFFER = 6'b001000,  // the root less acc
+        QA     = 6'b010000,  // qa = q3 - qz, the product
+        CLEAR  = 6'b100000;  // 0, so that the accepting clock squares L2 alone
     localparam [1:0]  // spread register, for the next line
-        S1 = 2'b00,   // spread <- j1: s1
-        C1 = 2'b01,   // spread <- j1: 1 - s1
-        S3 = 2'b10,   // spread <- j3: s3
-        C3 = 2'b11;   // spread <- j3: 1 - s3
+        S1 = 2'b00,   // s1
+        C1 = 2'b01,   // 1 - s1
+        S3 = 2'b10,   // s3
+        C3 = 2'b11;   // 1 - s3
     localparam [2:0]    // coordinate that the root is rounded to
-        NONE = 3'b000,  // - <- -: none
-        Z    = 3'b001,  // out_z rounded <- rounded range: z
-        Y    = 3'b010,  // out_y rounded <- rounded range: y
-        X    = 3'b100;  // out_x rounded <- rounded range: x, the last one
+        NONE = 3'b000,  // none
+        Z    = 3'b001,  // z
+        Y    = 3'b010,  // y
+        X    = 3'b100;  // x, the last one
     localparam BITS = 16;
     //                             product sums    spread coordinate
     localparam [BITS*(M+4)-1:0] DIRECTION = {

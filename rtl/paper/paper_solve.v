@@ -34,31 +34,31 @@ module paper_solve #(
     localparam B = R < 1 ? 1 : R;    // R, where it is legal
     localparam M = (S + 2 + B) / B;  // clocks of a division
 
-    // Schedule. start: z elbow kr range still unreachable den num <- in_x in_y in_z in_elbow
+    // Schedule, a clock a line
     localparam [2:0]      // sides of the two squarers
-        SIDES  = 3'b000,  // - <- -: acc (an operation that uses its square names it) and L2
-        HEIGHT = 3'b001,  // - <- z: the second is z
-        LINKS  = 3'b010,  // - <- -: L1 and L2
-        COSINE = 3'b100;  // - <- digits: 1 - v = |cos| of joint 2, and L2
+        SIDES  = 3'b000,  // acc (an operation that uses its square names it) and L2
+        HEIGHT = 3'b001,  // the second is z
+        LINKS  = 3'b010,  // L1 and L2
+        COSINE = 3'b100;  // 1 - v = |cos| of joint 2, and L2
     localparam [2:0]       // factors of the multiplier; the square root takes its product
-        L1_L2  = 3'b000,   // - <- -: L1 L2
-        Q2_S2  = 3'b001,   // - <- digits: Q2 s2, s2 = 1 - (1 - v)^2
-        DIFF_1 = 3'b010,   // - <- digits alpha kr z elbow obtuse: sa (1-g), first product of sa (-) g; g: s' or 1 - s'
-        DIFF_2 = 3'b100;   // - <- digits alpha kr z elbow obtuse: g (1-sa), second product
+        L1_L2  = 3'b000,   // L1 L2
+        Q2_S2  = 3'b001,   // Q2 s2, s2 = 1 - (1 - v)^2
+        DIFF_1 = 3'b010,   // sa (1-g), first product of sa (-) g; g: s' or 1 - s'
+        DIFF_2 = 3'b100;   // g (1-sa), second product
     localparam [6:0]          // sums and divisions
-        HOLD   = 7'b0000000,  // - <- -: nothing
-        DIVIDE = 7'b0000001,  // num digits <- num den unreachable: R digits of num / den, 0 when unreachable
-        ADD_Z  = 7'b0000010,  // den num still <- den z: q3 = qa + qz; next num / den is sa = qz / q3
-        LAW    = 7'b0000100,  // c den q3 alpha undefined <- den digits: c = q3 - Q1 - Q2, den = 2 Q1; sa is kept
-        BEND   = 7'b0001000,  // obtuse den <- c den: c < 0 and 2 Q1 - |c| < 0; den = 2 L1 L2
-        SLACK  = 7'b0010000,  // unreachable num <- c den: 2 L1 L2 - |c|; next num / den is v = 1 - |c| / (2 L1 L2)
-        BASE   = 7'b0100000,  // num den acc <- q3: next num / den is s' = Q2 s2 / q3; acc = 0
-        DIFFER = 7'b1000000;  // acc <- acc: the root less acc
+        HOLD   = 7'b0000000,  // nothing
+        DIVIDE = 7'b0000001,  // R digits of num / den, 0 when unreachable
+        ADD_Z  = 7'b0000010,  // q3 = qa + qz; next num / den is sa = qz / q3
+        LAW    = 7'b0000100,  // c = q3 - Q1 - Q2, den = 2 Q1; sa is kept
+        BEND   = 7'b0001000,  // c < 0 and 2 Q1 - |c| < 0; den = 2 L1 L2
+        SLACK  = 7'b0010000,  // 2 L1 L2 - |c|; next num / den is v = 1 - |c| / (2 L1 L2)
+        BASE   = 7'b0100000,  // next num / den is s' = Q2 s2 / q3; acc = 0
+        DIFFER = 7'b1000000;  // the root less acc
     localparam [2:0]    // joint word
-        NONE = 3'b000,  // - <- -: none
-        J3   = 3'b001,  // out_j3 <- digits kr den: joint 3
-        J2   = 3'b010,  // out_j2 <- elbow c: joint 2, its spread the square of the cosine or the rest
-        J1   = 3'b100;  // out_j1 <- acc kr z elbow obtuse undefined: joint 1, its spread the square of acc or the rest
+        NONE = 3'b000,  // none
+        J3   = 3'b001,  // joint 3
+        J2   = 3'b010,  // joint 2, its spread the square of the cosine or the rest
+        J1   = 3'b100;  // joint 1, its spread the square of acc or the rest
     localparam BITS = 16;
     //                             squares product sums    joint
     localparam [BITS*(M+1)-1:0] JOINT_3 = {

@@ -30,17 +30,17 @@ module vector_ik1 #(
         end
     endgenerate
 
-    // Schedule. start: x y k sum <- in_x in_y
+    // Schedule, a clock a line
     localparam [8:0]
-        LEFT   = 9'b000000001,  // left <- x k: a coordinate without its redundant sign bits
-        RIGHT  = 9'b000000010,  // right <- x k: the same
-        SECOND = 9'b000000100,  // - <- y: that coordinate is y, not x
-        ADD    = 9'b000001000,  // sum <- left right sum: a square; in other lines sum becomes what a result starts with
-        READ   = 9'b000010000,  // left slope <- left right sum: q, and read the slope of its reciprocal root; left is w
-        SLOPE  = 9'b000100000,  // right <- slope: the other factor of the root
-        ROOT   = 9'b001000000,  // right <- left right: 1 / sqrt(q)
-        COS    = 9'b010000000,  // c1 <- left right sum: the cosine goes out
-        SIN    = 9'b100000000;  // n1 <- left right sum: the sine goes out
+        LEFT   = 9'b000000001,  // a coordinate without its redundant sign bits
+        RIGHT  = 9'b000000010,  // the same
+        SECOND = 9'b000000100,  // that coordinate is y, not x
+        ADD    = 9'b000001000,  // a square; in other lines sum becomes what a result starts with
+        READ   = 9'b000010000,  // q, and read the slope of its reciprocal root; left is w
+        SLOPE  = 9'b000100000,  // the other factor of the root
+        ROOT   = 9'b001000000,  // 1 / sqrt(q)
+        COS    = 9'b010000000,  // the cosine goes out
+        SIN    = 9'b100000000;  // the sine goes out
     //                 work
     localparam [9*7-1:0] AIM = {
         /* x       */ {LEFT | RIGHT},

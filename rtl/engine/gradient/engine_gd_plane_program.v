@@ -15,33 +15,33 @@ module engine_gd_plane_program (
     output wire [4:0] out_link,
     output wire [4:0] out_tail
 );
-    // Schedule. start: joint n goal
+    // Schedule, a clock a line
     // A link begins every three clocks, up to three are played at a time: the joint of one moves by what those before
     // it have left of the lever. Behind the last one the error becomes alpha E, and link 1 of the next pass begins.
     localparam [1:0]            // operands of multiplier A
-        CHORD  = 2'b00,         // left right <- -: a chord
-        LEFT   = 2'b01,         // left right <- -: y of the link of the pass before, alpha Ex
-        GAIN   = 2'b10,         // left right <- -: alpha and an error
-        AIM_A  = 2'b11;         // left right <- -: y of the target, alpha Ex
+        CHORD  = 2'b00,         // an operand is a chord
+        LEFT   = 2'b01,         // y of the link of the pass before, alpha Ex
+        GAIN   = 2'b10,         // alpha and an error
+        AIM_A  = 2'b11;         // y of the target, alpha Ex
     localparam [1:0]            // operands of multiplier B
-        ROOT   = 2'b00,         // left2 right2 <- -: a root and the length
-        RIGHT  = 2'b01,         // left2 right2 <- -: x of the link of the pass before, alpha Ey
-        SQUARE = 2'b10,         // left2 right2 <- -: an error, twice
-        AIM_B  = 2'b11;         // left2 right2 <- -: x of the target, alpha Ey
+        ROOT   = 2'b00,         // a root and the length
+        RIGHT  = 2'b01,         // x of the link of the pass before, alpha Ey
+        SQUARE = 2'b10,         // an error, twice
+        AIM_B  = 2'b11;         // x of the target, alpha Ey
     localparam [4:0]            // sums behind them
-        NONE   = 5'b00000,      // - <- -: nothing
-        LESS   = 5'b00001,      // lever <- -: less a product of B
-        MORE   = 5'b00010,      // lever <- -: and a product of A: what the links from the next one on ask for
-        TIP    = 5'b00100,      // e <- -: the error, less a product
-        ADD    = 5'b01000,      // s <- -: add a square
-        CLEAR  = 5'b10000;      // s lever <- -: both begin
+        NONE   = 5'b00000,      // nothing
+        LESS   = 5'b00001,      // the lever, less a product of B
+        MORE   = 5'b00010,      // the lever, and a product of A: what the links from the next one on ask for
+        TIP    = 5'b00100,      // the error, less a product
+        ADD    = 5'b01000,      // a square is added to the sum
+        CLEAR  = 5'b10000;      // sum of squares and lever begin
     localparam [4:0]            // joints, links
-        STAY   = 5'b00000,      // - <- -: nothing
-        READ   = 5'b00001,      // joint length <- -: of the link
-        STEP   = 5'b00010,      // moved <- joint: the joint moves
-        NEXT   = 5'b00100,      // joints turn link <- moved: stored; the next link
-        PLACE  = 5'b01000,      // held <- length: the length is wanted later
-        STORE  = 5'b10000;      // links first <- e: x and y of the link
+        STAY   = 5'b00000,      // nothing
+        READ   = 5'b00001,      // read joint and length of the link
+        STEP   = 5'b00010,      // the joint moves
+        NEXT   = 5'b00100,      // stored; the next link
+        PLACE  = 5'b01000,      // the length is wanted later
+        STORE  = 5'b10000;      // x and y of the link are stored
     localparam [14*7-1:0] LINK = {
         /* read joint       */ {CHORD, RIGHT, NONE, READ},
         /* step             */ {CHORD, ROOT,  LESS, STEP},
@@ -51,12 +51,12 @@ module engine_gd_plane_program (
         /* y; cosine        */ {CHORD, ROOT,  TIP,  STAY},
         /* x                */ {CHORD, ROOT,  TIP,  STORE}};
     localparam [4:0]            // end of a pass
-        WAIT   = 5'b00000,      // - <- -: nothing
-        RANGE  = 5'b00001,      // fine <- -: the range that the pass before asks for
-        BASE   = 5'b00010,      // turn link <- -: at the base again
-        FITS   = 5'b00100,      // big still <- fine: does an error fit the fine range?
-        GO     = 5'b01000,      // first link <- -: link 1 of the next pass
-        STOP   = 5'b10000;      // iters <- s fine still: end if converged or at the limit
+        WAIT   = 5'b00000,      // nothing
+        RANGE  = 5'b00001,      // the range that the pass before asks for
+        BASE   = 5'b00010,      // the chain is at the base again
+        FITS   = 5'b00100,      // does an error fit the fine range?
+        GO     = 5'b01000,      // link 1 of the next pass begins
+        STOP   = 5'b10000;      // end if converged or at the limit
     localparam [14*8-1:0] TAIL = {
         /* range            */ {CHORD, ROOT,   NONE,       RANGE},
         /* base             */ {CHORD, ROOT,   NONE,       BASE},

@@ -47,31 +47,31 @@ module engine_quaternion_gd #(
         end
     endgenerate
 
-    // Schedule. start: th1 th2 x y iters fine <-
+    // Schedule, a clock a line
     localparam [1:0]            // operands of the two multipliers
-        NONE   = 2'b00,         // - <- -: nothing
-        CHORD  = 2'b00,         // left right <- chord: a chord, and the root of the one before
-        LINK1  = 2'b01,         // left right <- link1 ax: of link 1 and alpha E
-        LINK2  = 2'b10,         // left right <- link2 ax: of link 2 and alpha E
-        ERROR  = 2'b11;         // left right <- e fine: alpha and an error, and its square
+        NONE   = 2'b00,         // nothing
+        CHORD  = 2'b00,         // a chord, and the root of the one before
+        LINK1  = 2'b01,         // of link 1 and alpha E
+        LINK2  = 2'b10,         // of link 2 and alpha E
+        ERROR  = 2'b11;         // alpha and an error, and its square
     localparam [1:0]            // right operand of the second
-        L1     = 2'b00,         // - <- -: length of link 1
-        L2     = 2'b01,         // - <- -: length of link 2
-        E      = 2'b10,         // - <- e fine: an error
-        ALPHA  = 2'b11;         // - <- ax: alpha times the error of y
+        L1     = 2'b00,         // length of link 1
+        L2     = 2'b01,         // length of link 2
+        E      = 2'b10,         // an error
+        ALPHA  = 2'b11;         // alpha times the error of y
     localparam [9:0]            // the rest
-        COS    = 10'h001,       // chord <- th1: read the cosine of joint 1
-        SIN    = 10'h000,       // chord both <- th1 th2: read the sine of joint 1
-        COS12  = 10'h003,       // chord <- both: read the cosine of both joints
-        SIN12  = 10'h002,       // chord <- both: read the sine of both joints
-        X      = 10'h004,       // e link1 <- x left right: x, less a product
-        Y      = 10'h008,       // e link1 <- y left right: y, less a product
-        TIP    = 10'h010,       // e link2 <- e left right: the error, less a product
-        CLEAR  = 10'h020,       // s <- -: the squares begin
-        SQUARE = 10'h040,       // s ax <- left right s: add a square
-        STOP   = 10'h080,       // step <- left right s fine: stop here if converged or at the limit
-        MOVE1  = 10'h100,       // th1 step <- th1 step left right: joint 1 by what its own link asks for
-        MOVE2  = 10'h300;       // th1 th2 iters fine <- th1 th2 step s fine: both by what link 2 asks for
+        COS    = 10'h001,       // read the cosine of joint 1
+        SIN    = 10'h000,       // read the sine of joint 1
+        COS12  = 10'h003,       // read the cosine of both joints
+        SIN12  = 10'h002,       // read the sine of both joints
+        X      = 10'h004,       // x, less a product
+        Y      = 10'h008,       // y, less a product
+        TIP    = 10'h010,       // the error, less a product
+        CLEAR  = 10'h020,       // the squares begin
+        SQUARE = 10'h040,       // a square is added to the sum
+        STOP   = 10'h080,       // stop here if converged or at the limit
+        MOVE1  = 10'h100,       // joint 1 by what its own link asks for
+        MOVE2  = 10'h300;       // both by what link 2 asks for
     localparam [14*12-1:0] PASS = {
         /* read c1         */ {NONE,  L1,    COS},
         /* read s1         */ {CHORD, L1,    SIN},

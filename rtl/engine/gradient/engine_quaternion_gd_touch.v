@@ -49,46 +49,46 @@ module engine_quaternion_gd_touch #(
         end
     endgenerate
 
-    // Schedule. start: th x y z fine chord left right <-
+    // Schedule, a clock a line
     localparam [2:0]            // operands of the first multiplier
-        CHORD  = 3'b000,        // left <- chord: a chord
-        ACROSS = 3'b010,        // left <- roots x z: a root of joint 1 and x or z
-        PRIOR  = 3'b101,        // left <- right: alpha and the error squared in the line before
-        ALPHA  = 3'b100,        // left <- e u fine: alpha and an error
-        SINK   = 3'b110;        // left <- link av: alpha v and a link
+        CHORD  = 3'b000,        // an operand is a chord
+        ACROSS = 3'b010,        // a root of joint 1 and x or z
+        PRIOR  = 3'b101,        // alpha and the error squared in the line before
+        ALPHA  = 3'b100,        // alpha and an error
+        SINK   = 3'b110;        // alpha v and a link
     localparam [2:0]            // operands of the second
-        ROOT   = 3'b000,        // right <- left chord x z: the root of the chord before, and a word
-        SQUARE = 3'b010,        // right <- e v fine: the square of an error
-        ARM    = 3'b100,        // right <- link left: rho and alpha u
-        LIFT   = 3'b110,        // right <- link left: a link and alpha w
-        AGAIN  = 3'b111;        // right <- link right: the next link and alpha w
+        ROOT   = 3'b000,        // the root of the chord before, and a word
+        SQUARE = 3'b010,        // the square of an error
+        ARM    = 3'b100,        // rho and alpha u
+        LIFT   = 3'b110,        // a link and alpha w
+        AGAIN  = 3'b111;        // the next link and alpha w
     localparam [2:0]            // word: of the second, and of the first
-        L1     = 3'b000,        // - <- -: length of link 1, z
-        L2     = 3'b010,        // - <- -: length of link 2, z
-        Z      = 3'b100,        // - <- -: z, z
-        X      = 3'b101,        // - <- -: x, x
-        L2_X   = 3'b011;        // - <- -: length of link 2, x
+        L1     = 3'b000,        // length of link 1, z
+        L2     = 3'b010,        // length of link 2, z
+        Z      = 3'b100,        // z, z
+        X      = 3'b101,        // x, x
+        L2_X   = 3'b011;        // length of link 2, x
     localparam [1:0]            // error
-        V      = 2'b00,         // - <- -: along the plane of the links
-        U      = 2'b10,         // av <- left: across it; alpha v is kept
-        W_UP   = 2'b01;         // - <- -: up
+        V      = 2'b00,         // along the plane of the links
+        U      = 2'b10,         // across it; alpha v is kept
+        W_UP   = 2'b01;         // up
     localparam [1:0]            // sum of the products of the line before
-        OUT    = 2'b00,         // e <- left right: 0, less a product
-        LESS   = 2'b01,         // e <- e left right: less a product
-        UP     = 2'b10,         // e v <- e y left right: y, less a product; v is kept
-        STAY   = 2'b11;         // - <- -: stays
+        OUT    = 2'b00,         // 0, less a product
+        LESS   = 2'b01,         // the error, less a product
+        UP     = 2'b10,         // y, less a product; v is kept
+        STAY   = 2'b11;         // stays
     localparam [9:0]            // the rest
-        CLEAR  = 10'h001,       // s <- -: the squares begin
-        ADD    = 10'h002,       // s <- left right s: add a square
-        TURN   = 10'h004,       // u <- left: across, both products
-        PAIR   = 10'h008,       // roots <- left chord: a root of joint 1, or the next
-        LINK   = 10'h010,       // link <- left right: a link, or the next
-        THIRD  = 10'h020,       // - <- th: read joint 1 in line 1, joint 3 behind it; else joint 2, in line 2 joint 1
-        COS    = 10'h040,       // chord <- th: read a cosine
-        SIN    = 10'h000,       // chord <- th: read a sine
-        MINUS  = 10'h080,       // - <- -: read half a turn on
-        MOVE   = 10'h100,       // th <- th left right: a joint by its step, and the next
-        STOP   = 10'h200;       // - <- s fine: stop here if converged or at the limit
+        CLEAR  = 10'h001,       // the squares begin
+        ADD    = 10'h002,       // a square is added to the sum
+        TURN   = 10'h004,       // across, both products
+        PAIR   = 10'h008,       // a root of joint 1, or the next
+        LINK   = 10'h010,       // a link, or the next
+        THIRD  = 10'h020,       // read joint 1 in line 1, joint 3 behind it; else joint 2, in line 2 joint 1
+        COS    = 10'h040,       // read a cosine
+        SIN    = 10'h000,       // read a sine
+        MINUS  = 10'h080,       // read half a turn on
+        MOVE   = 10'h100,       // a joint by its step, and the next
+        STOP   = 10'h200;       // stop here if converged or at the limit
     localparam [23*14-1:0] PASS = {
         /* read -c1; step 2       */ {CHORD,  ROOT,   L1,   V,    STAY, THIRD | COS | MINUS | MOVE},
         /* read s1; step 3        */ {CHORD,  ROOT,   L1,   V,    STAY, SIN | MOVE},

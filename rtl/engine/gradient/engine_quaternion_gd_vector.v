@@ -50,32 +50,32 @@ module engine_quaternion_gd_vector #(
         end
     endgenerate
 
-    // Schedule. start: here there x y left right <-
+    // Schedule, a clock a line
     localparam [1:0]            // left operands; a direction swaps the links
-        ERROR  = 2'b00,         // left <- e: errors, x and y
-        LINK   = 2'b01,         // left <- link: a link, y and x
-        SELF   = 2'b10,         // left here there <- here there: a direction
-        NORMAL = 2'b11;         // left here there <- here there: its normal
+        ERROR  = 2'b00,         // errors, x and y
+        LINK   = 2'b01,         // a link, y and x
+        SELF   = 2'b10,         // a direction
+        NORMAL = 2'b11;         // its normal
     localparam [3:0]            // right operands
-        L1     = 4'b0000,       // right <- -: length of link 1
-        L2     = 4'b0001,       // right <- -: length of link 2
-        ALPHA  = 4'b0010,       // right <- -: the step
-        D      = 4'b0011,       // right d <- exact d: what the link turns by
-        GAIN   = 4'b1011,       // right <- s: half of what its square is above 1
-        PUSH   = 4'b0100,       // right <- left right: alpha times the errors
-        HOLD   = 4'b1000,       // - <- right: the same
-        SQUARE = 4'b1100;       // right <- -: the left operand
+        L1     = 4'b0000,       // length of link 1
+        L2     = 4'b0001,       // length of link 2
+        ALPHA  = 4'b0010,       // the step
+        D      = 4'b0011,       // what the link turns by
+        GAIN   = 4'b1011,       // half of what its square is above 1
+        PUSH   = 4'b0100,       // alpha times the errors
+        HOLD   = 4'b1000,       // the same
+        SQUARE = 4'b1100;       // the left operand
     localparam [7:0]            // products of the line before
-        NONE   = 8'h00,         // - <- -: not used
-        MOVE   = 8'h01,         // here <- left right there: less than the other link's direction
-        FIRST  = 8'h06,         // e link <- x y left right: link 1, taken from the target
-        TIP    = 8'h02,         // e link <- e left right: link 2, taken from the error
-        E1     = 8'h08,         // exact d <- left right: what link 1 asks for
-        E2     = 8'h18,         // exact d <- left right exact: what link 2 asks for
-        ADD    = 8'h30,         // s d <- left right exact d: square of the error
-        SUM    = 8'h20,         // s <- left right: square of a direction
-        STOP   = 8'h41,         // here <- left right there s: turn link 1, or stop here
-        LAST   = 8'h80;         // - <- -: the pass ends
+        NONE   = 8'h00,         // not used
+        MOVE   = 8'h01,         // less than the other link's direction
+        FIRST  = 8'h06,         // link 1, taken from the target
+        TIP    = 8'h02,         // link 2, taken from the error
+        E1     = 8'h08,         // what link 1 asks for
+        E2     = 8'h18,         // what link 2 asks for
+        ADD    = 8'h30,         // square of the error
+        SUM    = 8'h20,         // square of a direction
+        STOP   = 8'h41,         // turn link 1, or stop here
+        LAST   = 8'h80;         // the pass ends
     localparam [14*13-1:0] PASS = {
         /* link 1          */ {SELF,   L1,     MOVE},
         /* link 2          */ {SELF,   L2,     FIRST},

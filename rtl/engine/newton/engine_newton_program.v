@@ -11,44 +11,44 @@ module engine_newton_program (
     output wire        out_idle,
     output wire [22:0] out_op
 );
-    // Schedule. start: th1 th2 x y phi iters first, and of the pass before left right third chord e <-
+    // Schedule, a clock a line
     localparam [2:0]            // the table of sines
-        COSP   = 3'b001,        // chord <- phi: read the cosine of phi
-        SINP   = 3'b000,        // chord <- phi: read the sine of phi
-        COS1   = 3'b011,        // chord <- th1: read the cosine of joint 1
-        SIN1   = 3'b010,        // chord <- th1: read the sine of joint 1
-        COS12  = 3'b101,        // chord <- th1 th2: read the cosine of both joints
-        SIN12  = 3'b100,        // chord <- th1 th2: read the sine of both joints
-        SIN2   = 3'b110;        // chord <- th2: read the sine of joint 2
+        COSP   = 3'b001,        // read the cosine of phi
+        SINP   = 3'b000,        // read the sine of phi
+        COS1   = 3'b011,        // read the cosine of joint 1
+        SIN1   = 3'b010,        // read the sine of joint 1
+        COS12  = 3'b101,        // read the cosine of both joints
+        SIN12  = 3'b100,        // read the sine of both joints
+        SIN2   = 3'b110;        // read the sine of joint 2
     localparam [1:0]            // its length
-        L3     = 2'd0,          // - <- -: length of link 3
-        L1     = 2'd1,          // - <- -: length of link 1
-        L2     = 2'd2;          // - <- -: length of link 2
+        L3     = 2'd0,          // length of link 3
+        L1     = 2'd1,          // length of link 1
+        L2     = 2'd2;          // length of link 2
     localparam [5:0]            // operands of two multipliers whose products are added
-        LINK   = 6'b000000,     // left right <- third: a root by a length, and by itself
-        SQUARE = 6'b000101,     // left right <- e: the square of E
-        ALONG2 = 6'b001001,     // left right <- e roots: E seen along both joints
-        ALONG1 = 6'b101001,     // left right <- e roots: E seen along joint 1
-        CROSS1 = 6'b111010,     // left right <- e roots: E seen across it, negative
-        CROSS2 = 6'b011010,     // left right <- e roots: E seen across both joints
-        MOVES  = 6'b001111;     // left right <- sine left right: the last four by -D and by lambda
+        LINK   = 6'b000000,     // a root by a length, and by itself
+        SQUARE = 6'b000101,     // the square of E
+        ALONG2 = 6'b001001,     // E seen along both joints
+        ALONG1 = 6'b101001,     // E seen along joint 1
+        CROSS1 = 6'b111010,     // E seen across it, negative
+        CROSS2 = 6'b011010,     // E seen across both joints
+        MOVES  = 6'b001111;     // the last four by -D and by lambda
     localparam [2:0]            // operands of the third multiplier
-        CHORD  = 3'd0,          // third <- chord: a chord, to be a root in the next clock
-        INVERT = 3'd1,          // third <- inverse: both factors of 1 / (D^2 + mu)
-        RATE1  = 3'd2,          // third <- third: their product by 1/l1
-        RATE2  = 3'd6,          // third <- third: and by 1/l2
-        JOINT  = 3'd3;          // third <- left right third: a step by one of these, made a clock before
+        CHORD  = 3'd0,          // a chord, to be a root in the next clock
+        INVERT = 3'd1,          // both factors of 1 / (D^2 + mu)
+        RATE1  = 3'd2,          // their product by 1/l1
+        RATE2  = 3'd6,          // and by 1/l2
+        JOINT  = 3'd3;          // a step by one of these, made a clock before
     localparam [8:0]            // the rest
-        NONE   = 9'h000,        // - <- -: nothing
-        FIRST  = 9'h003,        // e <- left right x y: a coordinate, less a product
-        TIP    = 9'h001,        // e <- left right e: the error, less a product
-        KEEP   = 9'h004,        // roots <- third: a root of link 1 or 2
-        SINE   = 9'h008,        // sine near <- third: D, kept off 0
-        DET    = 9'h010,        // inverse <- left right: D^2 + mu
-        TEST   = 9'h020,        // s <- left right: the square of E
-        STOP   = 9'h040,        // th1 th2 <- th1 th2 s e third: stop here if converged or at the limit, else joint 1
-        MOVE   = 9'h080,        // th2 iters first <- th2 e third: joint 2, which then has both steps
-        AGAIN  = 9'h100;        // - <- -: the next pass begins
+        NONE   = 9'h000,        // nothing
+        FIRST  = 9'h003,        // a coordinate, less a product
+        TIP    = 9'h001,        // the error, less a product
+        KEEP   = 9'h004,        // a root of link 1 or 2
+        SINE   = 9'h008,        // D, kept off 0
+        DET    = 9'h010,        // D^2 + mu
+        TEST   = 9'h020,        // the square of E
+        STOP   = 9'h040,        // stop here if converged or at the limit, else joint 1
+        MOVE   = 9'h080,        // joint 2, which then has both steps
+        AGAIN  = 9'h100;        // the next pass begins
     //               table   length operands third   rest
     localparam [16*23-1:0] PASS = {
         /* square    */ {COSP,  L3, LINK,   CHORD,  TEST},

@@ -39,50 +39,50 @@ module engine_rus_leg (
     output wire               out_over,
     output reg  [2:0]         out_tag
 );
-    // Schedule. start: pose words <- in_row in_words
+    // Schedule, a clock a line
     localparam [6:0]             // gates of multipliers A and B: what they load in the next clock
-        SHUT   = 7'd0,           // - <- -: nothing of a leg
-        ROW_X  = 7'b0001001,     // a b c <- pose words: row x and the joint's coordinates
-        ROW_Z  = 7'b0000010,     // a b c <- pose: row z
-        ROW_Y  = 7'b0000100,     // a b c <- pose: row y
-        TURN   = 7'b0011000,     // a b <- x words: into the plane of the leg
-        COSINE = 7'b0100000,     // a b <- e3 f3 g2 s tag beyond2: e G - f S
-        SINE   = 7'b1000000;     // a b <- e3 f3 g2 s tag beyond2: f G + e S
+        SHUT   = 7'd0,           // nothing of a leg
+        ROW_X  = 7'b0001001,     // row x and the joint's coordinates
+        ROW_Z  = 7'b0000010,     // row z
+        ROW_Y  = 7'b0000100,     // row y
+        TURN   = 7'b0011000,     // into the plane of the leg
+        COSINE = 7'b0100000,     // e G - f S
+        SINE   = 7'b1000000;     // f G + e S
     localparam [2:0]             // multiplier C
-        IDLE_C = 3'd0,           // - <- -: what the rows leave
-        LINK   = 3'b001,         // c d <- pose words: the link's shares of e (C) and f (D), in the next clock
-        HEIGHT = 3'b010,         // c over <- a b c add: the square of h, which is just there
-        GAIN   = 3'b100;         // c <- t: the sum times 1 / 2 LA, in the next clock
+        IDLE_C = 3'd0,           // what the rows leave
+        LINK   = 3'b001,         // the link's shares of e (C) and f (D), in the next clock
+        HEIGHT = 3'b010,         // the square of h, which is just there
+        GAIN   = 3'b100;         // the sum times 1 / 2 LA, in the next clock
     localparam [2:0]             // multiplier D
-        IDLE_D = 3'd0,           // - <- -: anything
-        TABLE  = 3'b001,         // d <- slope w: a root or a reciprocal
-        DIVIDE = 3'b110,         // d <- n shift reciprocal: the cosine's numerator times the reciprocal
-        NEXT_D = 3'b100;         // d <- n shift: the sine's
+        IDLE_D = 3'd0,           // anything
+        TABLE  = 3'b001,         // a root or a reciprocal
+        DIVIDE = 3'b110,         // the cosine's numerator times the reciprocal
+        NEXT_D = 3'b100;         // the sine's
     localparam [1:0]             // addend of the next clock's sum
-        HALF   = 2'b00,          // add <- -: what rounds
-        PLACE  = 2'b01,          // add <- pose words: position less foot
-        CONST  = 2'b10;          // add <- -: cfg_k
+        HALF   = 2'b00,          // what rounds
+        PLACE  = 2'b01,          // position less foot
+        CONST  = 2'b10;          // cfg_k
     localparam [18:0]            // registers behind products and sum
-        NONE    = 19'h00000,     // - <- -: nothing
-        X       = 19'h00001,     // x over <- a b c add: the sum is x
-        Z       = 19'h00002,     // z over <- a b c add: z
-        Y       = 19'h00004,     // y over <- a b c add words: y
-        E       = 19'h00008,     // e f a b over <- a b c d add y: e, and f less the link's share
-        Q       = 19'h00010,     // q t tag <- a b c add over: e^2 + f^2, and with h^2 and k
-        G       = 19'h00020,     // g c <- c: G, and its square begins
-        KEEP    = 19'h00040,     // e2 f2 <- e f: for the next leg comes
-        DISC    = 19'h00080,     // disc q2 tag <- q c tag: e^2 + f^2 - G^2
-        OPEN    = 19'h00100,     // open_n beyond <- disc q2 g: the radicand
-        FIND    = 19'h00200,     // n shift <- open_n: its spare bytes
-        FINE    = 19'h00400,     // shift <- n shift: its spare pairs of bits
-        ROOT    = 19'h00800,     // w slope shift_s <- n shift: read the root's table
-        COPY    = 19'h01000,     // e3 f3 g2 beyond2 tag open_n <- e2 f2 g beyond q2 tag: the next leg comes; divisor
-        S       = 19'h02000,     // s <- d shift_s: the root
-        DIVISOR = 19'h04000,     // w slope kept none <- n shift: read the reciprocal's table
-        NUM     = 19'h08000,     // n shift <- a b kept: a numerator
-        RATE    = 19'h10000,     // reciprocal flags <- d s none beyond2 tag: the reciprocal; flags
-        OUT_C   = 19'h20000,     // - <- d: the cosine
-        OUT_N   = 19'h40000;     // d <- d: the sine; the next product is its codec's
+        NONE    = 19'h00000,     // nothing
+        X       = 19'h00001,     // the sum is x
+        Z       = 19'h00002,     // z
+        Y       = 19'h00004,     // y
+        E       = 19'h00008,     // e, and f less the link's share
+        Q       = 19'h00010,     // e^2 + f^2, and with h^2 and k
+        G       = 19'h00020,     // G, and its square begins
+        KEEP    = 19'h00040,     // for the next leg comes
+        DISC    = 19'h00080,     // e^2 + f^2 - G^2
+        OPEN    = 19'h00100,     // the radicand
+        FIND    = 19'h00200,     // its spare bytes
+        FINE    = 19'h00400,     // its spare pairs of bits
+        ROOT    = 19'h00800,     // read the root's table
+        COPY    = 19'h01000,     // the next leg comes; divisor
+        S       = 19'h02000,     // the root
+        DIVISOR = 19'h04000,     // read the reciprocal's table
+        NUM     = 19'h08000,     // a numerator
+        RATE    = 19'h10000,     // the reciprocal; flags
+        OUT_C   = 19'h20000,     // the cosine
+        OUT_N   = 19'h40000;     // the sine; the next product is its codec's
     //                      A, B     C        D        add    behind
     localparam [37*34-1:0] LEG = {
         /* row x            */ {ROW_X,  IDLE_C, IDLE_D, HALF,  NONE},

@@ -39,7 +39,7 @@ module engine_rus_poses #(
     // A leg begins every 8 clocks and takes 37. While legs are inside, the next pose begins such a time behind them too
     localparam [0:0]
         WAIT  = 1'b0,
-        AGAIN = 1'b1;  // - <- -: the next leg begins, of this pose or of the next one
+        AGAIN = 1'b1;  // the next leg begins, of this pose or of the next one
     localparam [8-1:0] EIGHT = {
         /* a leg */ {7{WAIT}},
         /* next  */ AGAIN};

@@ -25,13 +25,13 @@ module quaternion_to_matrix #(
             quaternion_to_matrix_needs_U_from_8_to_16 rule ();
         end
     endgenerate
-    // Schedule. start: q <- in_w in_x in_y in_z
+    // Schedule, a clock a line
     localparam [4:0]
-        FIRST = 5'b00001,  // total <- q: w^2 + x^2
-        UNIT  = 5'b00010,  // unit <- q total: y^2 + z^2 besides
-        PAIR  = 5'b00100,  // r q <- q unit: two entries, then x, y, z <- y, z, x
-        DIAG  = 5'b01000,  // r <- q unit: an entry of the diagonal
-        LAST  = 5'b10000;  // - <- -: all entries stand in the next clock
+        FIRST = 5'b00001,  // w^2 + x^2
+        UNIT  = 5'b00010,  // y^2 + z^2 besides
+        PAIR  = 5'b00100,  // two entries, then x, y, z <- y, z, x
+        DIAG  = 5'b01000,  // an entry of the diagonal
+        LAST  = 5'b10000;  // all entries stand in the next clock
     localparam [8*5-1:0] TURN = {
         /* length       */ FIRST,
         /* and its rest */ UNIT,

@@ -25,28 +25,28 @@ module rotation_check #(
             rotation_check_needs_U_from_8_to_16 rule ();
         end
     endgenerate
-    // Schedule. start: r <- in_r
+    // Schedule, a clock a line
     localparam [1:0]          // row of columns a and c
-        A1    = 2'd0,         // - <- r: the first
-        A2    = 2'd1,         // - <- r: the second
-        A3    = 2'd2;         // - <- r: the third
+        A1    = 2'd0,         // the first
+        A2    = 2'd1,         // the second sum
+        A3    = 2'd2;         // the third
     localparam [1:0]          // row of column b
-        B1    = 2'd0,         // - <- r: the first
-        B2    = 2'd1,         // - <- r: the second
-        B3    = 2'd2;         // - <- r: the third
+        B1    = 2'd0,         // the first
+        B2    = 2'd1,         // the second sum
+        B3    = 2'd2;         // the third
     localparam [4:0]          // factors of the next clock's product
-        AA    = 5'b00010,     // left right <- r: a a
-        AB    = 5'b00001,     // left right <- r: a b
-        BB    = 5'b10001,     // left right <- r: b b
-        LESS  = 5'b01001,     // left right <- r: -a b, by the one's complement of a
-        C     = 5'b00100;     // left right <- r: -c
+        AA    = 5'b00010,     // a a
+        AB    = 5'b00001,     // a b
+        BB    = 5'b10001,     // b b
+        LESS  = 5'b01001,     // -a b, by the one's complement of a
+        C     = 5'b00100;     // -c
     localparam [3:0]          // sum
-        START = 4'b0000,      // - <- -: nothing yet
-        ADD   = 4'b0000,      // product sum <- left right product sum: products, two clocks behind their factors
-        CLEAR = 4'b0001,      // product sum wrong <- left right: the first sum begins with the next clock
-        ONE   = 4'b0111,      // product sum wrong <- left right sum wrong: must be 1; the next sum begins
-        ZERO  = 4'b0011,      // product sum wrong <- left right sum wrong: must be 0; the next sum begins
-        LAST  = 4'b1011;      // wrong <- sum wrong: must be 0; the answer stands in the next clock
+        START = 4'b0000,      // nothing yet
+        ADD   = 4'b0000,      // products, two clocks behind their factors
+        CLEAR = 4'b0001,      // the first sum begins with the next clock
+        ONE   = 4'b0111,      // must be 1; the next sum begins
+        ZERO  = 4'b0011,      // must be 0; the next sum begins
+        LAST  = 4'b1011;      // must be 0; the answer stands in the next clock
     localparam [26*13-1:0] CHECK = {
         /* length of a   */ {A1, B1, AA, START},
         /*               */ {A2, B1, AA, CLEAR},

@@ -1,0 +1,291 @@
+"""Reader of the programs: every instance of engine_program, and the machines that play a table of their own.
+
+The words come from the elaborated design, the names of registers from the text of the table, and each line's names must
+give its word. `quadrance.program.checker` then follows what a line reads, on every path. `MACHINES` says of each module
+with a program how its words are to be understood; one that is not listed is an error.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from pyslang.driver import Driver
+from quadrance.cores import ROOT, RTL, Core
+from quadrance.program import checker, product_engine
+from quadrance.program.checker import Line, Program, Read, Write
+
+PLAYERS = ("engine_program", "schedule", "schedule_counter")  # their TABLE is played
+TABLE = re.compile(r"^[ \t]*localparam\s*\[[^\]]*\]\s*LINES\s*=\s*\{\s*\n((?:\s*/\*.*\n)+)", re.M)
+NUMBER = re.compile(r"(\w+)\s*=\s*(\d+)'([bdh])([0-9a-fA-F]+)\s*(?=[,;])")
+ALIAS = re.compile(r"localparam\s*\[[^\]]*\]\s*(\w+)\s*=\s*(\{[\w\s,]+\});")
+BASE = {"b": 2, "d": 10, "h": 16}
+
+
+@dataclass(frozen=True)
+class Played:
+    """A table that an elaborated design plays: the module it stands in, the line of the instance, its words."""
+
+    module: str
+    path: Path
+    at: int
+    player: str
+    words: tuple[int, ...]
+    again: int | None = None
+
+
+def elaborated(core: Core) -> tuple[object, list]:
+    """slang's compilation of a core at its parameters, and every instance in it."""
+    driver = Driver()
+    driver.addStandardArgs()
+    words = ["slang", "--std", "1364-2005", "--top", core.name, *(f"-G{k}={v}" for k, v in core.params.items()),
+             *(f'"{source}"' for source in core.sources)]
+    if not (driver.parseCommandLine(" ".join(words)) and driver.processOptions() and driver.parseAllSources()):
+        return None, []
+    compilation, found = driver.createCompilation(), []
+
+    def visit(symbol: object) -> None:
+        if type(symbol).__name__ == "InstanceSymbol":
+            found.append(symbol)
+
+    compilation.getRoot().visit(visit)
+    return compilation, found
+
+
+def _cut(table: int, lines: int, bits: int) -> tuple[int, ...]:
+    return tuple(table >> bits * (lines - 1 - i) & (1 << bits) - 1 for i in range(lines))
+
+
+def played(core: Core) -> list[Played]:
+    """Every table that a core plays at its parameters."""
+    compilation, instances = elaborated(core)
+    sources = {source.stem: source for source in core.sources}
+    found = []
+    for one in instances:
+        name, body = one.definition.name, one.body
+        if name in PLAYERS:
+            lines, bits, table = (int(body.find(key).value.value) for key in ("LINES", "BITS", "TABLE"))
+            again = int(body.find("AGAIN").value.value) if name == "engine_program" else lines
+            path = Path(compilation.sourceManager.getFileName(one.location)).resolve()
+            found.append(Played(path.stem, path, compilation.sourceManager.getLineNumber(one.location), name,
+                                _cut(table, lines, bits), None if again == lines else again))
+        elif name.endswith("_program") and "reg " in re.sub(r"output\s+reg", "", sources[name].read_text()):
+            table, bits = body.find("LINES"), body.find("out_op").type.bitWidth
+            lines = table.type.bitWidth // bits
+            found.append(Played(name, sources[name], 0, name, _cut(int(table.value.value), lines, bits)))
+    return found
+
+
+# The text of a table
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line in the text of a table: its comment and its cells, names as they stand there."""
+
+    label: str
+    cells: tuple[str, ...]
+
+
+@cache
+def _numbers(text: str) -> dict[str, tuple[int, int]]:
+    """Localparams: name -> value and bits."""
+    found = {name: (int(value, BASE[base]), int(bits)) for name, bits, base, value in NUMBER.findall(text)}
+    return found | {name: (int(value, 2), 1) for name, value in re.findall(r"(\w+) = 1'b([01])", text)}
+
+
+def rows(text: str) -> list[Row]:
+    """The lines of the table LINES of a module."""
+    aliases = {name: cells for name, cells in ALIAS.findall(text)}
+    found = []
+    for label, body in re.findall(r"/\*\s*(.*?)\s*\*/\s*(.*?)\s*(?:\};)?\n", TABLE.search(text)[1]):
+        items = re.findall(r"\{[^{}]*\}|\w+", body)
+        found += [Row(label, tuple(re.sub(r"\s", "", one) for one in aliases.get(item, item).strip("{}").split(",")))
+                  for item in items]
+    return found
+
+
+def value(text: str, row: Row) -> int:
+    """The word that a row's names give."""
+    numbers, word = _numbers(text), 0
+    for cell in row.cells:
+        parts = [numbers[name] for name in cell.split("|")]
+        word = word << parts[0][1]
+        for number, _ in parts:
+            word |= number
+    return word
+
+
+def misread(text: str, words: Sequence[int]) -> list[str]:
+    """Where the text of a table, as it is read here, is not what the design plays."""
+    found = rows(text)
+    if len(found) != len(words):
+        return [f"{len(found)} lines are read, the design plays {len(words)}"]
+    return [f"line {i + 1} '{row.label}': its names do not give its word" for i, (row, word) in
+            enumerate(zip(found, words)) if value(text, row) != word]
+
+
+def mislabelled(text: str, dests: Iterable[tuple[Row, str]], names: Iterable[str]) -> list[str]:
+    """Lines whose comment is the name of a word, and not of the one that the line writes."""
+    known = {name.lower(): name for name in names}
+    return [f"line {i + 1} '{row.label}': it writes {dest}" for i, (row, dest) in enumerate(dests)
+            if known.get(row.label.replace(" ", "").lower(), dest) != dest]
+
+
+# The machines
+
+
+ENGINE_CELLS = {11: dict(zip(("a", "b", "c", "d", "dest"), (1, 3, 4, 5, 9))),  # cells of a line of product_engine
+                9: dict(zip(("a", "b", "c", "d", "dest"), (1, 3, 4, 5, 8)))}
+
+
+def assembled(text: str, word: int) -> int:
+    """The engine's word that a module makes of one of its table: `assign out_op = {op[35:6], 2'b00, ...}` or itself."""
+    match = re.search(r"assign out_op = \{([^}]*)\};", text)
+    if not match:
+        return word
+    made = 0
+    for part in match[1].split(","):
+        if cut := re.fullmatch(r"\s*op\[(\d+):(\d+)\]\s*", part):
+            high, low = map(int, cut.groups())
+            made = made << high - low + 1 | word >> low & (1 << high - low + 1) - 1
+        else:
+            bits, base, digits = re.fullmatch(r"\s*(\d+)'([bd])(\d+)\s*", part).groups()
+            made = made << int(bits) | int(digits, BASE[base])
+    return made
+
+
+def _registers(text: str) -> set[str]:
+    """Names of registers: those of the list of localparams that has no I_ of a port and ends a table's DEST."""
+    cells = ENGINE_CELLS[len(rows(text)[0].cells)]
+    return {row.cells[cells["dest"]] for row in rows(text)} - {"NIL"}
+
+
+def product(results: Iterable[int], roots: bool = True) -> Callable[[Played, str], list[str]]:
+    """The reading of a program of product_engine whose results are those registers."""
+    def read(one: Played, text: str) -> list[str]:
+        lines = rows(text)
+        cells = ENGINE_CELLS[len(lines[0].cells)]
+        names = [{key: row.cells[at] for key, at in cells.items()} for row in lines]
+        words = [assembled(text, word) for word in one.words]
+        return [*mislabelled(text, ((row, row.cells[cells["dest"]]) for row in lines), _registers(text)),
+                *product_engine.check(words, one.again, [row.label for row in lines], names, frozenset(results), roots)]
+
+    return read
+
+
+def _sums(text: str, at: Sequence[int], dest: int, ready: int, none: str) -> list[Line]:
+    """Lines of a machine that reads its operands in one clock and writes their sum, ready some clocks later."""
+    numbers = _numbers(text)
+    return [Line(row.label, tuple(Read(numbers[row.cells[i]][0], 0, row.cells[i]) for i in at),
+                 (Write(numbers[row.cells[dest]][0], ready, row.cells[dest]),) if row.cells[dest] != none else ())
+            for row in rows(text)]
+
+
+def space(one: Played, text: str) -> list[str]:
+    """The reading of engine_gd_n_program: eight factors a line, read from the third line behind its writer on.
+
+    The lines of a joint follow those that begin a pass, or another joint, and a pass may follow them. Constants, the
+    target, the words of a joint's page and J of the next joint's are there before; so is u of the pass before, whose
+    step is 0 in the first pass.
+    """
+    numbers, lines = _numbers(text), _sums(text, range(8), 8, 3, "")
+    joint, last = 11, len(lines) - 1
+    places = {place: name for name, (place, bits) in numbers.items() if bits == 6}
+    given = {place for place, name in places.items() if place in (3, 4, 5, 6, 7) or name[0] in "tjlhu" or name in "cs"}
+    results = {place for place, name in places.items() if name[0] in "gu" or name in "cs"}
+    then = [(n + 1,) for n in range(last)] + [(joint, 0)]
+    return checker.soundness(Program(lines, then, frozenset(given), frozenset(results), places))
+
+
+def _steps() -> dict[str, int]:
+    text = (RTL / "engine" / "engine_rus_fk_steps.v").read_text()
+    return {name: int(value) for name, value in re.findall(r"([A-Z]+) = 8'd(\d+)[,;]", text)}
+
+
+def _after(line: int, i: int, j: int, jump: bool, at: dict[str, int]) -> list[tuple[int, int, int]]:
+    """Lines that engine_rus_fk_steps may play behind one, with the legs i and j that they are played for."""
+    over = {name: line == at[then] - 1 for name, then in (
+        ("elbow", "COPY"), ("leg", "JUDGE"), ("judge", "NORM"), ("norm", "DOT"), ("pair", "SCALE"), ("scale", "SIDE"),
+        ("move", "DONE"), ("done", "END"))}
+    last_i, last_j = i == 6, j == 6
+    to = [line + 1]
+    if over["elbow"] and not last_i:
+        to = [at["ELBOW"]]
+    if over["leg"] and not last_i:
+        to = [at["LEG"]]
+    if over["judge"]:
+        to = [line + 1, at["DONE"]]
+    if line == at["NORM"] + 6:
+        to = [line + 1, at["SCALE"]]
+    if over["norm"] and last_i:
+        to = [at["SIDE"]]
+    if over["pair"]:
+        to = [at["NORM"] if last_j else at["PAIR"]]
+    if over["scale"]:
+        to = [at["NORM"]]
+    if over["move"]:
+        to = [at["TURN"]]
+    if over["done"]:
+        to = []
+    next_i, next_j = i, j
+    if over["elbow"] or over["leg"] or over["pair"] and last_j or over["move"]:
+        next_i = 1 if last_i else i + 1
+    if over["norm"] or over["pair"] or jump:
+        next_j = (0 if over["norm"] and last_i else i if over["norm"] else j) + 1
+    return [(one, next_i, next_j) for one in to]
+
+
+def parallel(one: Played, text: str) -> list[str]:
+    """The reading of engine_rus_fk_program: four factors a line, read from the fourth line behind its writer on.
+
+    Along every jump of engine_rus_fk_steps, for each leg i and row j. Start, link angle, legs and constants are there
+    before. `t` is read by two lines of PAIR as it was before the next row's, which is on its way.
+    """
+    at, numbers, source = _steps(), _numbers(text), rows(text)
+
+    def place(name: str, i: int, j: int) -> tuple[int, int, int]:
+        number = numbers[name][0]
+        b4, b5, b6 = (number >> b & 1 for b in (4, 5, 6))
+        row = (min(j + 1, 7) if b4 else j) if b5 else i
+        return int(b5 or b6 and b4), row if b6 else 7 * b4, number & 15
+
+    nodes, lines, then, index = [(at["ELBOW"], 1, 1)], [], [], {}
+    for node in nodes:  # grows on the way
+        line, i, j = node
+        index[node] = len(lines)
+        row = source[line]
+        old = line - at["PAIR"] in (8, 9)
+        lines.append(Line(row.label or f"{line + 1}", tuple(
+            Read(place(name, i, j), 0, "" if name[0] in "RJK" else name, old and name == "t")
+            for name in row.cells[:4]), () if row.cells[4] == "nil" else (
+                Write(place(row.cells[4], i, j), 4, "" if row.cells[4][0] in "RJK" else row.cells[4]),)))
+        after = _after(line, i, j, row.cells[6] == "JUMP", at)
+        nodes += [one for one in dict.fromkeys(after) if one not in index and one not in nodes]
+        then.append(after)
+    given = {place(name, i, 1) for name in numbers for i in range(1, 7) if numbers[name][1] == 7 and (
+        numbers[name][0] < 9 or 32 <= numbers[name][0] < 41 or 64 <= numbers[name][0] < 77)}
+    results = {place(name, 1, 1) for name, (number, bits) in numbers.items() if bits == 7 and number < 7}
+    titles = {place(name, i, j): name for name in numbers if numbers[name][1] == 7
+              for i in range(1, 7) for j in range(1, 7)}
+    return checker.soundness(Program(lines, [tuple(index[one] for one in after) for after in then], frozenset(given),
+                                     frozenset(results), titles, tuple(line for line, _, _ in nodes)))
+
+
+MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
+    "six_inverse_program": product(range(2, 14)), "six_branches_program": product((1, 3, 5, 7, 9, 11)),
+    "six_forward_program": product(range(2, 14), roots=False), "engine_delta_program": product((3, 7, 11)),
+    "engine_gd_n_program": space, "engine_rus_fk_program": parallel}
+
+
+def problems(one: Played, text: str | None = None) -> list[str]:
+    """What is wrong with a program; `text` instead of the module's."""
+    text = one.path.read_text() if text is None else text
+    where = one.path.relative_to(ROOT)
+    if one.module not in MACHINES:
+        return [f"{where}: nothing says what the words of this program do: ci.programs.MACHINES"]
+    wrong = misread(text, one.words) or MACHINES[one.module](one, text)
+    return [f"{where}: {line}" for line in wrong]

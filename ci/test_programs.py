@@ -1,0 +1,191 @@
+"""The reader of programs finds each fault that it is there for, in a copy of the table of each machine."""
+
+import functools
+import re
+from dataclasses import replace
+
+import pytest
+from quadrance.cores import RTL, find
+from quadrance.program import checker, product_engine
+from quadrance.program.checker import Line, Program, Read, Write, soundness, straight
+
+from ci import programs
+
+CORES = {"six_inverse_program": "vector_ik6", "six_branches_program": "vector_ik6_all",
+         "six_forward_program": "vector_fk6", "engine_delta_program": "engine_delta_fk",
+         "engine_gd_n_program": "engine_quaternion_gd_n", "engine_rus_fk_program": "engine_rus_fk"}
+
+
+@functools.cache
+def sound(module):
+    """The program of a module as a core plays it, and its text."""
+    one = next(one for one in programs.played(find(CORES[module])) if one.module == module)
+    return one, one.path.read_text()
+
+
+def found(module, change):
+    """Problems of a program whose text has been changed, and whose words with it."""
+    one, text = sound(module)
+    text = change(text)
+    words = tuple(programs.value(text, row) for row in programs.rows(text))
+    return "\n".join(programs.problems(replace(one, words=words), text))
+
+
+def swapped(first, second):
+    """Exchange the two lines of a table that begin so."""
+    def change(text):
+        lines = text.splitlines(keepends=True)
+        i, j = (next(n for n, line in enumerate(lines) if line.split("*/")[-1].startswith(words) or
+                     re.match(rf"\s*/\* {re.escape(words)} +\*/", line)) for words in (first, second))
+        lines[i], lines[j] = lines[j], lines[i]
+        return "".join(lines)
+
+    return change
+
+
+def edited(old, new):
+    def change(text):
+        assert old in text
+        return text.replace(old, new, 1)
+
+    return change
+
+
+def test_every_program_of_the_house_is_read_and_sound():
+    assert set(CORES) == set(programs.MACHINES)
+    for module in CORES:
+        one, text = sound(module)
+        assert len(programs.rows(text)) == len(one.words) and programs.problems(one) == [], module
+
+
+@pytest.mark.parametrize("module, first, second, says", [
+    ("six_inverse_program", "x1", "x1 px + b py", "is read"),
+    ("six_inverse_program", "n4", "c4", "read"),
+    ("six_branches_program", "MA up a", "k1 x - k2 z a", "is read"),
+    ("six_forward_program", "c23", "u3", "is read"),
+    ("engine_delta_program", "|b|^2", "|b|^2 up", "read"),
+    ("engine_gd_n_program", "its square", "Newton", "read"),
+    ("engine_rus_fk_program", "|q|^2", "Newton", "read"),
+])
+def test_two_lines_swapped_are_found_in_each_player(module, first, second, says):
+    assert says in found(module, swapped(first, second))
+
+
+def test_a_word_that_another_name_has_replaced_is_found():
+    # L4 and PZ share a register: the line that still wants l4, moved behind the one that writes pz
+    assert "L4 is read, but line 11 'pz' has put PZ in its place" in found("six_inverse_program", edited(
+        "{PORT,  I_L2,   BY, PLUS,   NIL,  NIL,  LONE", "{PORT,  I_L2,   BY, PLUS,   L4,   L4,   ADD"))
+
+
+def test_a_register_given_to_two_living_words_is_found():
+    text = found("six_inverse_program", edited("PX = 6'd18", "PX = 6'd14"))  # PZ's
+    assert "PX is read, but line 11 'pz' has put PZ in its place" in text
+
+
+def test_a_comment_that_names_another_word_is_found():
+    assert "line 16 'k': it writes X1" in found("six_inverse_program", edited("/* x1     ", "/* k      "))
+
+
+def test_a_text_that_is_not_what_is_played_is_found():
+    one, text = sound("six_inverse_program")
+    assert "names do not give its word" in programs.problems(one, text.replace("X1,   OTHER", "XX,   OTHER", 1))[0]
+    assert "89 lines are read, the design plays 90" in programs.problems(one, re.sub(
+        r"        /\* k  .*\n", "", text, count=1))[0]
+
+
+def test_a_program_that_nothing_describes_is_an_error():
+    one, _ = sound("six_inverse_program")
+    assert "nothing says" in programs.problems(replace(one, module="seven_program"))[0]
+
+
+def test_jumps_are_those_of_the_steps():
+    _, text = sound("engine_rus_fk_program")
+    titles = {row.label.split(":")[0]: n for n, row in reversed(list(enumerate(programs.rows(text))))
+              if re.match("[A-Z]{3}", row.label)}
+    assert titles == {name: line for name, line in programs._steps().items() if name != "END"} | {
+        "MOVE": titles["MOVE"]}
+    assert len(programs.rows(text)) == programs._steps()["END"]
+
+
+# Words alone, as an assembler gives them
+
+
+def word(a=(product_engine.PORT, 0), b=(1, 32), c=None, d=0, keep=0, align=0, dest=0, act=0, subtract=0):
+    made = a[0] << 45 | a[1] << 39 | b[0] << 38 | b[1] << 32 | keep << 17 | align << 15 | dest << 9 | act
+    return made | (c << 26 | d << 20 | 1 << 19 | subtract << 18 if c is not None else 0)
+
+
+def reg(number):
+    return product_engine.REGISTER, number
+
+
+IDLE = word(b=(1, 4))
+ROOT = [word(dest=1, act=product_engine.FOLD), IDLE, IDLE,
+        word(reg(1), (1, 2), align=1, act=product_engine.ROOT), word(reg(1), (1, 3), align=1, dest=2), IDLE,
+        word((product_engine.TABLE, 0), (1, 0), align=2, dest=3), word((product_engine.LAST, 0), (0, 2), dest=4,
+                                                                      act=product_engine.HOLD)]
+
+
+def said(words, **more):
+    return "\n".join(product_engine.check(words, results=frozenset({4}), **more))
+
+
+def test_a_root_is_sound():
+    assert said(ROOT) == ""
+
+
+@pytest.mark.parametrize("name, words, says", [
+    ("too early", [*ROOT[:2], *ROOT[3:]], "line 3 '': register 1 is read while the word of line 1"),
+    ("power too early", [ROOT[0], word(b=(1, 1), align=1, dest=4)], "the power is read"),
+    ("root too early", [*ROOT[:5], *ROOT[6:]], "the root is read"),
+    ("root taken over", [*ROOT[:4], ROOT[3], *ROOT[4:]], "line 4 '': the root is written, and no line reads it"),
+    ("another root in between", [*ROOT[:7], word(reg(1), (1, 2), align=1, act=product_engine.ROOT), IDLE,
+                                 word(reg(3), (0, 2), dest=4, act=product_engine.HOLD)], "asks for another root"),
+    ("a power that is not whole", [ROOT[0], IDLE, word(b=(1, 1), align=1, dest=4),
+                                   word(act=product_engine.MORE)], "before line 4 joins it"),
+    ("last of a part", [word(keep=1), word((product_engine.LAST, 0), dest=4)], "LAST is a part of a sum"),
+    ("a sum that is cut", [word(keep=1), word(align=1, dest=4)], "keeps its sum"),
+    ("a sum without end", [word(keep=1)], "no line goes on"),
+    ("the register of no word", [word(), IDLE, IDLE, word(reg(0), dest=4)], "register 0 is an operand"),
+    ("clobbered", [word(dest=1), word(dest=1), IDLE, IDLE, word(reg(1), dest=4)], "line 1 '': register 1 is written"),
+    ("never written", [word(reg(9), dest=4)], "register 9 is read, but no line before it has written it"),
+    ("held after a part of the loop", [word(reg(1), dest=4), word(dest=1)], "no line before it"),
+])
+def test_faults_of_words_are_found(name, words, says):
+    assert says in said(words)
+
+
+def test_a_loop_is_followed_round():
+    words = [word(dest=1), IDLE, IDLE, word(reg(1), dest=4), word(dest=1)]
+    assert said(words[:4], again=3) == ""
+    assert "is read while" in said(words, again=3)
+
+
+def test_an_engine_without_roots_has_none():
+    assert "no root unit" in said([word(dest=4, act=product_engine.FOLD)], roots=False)
+
+
+def test_reads_of_what_was_before():
+    old, new = Line("old", (Read("r", old=True),), ()), Line("new", (), (Write("r", 3),))
+    given, results = frozenset("r"), frozenset("r")
+
+    def wrong(*lines):
+        return "\n".join(soundness(Program(lines, straight(lines), given, results)))
+
+    idle = Line("idle")
+    assert wrong(new, old) == ""
+    assert "on its way" in wrong(new, idle, old)
+    assert "nothing changes it" in wrong(new, idle, idle, old)
+
+
+def test_every_line_is_led_to():
+    lines = [Line("one"), Line("two")]
+    assert soundness(Program(lines, [(), ()])) == ["line 2 'two': no line leads to it"]
+    assert checker.straight(lines) == [(1,), ()]
+
+
+def test_the_player_of_every_program_in_rtl_is_known():
+    texts = {path.stem: path.read_text() for path in RTL.rglob("*.v")}
+    players = {name for name, text in texts.items() if re.search(r"^\s*engine_program\s*#", text, re.M)}
+    own = {name for name in texts if name.endswith("_program") and re.search(r"reg .*lines\[", texts[name])}
+    assert players | own - {"engine_program"} == set(programs.MACHINES)
