@@ -145,7 +145,8 @@ def test_a_broken_wrapper_fails(what, by, tmp_path):
     if "n1" in by:
         text = text.replace(".out_n1(n1)", ".out_n1()").replace("n2_extended = {{8{n2[", "n2_extended = {{8{n1[")
     with pytest.raises(SystemExit, match="FAILED"):
-        simulate(wrapped(core, tmp_path, text), "icarus", module="tb.axis.bench", seed=SEED, label="-broken", failures=1)
+        simulate(wrapped(core, tmp_path, text), "icarus", module="tb.axis.bench", seed=SEED, label="-broken",
+                 failures=1)
 
 
 def test_a_beat_is_packed_in_whole_bytes_and_port_order():
