@@ -2,7 +2,7 @@
 // Forward kinematics of two joints by the parallel CORDIC: x = L1 cos j1 + L2 cos(j1 + j2), y with sines.
 // Two rotations: L2 by j2, plus L1, by j1 (classic_chain_comb).
 // Formats: in_j1, in_j2 uA, 2^A to the turn; out_x, out_y s(W-F).F, nearest, saturated;
-//   cfg_s1 = floor(L1 * 0.607252935 * 2^5), cfg_s2 = floor(L2 * 0.521495682 * 2^5), L1, L2 u(W-F).F.
+//   cfg_s1 = floor(L1 * 0.607252935 * 2^5), cfg_s2 = floor(L2 * 0.521499916 * 2^5), L1, L2 u(W-F).F.
 // Error: at most 2 LSB each up to L1 + L2 = 2^(W-2) (page). Latency and II 2.
 // A rotation a clock on one array. Bit for bit classic_fk2_iter.
 // Status: overflow. Paper: the parallel CORDIC of its tables III and IV. Model: classic.fk2
