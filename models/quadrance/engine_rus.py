@@ -141,8 +141,9 @@ def quaternion_to_matrix(p: Params, *, in_w: Ints, in_x: Ints, in_y: Ints, in_z:
     def cut(a: Ints, b: Ints) -> Ints:
         return a * b >> u - 4
 
-    length = cut(w, w) + sum(cut(one, one) for one in q) + 8 >> u - 5
-    unit = (length == 512) | (length == 511)
+    low = max(u - 5, 6)  # bit of 2^-9, or of 4 units of 2^-U where they are more: |q|^2 has U + 4 fraction bits
+    off = cut(w, w) + sum(cut(one, one) for one in q) + 8 - (1 << u + 4) >> low
+    unit = (off == 0) | (off == -1)
     answer = {}
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3

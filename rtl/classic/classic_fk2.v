@@ -3,7 +3,7 @@
 // Two rotations, which is the fewest: L2 by j2, plus L1, by j1. MODE 0 takes a micro-rotation a clock
 // (classic_chain_iter), MODE 1, the paper's parallel CORDIC, a rotation a clock (classic_chain_comb).
 // Formats: in_j1, in_j2 uA, 2^A to the turn; out_x, out_y s(W-F).F, nearest, saturated;
-//   cfg_s1 = floor(L1 * 0.607252935 * 2^5), cfg_s2 = floor(L2 * 0.521495682 * 2^5), L1, L2 u(W-F).F.
+//   cfg_s1 = floor(L1 * 0.607252935 * 2^5), cfg_s2 = floor(L2 * 0.521499916 * 2^5), L1, L2 u(W-F).F.
 // Error: at most 2 LSB each up to L1 + L2 = 2^(W-2).
 // Latency and II: 30 at W = 16 in MODE 0, 2 in MODE 1.
 // Status: overflow. Paper: the parallel CORDIC of its tables III and IV. Model: classic.fk2

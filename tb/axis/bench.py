@@ -16,9 +16,9 @@ import numpy as np
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles
 from cocotbext.axi import AxiStreamBus, AxiStreamFrame, AxiStreamSink, AxiStreamSource
-from quadrance.cli import axis
 from quadrance.cores import Core
 
+from tb.axis import beats
 from tb.lib import stimulus
 
 with open(os.environ["QUADRANCE_CORE"], "rb") as _file:
@@ -49,14 +49,16 @@ async def _start(dut, cfg: dict[str, int]) -> tuple[AxiStreamSource, AxiStreamSi
 
 async def _through(source: AxiStreamSource, sink: AxiStreamSink, words: dict, cfg: dict[str, int]) -> None:
     """Every sample through the wrapper; its fields and its tuser are the model's words."""
-    count = next(iter(words.values())).size
+    count, rng = next(iter(words.values())).size, np.random.default_rng(1)
+    sizes = beats.size(CORE.inputs) // 8, beats.size(CORE.outputs) // 8
     for i in range(count):
-        await source.send(AxiStreamFrame(axis.pack(CORE, "in", {name: column[i] for name, column in words.items()})))
+        beat = beats.sample(CORE.inputs, {name: column[i] for name, column in words.items()}, rng)
+        await source.send(AxiStreamFrame(beat.to_bytes(sizes[0], "little")))
     answer = CORE.model(CORE.params, **words, **cfg)
     for i in range(count):
         frame = await sink.recv()
         want = {port.name: int(np.broadcast_to(answer[port.name], (count,))[i]) for port in CORE.outputs}
-        assert bytes(frame.tdata) == axis.pack(CORE, "out", want), (i, axis.unpack(CORE, "out", frame.tdata), want)
+        assert bytes(frame.tdata) == beats.result(CORE.outputs, want).to_bytes(sizes[1], "little"), (i, frame, want)
         status = frame.tuser if isinstance(frame.tuser, int) else (frame.tuser or [0])[-1]
         if CORE.status is not None:
             assert status == want["out_status"], f"sample {i}: tuser {status}, model {want['out_status']}"

@@ -35,12 +35,17 @@ def words(core: Core, alpha: np.ndarray) -> Vectors:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Each robot, both points where the spheres meet; one whose elbows meet in a point, with short rods; extremes."""
+    """Each robot, both points where the spheres meet; one larger than the word, and turned; one whose elbows meet in a
+    point; one with short rods; extremes."""
     robots = [engine_delta.config(core.params, geometry.load(name), scale(core, name), below)
               for name in MM for below in (True, False)]
     edges = [{port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.high, lambda p: p.low)]
-    return [*robots, robots[0] | {"cfg_base": 0}, robots[0] | {"cfg_lb": robots[0]["cfg_lb"] >> 2}, *edges,
-            {port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}]
+    long = edges[0]["cfg_la"] // 16 * 15
+    large = robots[0] | {"cfg_base": 0, "cfg_la": long, "cfg_lb": long}  # along x and z it leaves the word both ways
+    across = large | {f"cfg_c{i}": -large[f"cfg_n{i}"] for i in (1, 2, 3)} | {
+        f"cfg_n{i}": large[f"cfg_c{i}"] for i in (1, 2, 3)}
+    return [*robots, large, across, robots[0] | {"cfg_base": 0}, robots[0] | {"cfg_lb": robots[0]["cfg_lb"] >> 2},
+            *edges, {port.name: int(rng.integers(port.low, port.high + 1)) for port in core.cfg}]
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
@@ -59,4 +64,6 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
               axis + rng.choice([-1, 1], axis.shape) * 2.0 ** -rng.uniform(0, 20, axis.shape)]
     extreme = {port.name: rng.choice(stimulus.extremes(port), 20) for port in core.inputs}
     wild = stimulus.uniform(core, rng, 20)
-    return stimulus.joined(stimulus.joined(words(core, np.concatenate(alpha)), extreme), wild)
+    cranks = words(core, np.concatenate(alpha))
+    edges = stimulus.saturation(core, cfg, cranks)
+    return stimulus.joined(stimulus.joined(stimulus.joined(cranks, extreme), wild), edges)

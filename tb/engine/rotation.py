@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 from quadrance.cores import Core
 
@@ -19,15 +21,35 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     return (quaternions if core.function == "quaternion_to_matrix" else matrices)(core, np.random.default_rng(1))
 
 
+def length_off(words: np.ndarray, bits: int) -> np.ndarray:
+    """|q|^2 - 1 of words (N, 4) as quaternion_to_matrix forms it, in 2^-(U + 4): truncated squares and half a unit."""
+    return (words * words >> bits - 4).sum(axis=-1) + 8 - (1 << bits + 4)
+
+
+def length_borders(bits: int, rng: np.random.Generator) -> np.ndarray:
+    """(N, 4) words on both sides of both borders of length: the last that pass and the first that do not."""
+    one, limit = 1 << bits, max(1 << bits - 5, 64)
+    found = []
+    for border in (-limit, limit):
+        q = rng.normal(size=(20_000, 4))
+        q *= np.sqrt(1 + border / 16 / one) / np.linalg.norm(q, axis=1, keepdims=True)
+        words = np.rint(q * one).astype(np.int64)
+        off = length_off(words, bits)
+        found += [words[off == value][:15] for value in (border - 1, border)]
+    return np.concatenate(found)
+
+
 def quaternions(core: Core, rng: np.random.Generator) -> Vectors:
     """Unit quaternions anywhere, beside the axes and next to the border of length; words at their ends; the first two
     are none, so that the unit matrix of a reset shows."""
-    one = 1 << core.params["U"]
+    bits = core.params["U"]
+    one = 1 << bits
     q = rng.normal(size=(600, 4)) * np.where(rng.random((600, 4)) < 0.3, 1e-3, 1)
     q /= np.linalg.norm(q, axis=1, keepdims=True)
-    q[300:] *= np.sqrt(1 + rng.choice([-1, 1], (300, 1)) * (2.0**-9 + rng.uniform(-4, 4, (300, 1)) / one))
+    q[300:] *= np.sqrt(1 + rng.choice([-1, 1], (300, 1)) * (max(2.0**-9, 4 / one) + rng.uniform(-4, 4, (300, 1)) / one))
     edge = np.array([rng.choice(stimulus.extremes(port), 100) for port in core.inputs]).T
-    words = np.concatenate([[[0] * 4] * 2, np.floor(q * one + 0.5).astype(int), edge,
+    halves = np.array(list(itertools.product((-1, 1), repeat=4))) * one // 2
+    words = np.concatenate([[[0] * 4] * 2, np.floor(q * one + 0.5).astype(int), edge, halves, length_borders(bits, rng),
                             np.vstack([np.eye(4, dtype=int), -np.eye(4, dtype=int)]) * one])
     words[2:] = rng.permutation(words[2:])
     return {port.name: words[:, i] for i, port in enumerate(core.inputs)}

@@ -65,52 +65,81 @@ def uniform(core: Core, rng: np.random.Generator, count: int) -> Vectors:
     return vectors
 
 
-def saturation(core: Core, cfg: dict[str, int]) -> Vectors:
-    """Inputs of a forward core at the edge of overflow: the last word inside and the first outside, and the next ones.
+def saturation(core: Core, cfg: dict[str, int], starts: Vectors | None = None) -> Vectors:
+    """Inputs at the edge of overflow, of each coordinate and each end: the last that fits and the first that does not.
 
-    Along joint 1, and along joint 2 where there is one, with the others at random, in eighths of a turn or next to
-    them; no samples where nothing saturates. Both signs of every axis where the links are long enough.
+    Found on lines from samples that saturate this coordinate to samples that saturate none: the two are next to each
+    other on the line. No samples where nothing saturates. `starts` are samples from which the lines begin and end,
+    besides those in eighths of a turn or next to them and random words.
     """
+    names, more = [port.name for port in core.inputs], starts or {}
+    extra = tuple(tuple(np.asarray(more[name]).tolist()) for name in names) if more else ((),) * len(names)
     return {name: np.array(words, dtype=np.int64)
-            for name, words in zip((port.name for port in core.inputs), _edges(core, tuple(sorted(cfg.items()))))}
+            for name, words in zip(names, _edges(core, tuple(sorted(cfg.items())), extra))}
+
+
+LINES, KEPT = 24, 3  # lines of each end that are searched; of them those whose last result is nearest to the end
+
+
+def ends(core: Core, port: Port) -> tuple[int, int]:
+    """The words to which a coordinate saturates."""
+    return (-port.high if core.family == "paper" and core.function != "mff" else port.low), port.high
+
+
+def coordinates(core: Core) -> list[Port]:
+    """The outputs that saturate, each on its own: coordinates, velocities, rates."""
+    return [port for port in core.outputs if port.name[4] in "xyzw" and not port.type]
 
 
 @cache
-def _edges(core: Core, cfg: tuple[tuple[str, int], ...]) -> tuple[tuple[int, ...], ...]:
+def _edges(core: Core, cfg: tuple[tuple[str, int], ...],
+           starts: tuple[tuple[int, ...], ...]) -> tuple[tuple[int, ...], ...]:
     """Columns of `saturation`."""
-    lines = 16
-    rng, names = np.random.default_rng(1), [port.name for port in core.inputs]
+    rng = np.random.default_rng(1)
+    rows = []
+    for port, begin in zip(core.inputs, starts):
+        wild = rng.integers(port.low, port.high, 600, endpoint=True)
+        if port.type:
+            eighths = (rng.integers(0, 8, 400) << port.width - 3) + rng.integers(-2, 3, 400)
+            wild[:400] = wrap(eighths, port.width, port.signed)
+            if port.type == "vector":
+                one = 1 << port.width - 2
+                wild = np.where(rng.random(600) < 0.8, rng.choice([-one, 0, one], 600), wild >> rng.integers(0, 3, 600))
+        else:
+            wild >>= rng.integers(0, port.width // 2, 600)
+        rows.append(np.append(wild, np.array(begin, dtype=np.int64)))
+    table = np.array(rows)
 
-    def over(rows: np.ndarray) -> np.ndarray:
-        words = {port.name: wrap(row, port.width, port.signed) for port, row in zip(core.inputs, rows)}
-        answer = core.model(core.params, **words, **dict(cfg))
-        return np.broadcast_to(answer["out_status"] & 4 > 0, rows.shape[1:])
+    def answer(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Values (coordinates, N) and of the status overflow (4) and singular (2), which may show the sample before."""
+        words = dict(zip((port.name for port in core.inputs), rows))
+        found = core.model(core.params, **words, **dict(cfg))
+        values = [np.broadcast_to(found[port.name], rows.shape[1:]) for port in coordinates(core)]
+        return np.array(values), np.broadcast_to(found["out_status"] & 6, rows.shape[1:])
 
-    found = []
-    for index, port in list(enumerate(core.inputs))[:2]:
-        bits = port.width
-        steps = min(32, 1 << bits)
-        still = rng.integers(0, 1 << bits, (len(names), lines))
-        still[:, ::2] = (rng.integers(0, 8, still[:, ::2].shape) << bits - 3) + rng.integers(-2, 3, still[:, ::2].shape)
-        rows = np.repeat(still & (1 << bits) - 1, steps, axis=1)
-        rows[index] = np.tile((np.arange(steps) << bits) // steps, lines) + int(rng.integers(0, (1 << bits) // steps))
-        state = over(rows)
-        toggles = np.flatnonzero((state[:-1] != state[1:]) & (np.arange(1, state.size) % steps != 0))
-        if not toggles.size:
-            continue
-        low, high, first = rows[index, toggles], rows[index, toggles + 1], state[toggles]
-        at = rows[:, toggles]
-        while np.any(high - low > 1):
-            at[index] = low + high >> 1
-            same = over(at) == first
-            low, high = np.where(same, at[index], low), np.where(same, high, at[index])
-        for step in (-1, 0, 1, 2):
-            at[index] = low + step & (1 << bits) - 1
-            found.append(at.copy())
+    values, status = answer(table)
+    inside, found = np.flatnonzero(status == 0), []
+    for index, port in enumerate(coordinates(core)):
+        for end in ends(core, port):
+            at_end = np.flatnonzero((status == 4) & (values[index] == end))
+            if not at_end.size or not inside.size:
+                continue
+            first = table[:, rng.choice(at_end, LINES)]
+            way = table[:, rng.choice(inside, LINES)] - first
+            low, high = np.zeros(LINES, dtype=np.int64), np.full(LINES, 1 << 20)
+            while np.any(high - low > 1):
+                middle = low + high >> 1
+                there, flag = answer(first + (way * middle >> 20))
+                same = (flag == 4) & (there[index] == end)
+                low, high = np.where(same, middle, low), np.where(same, high, middle)
+            pair = first + (way * low >> 20), first + (way * high >> 20)
+            there, flag = answer(pair[1])
+            off = np.where(flag > 0, 1 << 40, np.abs(there[index] - end))
+            best = np.argsort(off, kind="stable")[:KEPT]
+            found += [rows[:, best] for rows in pair]
     if not found:
-        return ((),) * len(names)
-    return tuple(tuple(wrap(column, port.width, port.signed).tolist())
-                 for port, column in zip(core.inputs, np.concatenate(found, axis=1)))
+        return ((),) * len(core.inputs)
+    return tuple(tuple(column.tolist()) for column in np.concatenate(found, axis=1))
 
 
 def joined(first: Vectors, second: Vectors) -> Vectors:

@@ -6,8 +6,6 @@ from quadrance.cores import all_cores, find
 
 from tb.lib import stimulus
 
-FORWARD = [core for core in all_cores() if core.function in ("fk1", "fk2", "fk3") and core.first_set]
-
 
 @pytest.mark.full
 @pytest.mark.parametrize("name", ["rational_fk3", "classic_fk2", "cordic_rotate"])
@@ -24,25 +22,107 @@ def test_joint_words_are_dense_on_all_eight_sides(name):
                     assert ((off < 2 << scale) & (off >= (1 << scale) // 2)).sum() > 30, (border, side, scale)
 
 
-@pytest.mark.full
-@pytest.mark.parametrize("core", FORWARD, ids=lambda core: core.id)
-def test_corners_stand_on_both_sides_of_saturation(core):
-    """Every axis and sign: a word that is just saturated; one word of a joint from a sample that is not."""
-    high, seen = (1 << core.params["W"] - 1) - 1, set()
+INSIDE = {  # cores whose overflow is that of a word inside, and where its edge is shown
+    "arm_ik3": "here, z - base", "arm_keep3": "here, z - base", "table_ik3r": "here, the wrist",
+    "paper_ik2": "no sample overflows: a link of 2^(W-1) LSB does", "paper_ik3": "as paper_ik2",
+    **dict.fromkeys(("engine_rus_ik", "engine_rus_ik_angle", "engine_rus_fk", "engine_quaternion_gd_n"),
+                    "both values of the flag are; its words are not seen outside")}
+
+
+def _few(core) -> float:
+    """How far below an end the greatest result that fits may be, LSB: words of a sample are not dense everywhere.
+
+    A spread of S bits next to 0 is a cosine or a sine of 2^(-S / 2), each joint's of a tip that far away. A joint word
+    of 10 bits next to an eighth of a turn moves a tip by whole LSB, and length words are whole.
+    """
+    if core.family == "paper" and core.function != "mff":
+        return max(len(core.inputs) * 2.0 ** (core.params["W"] - 1 - core.params["S"] / 2), 1)
+    return int(core.params.get("A", 16) <= 10)
+
+
+def _alike(core) -> tuple:
+    """Cores and sets that take the same words to the same results."""
+    return core.model_name, *((key, value) for key, value in core.params.items() if key not in ("R", "PRODUCTS"))
+
+
+OVERFLOWS = list({_alike(core): core for core in reversed(all_cores())
+                  if "overflow" in (core.status or ()) and core.name not in INSIDE}.values())
+
+
+@pytest.mark.parametrize("core", [pytest.param(core, id=core.id, marks=pytest.mark.full if core.first_set
+                                               else pytest.mark.slow) for core in OVERFLOWS])
+def test_corners_have_both_sides_of_both_ends(core):
+    """Every coordinate, rate or velocity, each sign: saturated while the others are not, and the last word that fits.
+
+    The coordinates of rtl/paper saturate together. The z of a chain in the plane is 0.
+    """
+    ports = [port for port in stimulus.coordinates(core)
+             if port.name != "out_z" or core.function != "chain" or core.params["SPACE"]]
+    assert ports
+    over, inside = set(), {}
     for cfg in stimulus.configs(core, np.random.default_rng(1)):
-        words = stimulus.saturation(core, cfg)
-        if not next(iter(words.values())).size:
-            continue
-        answer = core.model(core.params, **words, **cfg)
-        over = answer["out_status"] > 0
-        assert np.any(over) and not np.all(over)
-        for axis in ("out_x", "out_y", "out_z")[:len(core.outputs) - 1]:
-            for limit in (high, -high if core.family == "paper" else -high - 1):
-                if np.any(over & (answer[axis] == limit)):
-                    seen.add((axis, limit > 0))
-        corners = stimulus.corners(core, cfg)
-        assert all(set(words[name].tolist()) <= set(corners[name].tolist()) for name in words)
-    assert len(seen) == 2 * (len(core.outputs) - 1)
+        answer = core.model(core.params, **stimulus.corners(core, cfg), **cfg)
+        flag = answer["out_status"] & 4 > 0
+        at_end = {port.name: np.isin(answer[port.name], stimulus.ends(core, port)) for port in ports}
+        for port in ports:
+            alone = flag & ~np.any([0 * flag, *(at_end[one.name] for one in ports if one is not port)], axis=0)
+            for end in stimulus.ends(core, port):
+                if np.any((flag if core.family == "paper" else alone) & (answer[port.name] == end)):
+                    over.add((port.name, end))
+                off = np.abs(answer[port.name] - end)[~flag].min(initial=1 << 40)
+                inside[port.name, end] = min(inside.get((port.name, end), 1 << 40), int(off))
+    assert over == {(port.name, end) for port in ports for end in stimulus.ends(core, port)}
+    assert max(inside.values()) <= _few(core), inside
+
+
+@pytest.mark.full
+def test_every_core_that_overflows_is_looked_at():
+    """A core with the overflow bit has coordinates at their ends, or says in `INSIDE` what overflows in it."""
+    overflows = {core.name for core in all_cores() if "overflow" in (core.status or ())}
+    assert set(INSIDE) <= overflows
+    models = {core.model_name for core in OVERFLOWS}
+    assert all(core.model_name in models for core in all_cores() if core.name in overflows - set(INSIDE))
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("name", [name for name in INSIDE if not name.startswith("paper")])
+def test_an_overflow_inside_is_seen_and_not_seen(name):
+    core = find(name)
+    flags = {bool(flag) for cfg in stimulus.configs(core, np.random.default_rng(1)) for flag in np.unique(
+        core.model(core.params, **stimulus.corners(core, cfg), **cfg)["out_status"] & 4)}
+    assert flags == {False, True}
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("core", [core for core in all_cores() if core.name == "table_ik3r"], ids=lambda core: core.id)
+def test_corners_have_both_edges_of_a_wrist(core):
+    """Behind a link along an axis, where it is whole words: it alone decides the flag, at both ends of both axes."""
+    half, seen = 1 << core.params["W"] - 1, {0: set(), 1: set()}
+    for cfg in stimulus.configs(core, np.random.default_rng(1)):
+        words = stimulus.corners(core, cfg)
+        quarter, rest = np.divmod(words["in_phi"], 1 << core.params["A"] - 2)
+        along = np.array([1, 0, -1, 0])[quarter], np.array([0, 1, 0, -1])[quarter]
+        wrist = np.array([words[f"in_{axis}"] - cfg["cfg_l3"] * one for axis, one in zip("xy", along)])[:, rest == 0]
+        flag = core.model(core.params, **words, **cfg)["out_status"][rest == 0] & 4 > 0
+        assert np.array_equal(flag, np.any((wrist >= half) | (wrist < -half), axis=0))
+        for axis in (0, 1):
+            seen[axis] |= set(wrist[axis].tolist())
+    assert {half - 1, half, -half, -half - 1} <= seen[0] & seen[1]
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("core", [core for core in all_cores() if core.name in ("arm_ik3", "arm_keep3")
+                                  and core.first_set], ids=lambda core: core.id)
+def test_corners_have_both_edges_of_a_height(core):
+    """z - base: the last that fits and the first that does not, at both ends, and it alone decides the flag."""
+    half, seen = 1 << core.params["W"] - 1, set()
+    for cfg in stimulus.configs(core, np.random.default_rng(1)):
+        words = stimulus.corners(core, cfg)
+        height = words["in_z"] - cfg["cfg_base"]
+        flag = core.model(core.params, **words, **cfg)["out_status"] & 4 > 0
+        assert np.array_equal(flag, (height >= half) | (height < -half))
+        seen |= set(height.tolist())
+    assert {half - 1, half, -half, -half - 1} <= seen
 
 
 @pytest.mark.full

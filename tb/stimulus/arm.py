@@ -134,7 +134,10 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     if core.function == "keep3":
         found = _targets(core, cfg, rng)
         return {name: found[name] for name in ("in_x", "in_y", "in_z")}
-    return _targets(core, cfg, rng) if core.function == "arm_ik3" else _motions(core, rng)
+    if core.function == "arm_ik3":
+        return _targets(core, cfg, rng)
+    found = _motions(core, rng)
+    return stimulus.joined(found, stimulus.saturation(core, cfg, found))
 
 
 def _motions(core: Core, rng: np.random.Generator) -> Vectors:
@@ -171,6 +174,8 @@ def _targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vecto
     moved = [np.clip(word, -half, half - 1).astype(np.int64) for word in moved]
     axis = rng.random(x.size) < 0.05
     moved[0][axis], moved[1][axis] = 0, 0
+    if p["BASE"]:  # z - base at both ends of its word, inside and outside
+        moved[2][:40] = np.clip(base + np.resize([half - 1, half, -half, -half - 1], 40), -half, half - 1)
     joined = [np.concatenate(pair) for pair in zip((x, y, z), moved)]
     return {"in_x": joined[0], "in_y": joined[1], "in_z": joined[2], "in_elbow": rng.integers(0, 2, 2 * x.size),
             "in_back": np.concatenate([rng.integers(0, 2, x.size), back])}

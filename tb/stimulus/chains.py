@@ -38,9 +38,12 @@ def _straight(core: Core) -> list[Vectors]:
         chain = {"in_l": np.array([half - 3, 1, 1, 1, 1, half])}
         for joint, turn in zip(words, turns):
             chain |= codecs.encode(joint, np.pi / 2 * turn * (np.arange(6) < (1 if len(words) == 1 else 6)))
-        if core.params.get("SPACE"):  # a yaw by an axis first, the same turn, whose length is not looked at
-            chain = {name: np.append(word[:1], word) for name, word in chain.items()}
-        found.append(chain)
+        if not core.params.get("SPACE"):
+            found.append(chain)
+            continue
+        for yaw in range(4):  # by an axis first; its length is not looked at
+            first = {"in_l": half} | codecs.encode(words[0], np.pi / 2 * yaw)
+            found.append({name: np.append(first[name], word) for name, word in chain.items()})
     return found
 
 

@@ -71,7 +71,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
             found |= codecs.encode(joint, q[:, i])
         wild = stimulus.uniform(core, rng, 200)
         extreme = {port.name: rng.choice(stimulus.extremes(port), 100) for port in core.inputs}
-        return stimulus.joined(stimulus.joined(found, wild), extreme)
+        edges = stimulus.saturation(core, cfg, found)
+        return stimulus.joined(stimulus.joined(stimulus.joined(found, wild), extreme), edges)
     count = 150 if core.function == "ik6_all" else 600  # eight answers a pose
     q = angles(count, rng)
     q[::5, 4] = np.pi * rng.integers(0, 2, q[::5, 4].shape)  # straight wrist

@@ -69,6 +69,11 @@ def _tips(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
     far = rng.random(count) < 0.1  # the wrist is beyond its word
     tips = {name: np.where(far, rng.choice([-high, high - 1], count), np.clip(wrists[name] + part, -high, high - 1))
             for name, part in zip(("in_x", "in_y"), link)}
+    edges = np.resize([high - 1, high, -high, -high - 1], 32)  # of the wrist behind a link along an axis
+    phi[:64] = np.resize(np.arange(4), 64) << core.params["A"] - 2
+    for name, part in zip(("in_x", "in_y"), (np.cos, np.sin)):
+        axis = np.rint(part(phi[:64] * truth.TURN / (1 << core.params["A"]))).astype(np.int64)
+        tips[name][:64] = np.clip(np.append(edges, edges) + cfg["cfg_l3"] * axis, -high, high - 1)
     return wrists | tips | {"in_phi": phi}
 
 

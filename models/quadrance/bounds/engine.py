@@ -77,6 +77,17 @@ def rus_band(distance: ArrayLike, la: float, flat: ArrayLike) -> Floats:
     return 2 * floats(flat) * move + move**2 + 1 / FINE**2
 
 
+def quaternion_length(p: dict[str, int]) -> tuple[float, float]:
+    """How far |q|^2 of a unit quaternion rounded to words is from 1, and from where on `quaternion_to_matrix` flags it.
+
+    The words are u + d, d half a unit each and of length 1 unit: 2 u.d + d.d is within 2 units + 2^-U units. The core's
+    sum is a quarter to half a unit more, by its rounding constants and the truncation of four squares. The limit is
+    2^-9, and 4 units where they are more: the power of two above what rounding needs.
+    """
+    unit = 2.0 ** -p["U"]
+    return 2 * unit + unit**2, max(2.0**-9, 4 * unit)
+
+
 def rotation_apart(p: dict[str, int]) -> float:
     """Distance (Frobenius) from the nearest rotation that a matrix without `rotation_check`'s status can have.
 

@@ -4,7 +4,8 @@
 // Formats: in_w, in_x, in_y, in_z, out_r s2.U (1.0 is 2^U), nearest but for truncated products.
 // Error of an entry: 5/8 LSB, the words of the quaternion given; a length of 1 + e scales all but the 1 by 1 + 2 e.
 // Latency 9, II 9.
-// Status: singular (w^2 + x^2 + y^2 + z^2 is not within 2^-9 of 1: the last matrix is held, at first 1)
+// Status: singular (w^2 + x^2 + y^2 + z^2 is not within 2^-9 of 1, below U = 11 within 4 units of 2^-U, sum to half a
+// unit: the last matrix is held, at first 1)
 // Source: the definition. Model: engine_rus.quaternion_to_matrix
 `default_nettype none
 module quaternion_to_matrix #(
@@ -54,7 +55,10 @@ module quaternion_to_matrix #(
     wire signed [U+8:0]   minus = {a[2*U+3], a[2*U+3:U-4]} - {b[2*U+3], b[2*U+3:U-4]} + 4;
     reg  [U+8:0]          total;
     wire [U+8:0]          length = total + plus;
-    wire                  is_one = length[U+8:U-5] == 14'd512 || length[U+8:U-5] == 14'd511;
+    // A unit quaternion rounded to words has |q|^2 within 2 + 2^-U units of 1, and the sum is up to half a unit more.
+    localparam LOW = U > 11 ? U - 5 : 6;  // lowest bit that must be right: that of 2^-9, of 4 units where they are more
+    wire [U+8-LOW:0]      high = length[U+8:LOW];
+    wire                  is_one = high == {5'd1, {U+4-LOW{1'b0}}} || high == {5'd0, {U+4-LOW{1'b1}}};
     reg                   unit;
     wire                  unused = &{1'b0, a, b, plus, minus, length};
 
