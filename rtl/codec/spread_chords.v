@@ -21,8 +21,8 @@ module spread_chords #(
     localparam FIFTH = S > 24;  // the last range is needed
 
     // Knots of one function, sqrt(a d) with d = 2^-h, a = 0 to 512, in units of 2^-(U+3), each lifted to
-    // sqrt(v + d^2 / (32 v)), except where the offsets are 0. They are rounded up, since the root is truncated. One call
-    // for each table, by Newton's rule from the previous knot, keeps elaboration short.
+    // sqrt(v + d^2 / (32 v)), except where the offsets are 0. They are rounded up, since the root is truncated. One
+    // call for each table, by Newton's rule from the previous knot, keeps elaboration short.
     localparam K = U + 3;
     function [513*K-1:0] knots(input integer h);
         integer    a, i;
