@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Codec of binary angles behind kernel_tangent: an axis and the tangent from it make a joint word.
-//   out_j = axis + arctan(tangent) = axis + knot + floor(step * place / 2^11), 512 chords of tangents from -2 to 2
-// Formats: in_axis u2.0 quarter turns, in_tangent s2.18; out_j angle of A bits modulo a turn, nearest; knots and steps
-// in units of 2^-(A+2) turn. in_take reads; the word stands from the next clock on.
-// Error: knots lie half the sag outside the curve, 2^-18.6 rad; knot and truncation a unit.
-// Latency 1, II 1. Model: table.ik1
+// Codec of binary angles after kernel_tangent: an axis and the tangent from it make a joint word.
+//   out_j = axis + arctan(tangent) = axis + knot + floor(step * offset / 2^11), 512 segments of tangents from -2 to 2
+// Formats: in_axis u2.0 quarter turns, in_tangent s2.18; out_j angle of A bits modulo a turn, rounded to nearest; knots
+// and steps in units of 2^-(A+2) turn. in_take reads; the word is valid from the next clock until the next in_take.
+// Error: half the sag 0.65 * 2^-18 rad, the offset 2^-18 rad, knot and truncation 2^-(A+2) turn.
+// Latency 1, II 1. Source: arc tangent table with linear interpolation. Model: table.ik1
 `default_nettype none
 module angle_about_axis #(
-    parameter A = 18  // bits of the word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter A = 18  // bits of the word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire         clk,
     input  wire         in_take,

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Codec of binary angles behind kernel_vector_solve: cosine, then sine of a joint make its word.
-//   out_j = axis +- arcsin(m), m the sine, or the cosine where it is in [-3/4, 3/4); 512 chords of the arc sine
-// Formats: in_cos, in_sin a bit a joint: in_word s4.20 is its cosine, its sine; in_flat, in_negative: c2 is at an end,
-// is negative; in_none: joints 1 and 3 hold their words; out_j angles of A bits modulo a turn, nearest, joint 1 lowest.
-// Error of the arc sine of m: 2^-18.4 rad for half the sag, 2^-20.4 for m, knot and rise 2^-(A+4) turn.
-// After reset 0, but of joint 2, whose word is never held. Latency 3 from the sine on; a joint every 2.
-// Model: codecs.angle_of_vector
+// Codec of binary angles after kernel_vector_solve: the cosine, then the sine of a joint make its word.
+//   out_j = axis +- arcsin(m), m the cosine where that is in [-3/4, 3/4), else the sine; 512 segments of the arc sine
+// Formats: in_cos, in_sin have a bit a joint: in_word s4.20 is its cosine, its sine. in_flat: c2 is 1, or -1 with
+// in_negative. in_none: joints 1 and 3 hold their words. out_j: angles of A bits modulo a turn, rounded to nearest,
+// joint 1 lowest. Reset sets joints 1 and 3 to 0. Joint 2 is not reset: every sample writes it.
+// Error: half the sag 2^-18.4 rad, m 2^-20.4 rad, knot and step 2^-(A+4) turn; a length of 1 + e turns by up to 1.14 e.
+// Latency 3 from the sine on; a joint every 2 clocks. Source: arc sine table with linear interpolation. Model:
+// codecs.angle_of_vector
 `default_nettype none
 module angle_of_vector #(
-    parameter JOINTS = 2,  // 2 or 3: as the kernel has. 2
-    parameter A = 18       // bits of a word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter JOINTS = 2,  // joints of the kernel, 2 or 3 (default 2)
+    parameter A = 18       // bits of a word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -63,8 +64,8 @@ module angle_of_vector #(
     end
 
     reg  [20:0]     m;
-    reg             far, back, under;  // the cosine is not in [-3/4, 3/4); it is negative; the sine is
-    reg  [2:0]      read, give;        // a bit a joint
+    reg             far, back, under;  // the cosine is outside [-3/4, 3/4); the cosine, the sine is negative
+    reg  [2:0]      read, give;        // one bit a joint
     wire            fits = in_word[21] ? in_word[20] && in_word[19:18] != 0 : !in_word[20] && in_word[19:18] != 3;
     wire            minus = far ? back : !under;
     reg  [1:0]      axis;

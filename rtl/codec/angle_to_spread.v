@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turn-spread of a binary angle: the axis next to it, and the square of the sine between them, up or down from there.
-// Formats: in_j angle of A bits; out_j turn-spread u2.S modulo 4, nearest; exact on the axes.
+// Turn-spread of a binary angle: the nearest axis, plus or minus the square of the sine of the angle from it.
+// Formats: in_j angle of A bits; out_j turn-spread u2.S modulo 4, rounded to nearest; exact on the axes.
 // Error: the angle whose spread is rounded is within 0.39 * 2^-16 rad of the word's; rounding 0.69 LSB at S = 24.
-// Latency 3, II 1: a chord of the sine is read, completed, squared.
+// Latency 3, II 1: a segment of the sine is read, completed, squared.
 // Status: none. Source: paper eq. 3, spread = square of the sine. Model: conversion.angle_to_spread
 `default_nettype none
 module angle_to_spread #(
-    parameter A = 18,  // bits of the angle, 12 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
-    parameter S = 24   // fraction bits of the spread, 2 to 24: 24 resolve 0.014 degrees beside a border of a quadrant
+    parameter A = 18,  // bits of the angle, 12 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter S = 24   // fraction bits of the spread, 2 to 24 (default 24, 0.014 degrees at a quadrant border)
 ) (
     input  wire         clk,
     input  wire         rst,
@@ -24,7 +24,7 @@ module angle_to_spread #(
         end
     endgenerate
 
-    localparam B = A > 11 ? A - 11 : 1;  // bits of a place
+    localparam B = A > 11 ? A - 11 : 1;  // bits of an offset
 
     // 2^30 sin(2 pi i / 2048), i from 0 to 256, by its series; half a sag outside the curve
     localparam K = 18;
@@ -55,18 +55,18 @@ module angle_to_spread #(
         end
     end
 
-    wire [2:0]     near = in_j[A-1:A-3] + 3'd1;  // the axis, and not the sign of the angle from it
+    wire [2:0]     near = in_j[A-1:A-3] + 3'd1;  // the axis, and the inverted sign of the angle from it
     reg  [2*K-8:0] chord;
     reg  [B-1:0]   place;
     reg  [1:0]     read_axis, axis;
-    reg  [2:0]     stages;  // which of them hold a sample
+    reg  [2:0]     stages;  // the stages that hold a sample
     wire [K:0]     start;
     wire [K-9:0]   step, rise;
     wire [B-1:0]   cut;
     assign         {start, step} = chord;
     assign         {rise, cut} = step * place;
     reg signed [K:0] sine;
-    // sine |sine|, s1.(K+26); the absolute value of a negative sine is the one's complement with 26 - K ones behind
+    // sine |sine|, s1.(K+26); the absolute value of a negative sine is its one's complement with 26 - K ones below
     wire signed [26:0] size = {sine, {(26-K){1'b0}}} ^ {27{sine[K]}};
     wire signed [K+27:0] square = sine * size;
     wire               back, half;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unit vector of a binary angle: c = cos j, n = sin j, by one table of chords and one multiplier.
-// Formats: in_j angle of A bits; out_c, out_n s2.U (1.0 is 2^U), nearest; exact on the axes.
-// Error of a coordinate: 0.83 * 2^-U at U = 16, half a unit of rounding included.
-// Latency 2, II 2: the cosine, then the sine of the word that was accepted.
+// Unit vector of a binary angle: c = cos j, n = sin j, by one sine table and one multiplier.
+// Formats: in_j angle of A bits; out_c, out_n s2.U (1.0 is 2^U), rounded to nearest; exact on the axes.
+// Error of a coordinate: 0.83 * 2^-U, half a unit of rounding included (bounds.angle_to_vector).
+// Latency 2, II 2: the cosine, then the sine of the accepted word.
 // Status: none. Source: the definition; sine table with linear interpolation. Model: conversion.angle_to_vector
 `default_nettype none
 module angle_to_vector #(
-    parameter A = 18,  // bits of the word, 12 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
-    parameter U = 16   // fraction bits of cosine and sine, 12 to 18: 16 turn a vector by 0.0006 degrees at most
+    parameter A = 18,  // bits of the word, 12 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter U = 16   // fraction bits of cosine and sine, 12 to 18 (default 16: a vector turns by 0.0006 degrees)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -25,14 +25,14 @@ module angle_to_vector #(
         end
     endgenerate
 
-    localparam K = U + 3;                                  // fraction bits of a root: three are rounded away
+    localparam K = U + 3;                                  // fraction bits of a root, three of which are rounded off
     localparam T = A < (U + 5) / 2 + 1 ? A - 1 : (U + 5) / 2;  // address bits of the table
 
-    reg    second;  // the clock after the accepting one: the cosine is completed, the sine is read
+    reg    second;  // second clock of a sample: the cosine is completed, the sine is read
     wire   accept = in_valid && in_ready;
     assign in_ready = !second && (!out_valid || out_ready);
 
-    reg  [T-1:0]      upper;  // of the word
+    reg  [T-1:0]      upper;  // upper bits of the word
     wire [2*K-T+20:0] chord;
     always @(posedge clk)
         if (accept)

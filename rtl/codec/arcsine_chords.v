@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Table of binary angles of a unit vector: the chord of the arc sine of its minor coordinate m in one clock.
-//   arcsin m = out_knot + floor(out_step * d / 2^12), d the 12 bits of m below in_segment, in units of 2^-(A+2) turn,
-//   completed by the user's multiplier and adder
-// Formats: in_segment s1.8, |m| < 190/256; out_knot s(A+1), out_step u(A-7), held while in_read is low. Knots have half
-// a word, two units, and half a unit more for the truncated rise: the user drops two bits of the sum.
-// Error: half the sag, at most 2^-18.8 rad for m of nearest_axis; knot and rise half a unit each.
-// Latency 1, II 1. Model: conversion.arcsine_knots
+// Arc sine table for the binary angle of a unit vector: a table segment of the arc sine of the minor coordinate m.
+//   arcsin m = out_knot + floor(out_step * d / 2^12), d the 12 bits of m below in_segment, in units of 2^-(A+2) turn
+// The instantiating module completes it and drops two bits of the sum, which rounds: knots include half a word, two
+// units, and half a unit for the truncation.
+// Formats: in_segment s1.8, |m| < 190/256; out_knot s(A+1), out_step u(A-7), held while in_read is low.
+// Error: half the sag, at most 2^-18.8 rad for m of nearest_axis; knot and step half a unit each.
+// Latency 1, II 1. Source: arc sine table with linear interpolation. Model: conversion.arcsine_knots
 `default_nettype none
 module arcsine_chords #(
-    parameter A = 18  // bits of the word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter A = 18  // bits of the word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire         clk,
-    input  wire         in_read,  // else the chord stays
+    input  wire         in_read,  // else the segment is held
     input  wire [8:0]   in_segment,
     output wire [A:0]   out_knot,
     output wire [A-8:0] out_step
@@ -48,7 +48,7 @@ module arcsine_chords #(
         for (i = -256; i < 256; i = i + 1) begin
             here = next[A:0];
             next = i < -1 ? -ARCS[64*(-i-1) +: 64] : ARCS[64*(i < 0 ? 0 : i+1) +: 64];
-            next = (64'd3 << 62 - D) + next >> 62 - D;  // half a word and half a unit of truncation more
+            next = (64'd3 << 62 - D) + next >> 62 - D;  // adds half a word and half a unit of truncation
             chords[i & 511] = {here, next[A-8:0] - here[A-8:0]};
         end
     end

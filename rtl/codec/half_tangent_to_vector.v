@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unit vector of a half-tangent word: c = +-(1 - t^2) / (1 + t^2), n = +-2 |t| / (1 + t^2), by one table of chords of
-// both and one multiplier. Their signs are in the table: that of c is the half turn's, n has that of t too.
-// Formats: in_j half-tangent u2.T (rtl/codec/README.md); out_c, out_n s2.U (1.0 is 2^U), nearest; exact on the axes.
-// Error of a coordinate: 1.14 * 2^-U at U = 16, 0.67 * 2^-U at U = 13, half a unit of rounding included.
-// Latency 2, II 2: the cosine, then the sine of the word that was accepted.
+// Unit vector of a half-tangent word, by one table of both functions and one multiplier:
+//   c = +-(1 - t^2) / (1 + t^2), n = +-2 |t| / (1 + t^2)
+// The table holds the signs: c has the sign of the half turn, n has that of t too.
+// Formats: in_j half-tangent u2.T (rtl/codec/README.md); out_c, out_n s2.U (1.0 is 2^U), rounded to nearest; exact on
+// the axes. Error of a coordinate: 1.14 * 2^-U at U = 16, 0.67 * 2^-U at U = 13, half a unit of rounding included.
+// Latency 2, II 2: the cosine, then the sine of the accepted word.
 // Status: none. Source: stereographic form of the unit circle. Model: conversion.half_tangent_to_vector
 `default_nettype none
 module half_tangent_to_vector #(
-    parameter T = 16,  // fraction bits of the half-tangent, 9 to 19: 16 resolve 0.0009 degrees beside the x axis
-    parameter U = 16   // fraction bits of cosine and sine, 12 to 18: 16 turn a vector by 0.0006 degrees at most
+    parameter T = 16,  // fraction bits of the half-tangent, 9 to 19 (default 16, 0.0009 degrees at the x axis)
+    parameter U = 16   // fraction bits of cosine and sine, 12 to 18 (default 16: a vector turns by 0.0006 degrees)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -26,9 +27,9 @@ module half_tangent_to_vector #(
         end
     endgenerate
 
-    localparam K = U + 3;  // fraction bits of a root: three are rounded away
-    // Knot i, |t| = i / 256: half a sag, f''(t) / 2^20, outside the curve, rounded upward since the root is truncated,
-    // and with half a unit of the result more
+    localparam K = U + 3;  // fraction bits of a root, three of which are rounded off
+    // Knot i, |t| = i / 256: half a sag, f''(t) / 2^20, outside the curve, rounded up since the root is truncated,
+    // plus half a unit of the result
     function [K+1:0] knot(input integer i, input sine, input negative);
         reg [63:0] n, q, cube, f;
         begin
@@ -61,7 +62,7 @@ module half_tangent_to_vector #(
             end
         end
 
-    reg    second;  // the clock after the accepting one: the cosine is completed, the sine is read
+    reg    second;  // second clock of a sample: the cosine is completed, the sine is read
     wire   accept = in_valid && in_ready;
     assign in_ready = !second && (!out_valid || out_ready);
 

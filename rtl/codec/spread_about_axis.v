@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turn-spread words of one to three joints, each from a direction that is given about its nearer axis.
 //   word = axis + spread or axis - spread, modulo 4; the spread is the square of the sine between direction and axis
-// Formats: in_axis u2.0, quarter turns; in_square u1.40; out_j turn-spread u2.S, joint 1 in the low S + 2 bits.
-// Rounding: nearest, ties away from the axis, so that both sides of an axis meet in the same word; error 1/2 LSB.
-// Timing: bit i of in_take writes the word of joint i + 1 at the end of the clock; a word is held until the next.
-// Reset: every word is 0, so that a joint that never had a direction reads 0.
-// Model: rational._about_axis
+// Formats: in_axis u2.0 quarter turns; in_square u1.40; out_j turn-spread u2.S, joint 1 in the low S + 2 bits.
+// Error: 1/2 LSB. Ties round away from the axis, so both sides of an axis meet in the same word. Timing: bit i of
+// in_take writes the word of joint i + 1 at the end of the clock. A word is held until the next write. Reset sets every
+// word of HELD to 0. Source: paper eq. 3. Model: rational._about_axis
 `default_nettype none
 module spread_about_axis #(
-    parameter JOINTS = 1,  // joints, 1 or more: 1, the core of one joint
-    parameter [JOINTS-1:0] HELD = {JOINTS{1'b1}},  // bit i: joint i + 1 may lack a direction, so its word is reset: all
-    parameter S = 24       // fraction bits of a spread, 2 to 24: 24, all that the kernels' squares are good for
+    parameter JOINTS = 1,  // joints, 1 or more (default 1)
+    parameter [JOINTS-1:0] HELD = {JOINTS{1'b1}},  // bit i: reset the word of joint i + 1 (default all)
+    parameter S = 24       // fraction bits of a spread, 2 to 24 (default 24, the accuracy of the kernels' squares)
 ) (
     input  wire                      clk,
     input  wire                      rst,
     input  wire [JOINTS-1:0]         in_take,
     input  wire [1:0]                in_axis,
-    input  wire                      in_below,  // the direction lies clockwise of the axis: subtract
+    input  wire                      in_below,  // the direction lies clockwise of the axis: subtract the spread
     input  wire [40:0]               in_square,
     output reg  [JOINTS*(S+2)-1:0]   out_j
 );
-    // Nearest and sign share one increment, for with guard bit g: -(s + g) = ~s + ~g. As gates, not as a carry chain:
-    // the carry is rare and cheaper so.
+    // Rounding and sign share one increment, since -(s + g) = ~s + ~g with guard bit g. The increment is made of gates,
+    // which are smaller than a carry chain here.
     wire [1:0]   quarter = in_axis + {in_below, in_below ^ in_square[40]};
     wire [S+1:0] floor = {quarter, in_square[39 -: S] ^ {S{in_below}}};
     reg  [S+1:0] word;

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Table codec of turn-spreads: from a joint word to the chords of |cos| and |sin| in one clock or two.
-// f is the fraction of the word, v = min(f, 1 - f): major = sqrt(1 - v), minor = sqrt(v), each knot + step * offset.
-// Formats: in_j turn-spread u2.S; out_chords is the port of all table codecs (rtl/codec/README.md).
-// 1 - f is the one's complement followed by ones, which costs no adder. The minor root has ranges of v with tops 2^-1,
-// 2^-5, 2^-9, 2^-15, 2^-21, powers of 4 apart: one table of 512 chords serves all, and spread_minor shifts the root.
-// In the last range that S needs every word is a knot, so that even sqrt(2^-S) is exact to the unit.
-// Error: knots lie half the sag above the curve, so a chord errs by at most half its sag, 0.2 * 2^-U.
-// Latency CLOCKS, II 1: out_chords belongs to in_j of so many clocks before.
-// Model: codecs.spread_chords
+// Table codec of turn-spreads: from a joint word to table segments of |cos| and |sin|.
+//   f is the fraction of the word, v = min(f, 1 - f); major = sqrt(1 - v), minor = sqrt(v), each knot + step * offset
+// Formats: in_j turn-spread u2.S; out_chords is the port of the table codecs (rtl/codec/README.md). 1 - f is the one's
+// complement of f with ones below. The minor root has ranges of v with tops 2^-1, 2^-5, 2^-9, 2^-15, 2^-21, powers of 4
+// apart: one table of 512 segments serves all, and spread_minor shifts the root. In the last range every word is a
+// knot.
+// Error of a completed root: 0.83 * 2^-U at U = 16, of which half the sag is 0.18 (bounds.spread_chord).
+// Latency CLOCKS, II 1. Source: paper, eqs. 51 and 52; tables with linear interpolation. Model: codecs.spread_chords
 `default_nettype none
 module spread_chords #(
-    parameter S = 24,  // fraction bits of the word, 10 to 30: 24 resolve 0.014 degrees beside a border of a quadrant
-    parameter U = 16,  // fraction bits of a root, 13 to 18: 16 keep 64 units of Q7.8 within an LSB
-    parameter CLOCKS = 2  // 2: what the memories give stands in a register, or 1: it does not. 2, the faster one
+    parameter S = 24,  // fraction bits of the word, 10 to 30 (default 24, 0.014 degrees at a quadrant border)
+    parameter U = 16,  // fraction bits of a root, 13 to 18 (default 16)
+    parameter CLOCKS = 2  // 1, or 2 with a register after the memories (default 2)
 ) (
     input  wire            clk,
     input  wire [S+1:0]    in_j,
@@ -22,8 +21,8 @@ module spread_chords #(
     localparam FIFTH = S > 24;  // the last range is needed
 
     // Knots of one function, sqrt(a d) with d = 2^-h, a = 0 to 512, in units of 2^-(U+3), each lifted to
-    // sqrt(v + d^2 / (32 v)); no lift where the offsets are 0. Rounded up, as the chord is cut. One call a table,
-    // by Newton's rule from the knot before: elaboration time is what this is careful with.
+    // sqrt(v + d^2 / (32 v)), except where the offsets are 0. They are rounded up, since the root is truncated. One
+    // call for each table, by Newton's rule from the previous knot, keeps elaboration short.
     localparam K = U + 3;
     function [513*K-1:0] knots(input integer h);
         integer    a, i;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turn-spread word of one joint from a direction that is given about its nearer axis, its side as a sign.
+// Turn-spread word of one joint from a direction that is given about its nearer axis, with the side as a sign.
 //   word = axis + square, modulo 4; |square| is the square of the sine between direction and axis, < 0: clockwise of it
-// Formats: in_axis u2.0, quarter turns; in_square s0.40, of magnitude below 1; out_j turn-spread u2.S.
-// Rounding: nearest, ties anticlockwise; error 1/2 LSB. One adder does axis, sign and rounding.
-// Timing: in_take writes the word at the end of the clock; it is held until the next. Reset: 0, so that a joint that
-// never had a direction reads 0.
-// Model: rational.ik1
+// Formats: in_axis u2.0 quarter turns; in_square s0.40, of magnitude below 1; out_j turn-spread u2.S.
+// Error: 1/2 LSB, ties anticlockwise. One adder does axis, sign and rounding. Timing: in_take writes the word at the
+// end of the clock. The word is held until the next write; reset sets it to 0.
+// Source: paper eq. 3. Model: rational.ik1
 `default_nettype none
 module spread_from_axis #(
-    parameter S = 24  // fraction bits of a spread, 2 to 24: 24, all that the kernel's square is good for
+    parameter S = 24  // fraction bits of a spread, 2 to 24 (default 24, the accuracy of the kernel's square)
 ) (
     input  wire               clk,
     input  wire               rst,

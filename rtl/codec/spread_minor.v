@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Minor root of a turn-spread, completed by the chord of spread_chords and shifted by the range of the spread.
+// Minor root of a turn-spread, completed from the table segment of spread_chords and shifted by the range of the
+// spread.
 //   out_root = (in_knot + in_rise) 2^-(3 + e), e = 0, 2, 4, 7, 10 in range 0 to 4
-// Formats: in_knot, in_rise u0.(U+3), in_rise is step * offset; out_root u0.U, truncated. Combinational.
-// Model: codecs.spread_chords
+// Formats: in_knot, in_rise u0.(U+3), in_rise is step * offset; out_root u0.U. Error: truncation. Combinational. Model:
+// codecs.spread_chords
 `default_nettype none
 module spread_minor #(
-    parameter U = 16  // fraction bits of a root, 13 to 18: 16, as spread_chords
+    parameter U = 16  // fraction bits of a root, 13 to 18 (default 16)
 ) (
     input  wire [2:0]   in_range,
     input  wire [U+2:0] in_knot,

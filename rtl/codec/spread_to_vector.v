@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unit vector of a turn-spread: |c| = sqrt(1 - s), |n| = sqrt(s), signs by the quadrant; each root is a product of two
-// factors, w * slope, and one multiplier forms both, one after the other.
-// Formats: in_j turn-spread u2.S; out_c, out_n s2.U (1.0 is 2^U), nearest; exact on the axes.
-// Error of a coordinate: 0.5 * 2^-U + 0.31 * 2^-15, that of the root: 1.12 * 2^-U at U = 16, 0.66 * 2^-U at U = 14.
-// Latency 2, II 2: the cosine, then the sine of the word that was accepted.
+// Unit vector of a turn-spread: |c| = sqrt(1 - s), |n| = sqrt(s), with signs by the quadrant. Each root is a product of
+// two factors, w * slope, and one multiplier forms both in turn.
+// Formats: in_j turn-spread u2.S; out_c, out_n s2.U (1.0 is 2^U), rounded to nearest; exact on the axes.
+// Error of a coordinate: 0.5 * 2^-U, and 0.31 * 2^-15 of the root: 1.12 * 2^-U at U = 16, 0.66 * 2^-U at U = 14.
+// Latency 2, II 2: the cosine, then the sine of the accepted word.
 // Status: none. Source: paper, eqs. 51 and 52. Model: conversion.spread_to_vector
 `default_nettype none
 module spread_to_vector #(
-    parameter S = 24,  // fraction bits of the joint word, 2 to 24: 24 resolve 0.014 degrees beside a quadrant border
-    parameter U = 16   // fraction bits of cosine and sine, 8 to 16: 16 turn a vector by 0.0006 degrees at most
+    parameter S = 24,  // fraction bits of the joint word, 2 to 24 (default 24, 0.014 degrees at a quadrant border)
+    parameter U = 16   // fraction bits of cosine and sine, 8 to 16 (default 16: a vector turns by 0.0006 degrees)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -26,7 +26,7 @@ module spread_to_vector #(
         end
     endgenerate
 
-    reg    second;  // the clock after the accepting one: the cosine is completed, the sine's factors are read
+    reg    second;  // second clock of a sample: the cosine is completed, the sine's factors are read
     wire   accept = in_valid && in_ready;
     assign in_ready = !second && (!out_valid || out_ready);
 
@@ -40,7 +40,7 @@ module spread_to_vector #(
     root_product #(.S(S), .B(20)) factors (.clk(clk), .in_read(accept || second), .in_v(word[S-1:0]),
         .in_not(second == word[S]), .out_w(w_read), .out_slope(slope));
 
-    // Nearest and sign share one increment, for with guard bit g: -(m + g) = ~m + ~g; as gates, not as a carry chain
+    // Rounding and sign share one increment, -(m + g) = ~m + ~g with guard bit g, made of gates, not of a carry chain
     wire [38:0]  product = w * slope;  // 1.0 is 2^37
     wire [U+1:0] floor = {1'b0, product[37 -: U+1]} ^ {(U+2){negative}};
     reg  [U+1:0] nearest;

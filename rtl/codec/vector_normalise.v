@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// One Newton step that brings a vector to length 1: (c, n) g, g = (3 - c^2 - n^2) / 2. No division and no root.
-// Formats: in_c, in_n, out_c, out_n s2.U (1.0 is 2^U), nearest for vectors of nearly unit length.
-// Law: a length of 1 + e becomes 1 - 3/2 e^2 - 1/2 e^3; the direction stays. Lengths from 0 to sqrt(3) keep it.
-// Error of a coordinate: (1/2 + |g - 1|/2) * 2^-U by rounding, g to 2^-(U+3).
+// One Newton step that brings a vector to length 1: (c, n) g, g = (3 - c^2 - n^2) / 2, without a division or a root.
+// Formats: in_c, in_n, out_c, out_n s2.U (1.0 is 2^U), rounded to nearest for vectors of nearly unit length.
+//   A length of 1 + e becomes 1 - 3/2 e^2 - 1/2 e^3; the direction does not change, for lengths from 0 to sqrt(3).
+// Error of a coordinate: (1/2 + |g - 1| / 2) * 2^-U for rounding, and g is within 2^-(U+3).
 // Latency 2, II 1.
-// Status: singular (c = n = 0, or c^2 + n^2 >= 3, which would turn round: held, (1, 0) after a reset).
+// Status: singular (c = n = 0, or c^2 + n^2 >= 3, which would reverse it: the vector is held, (1, 0) after a reset).
 // Source: y (3 - y^2) / 2 of the reciprocal root. Model: conversion.vector_normalise
 `default_nettype none
 module vector_normalise #(
-    parameter U = 16   // fraction bits of cosine and sine, 8 to 18: 16 turn a vector by 0.0006 degrees at most
+    parameter U = 16   // fraction bits of cosine and sine, 8 to 18 (default 16: a vector turns by 0.0006 degrees)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -30,12 +30,12 @@ module vector_normalise #(
 
     localparam G = U + 3;  // fraction bits of g, below which the squares are truncated
     reg  signed [U+1:0]    c, n;
-    reg  [1:0]             stages;  // which of them hold a sample
-    reg                    zero, singular;  // of the sample in the first stage, of the one in the second
+    reg  [1:0]             stages;  // the stages that hold a sample
+    reg                    zero, singular;  // of the sample in the first stage; of that in the second
     wire [2*U+3:0]         cc = c * c, nn = n * n;  // u4.2U
     wire [G+3:0]           q = cc[2*U+3:U-3] + nn[2*U+3:U-3];
-    wire signed [G+3:0]    g = {~q[G+3:G] + 4'd3, ~q[G-1:0]};  // 3 - q, a unit less; its half is Newton's factor
-    wire signed [U+G+6:0]  along = $signed({c, 1'b1}) * g, across = $signed({n, 1'b1}) * g;  // 1/2 LSB of c is 1/2 of g
+    wire signed [G+3:0]    g = {~q[G+3:G] + 4'd3, ~q[G-1:0]};  // 3 - q, one unit low; half of it is Newton's factor
+    wire signed [U+G+6:0]  along = $signed({c, 1'b1}) * g, across = $signed({n, 1'b1}) * g;  // the 1 is half an LSB
     wire                   lost = zero || g[G+3];
     wire                   unused = &{1'b0, cc, nn, along, across};
 

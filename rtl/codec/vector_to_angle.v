@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Binary angle of a unit vector: the nearer axis and the arc sine of the minor coordinate, by 512 chords. No division.
-// Formats: in_c, in_n s2.U (1.0 is 2^U); out_j angle of A bits modulo a turn, nearest.
-// Error: 0.89 LSB of the word at A = 18, 0.76 at A = 14 for the minor coordinate as it is given, so that a
-// rounded unit vector costs sqrt(1/2) * 2^-U rad more. The vector is taken as it is: a length of 1 + e turns it by
-// e * tan, tan <= 1.06. For vectors of any length take table_ik1. Latency 2, II 1.
-// Status: singular (no unit vector, |c| < 1/2 and |n| < 11/16: the last word is held, 0 after a reset)
+// Binary angle of a unit vector: the nearer axis plus the arc sine of the minor coordinate, without a division.
+// Formats: in_c, in_n s2.U (1.0 is 2^U); out_j angle of A bits modulo a turn, rounded to nearest.
+// Error for the minor coordinate as it is given: 0.89 LSB at A = 18, 0.76 at A = 14. Rounding of a unit vector costs
+// sqrt(1/2) * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06. For
+// vectors of any length use table_ik1.
+// Latency 2, II 1.
+// Status: singular (|c| < 1/2 and |n| < 11/16, no unit vector: the last word is held, 0 after a reset).
 // Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_angle
 `default_nettype none
 module vector_to_angle #(
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 turn a vector by 0.0006 degrees at most
-    parameter A = 18   // bits of the word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16: a vector turns by 0.0006 degrees)
+    parameter A = 18   // bits of the word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -38,8 +39,8 @@ module vector_to_angle #(
 
     reg  [11:0]    place;
     reg  [1:0]     axis;
-    reg  [1:0]     stages;  // which of them hold a sample
-    reg            lacks, singular;  // of the sample in the first stage, of the one in the second
+    reg  [1:0]     stages;  // the stages that hold a sample
+    reg            lacks, singular;  // of the sample in the first stage; of that in the second
     wire [A:0]     knot;
     wire [A-8:0]   step, rise;
     wire [11:0]    cut;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Half-tangent of a unit vector, t = n / (1 + c) where c >= 0 and of the opposite vector elsewhere: the nearer axis and
-// what the minor coordinate adds to it, by 512 chords about either axis. No division.
-// Formats: in_c, in_n s2.U (1.0 is 2^U); out_j half-tangent u2.T modulo 4, nearest (rtl/codec/README.md).
-// Error: 0.92 LSB of the word at T = 16, 0.76 at T = 12 for the minor coordinate as it is given, so that a
-// rounded unit vector costs sqrt(1/2) * 2^-U rad more. The vector is taken as it is: a length of 1 + e turns it by
-// e * tan, tan <= 1.06. Latency 2, II 1.
-// Status: singular (no unit vector, |c| < 1/2 and |n| < 11/16: the last word is held, 0 after a reset)
+// Half-tangent of a unit vector, t = n / (1 + c) where c >= 0, else of the opposite vector: the nearer axis plus what
+// the minor coordinate adds to it, by one table and without a division.
+// Formats: in_c, in_n s2.U (1.0 is 2^U); out_j half-tangent u2.T modulo 4 (rtl/codec/README.md), rounded to nearest.
+// Error for the minor coordinate as it is given: 0.92 LSB at T = 16, 0.76 at T = 12. Rounding of a unit vector costs
+// sqrt(1/2) * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06.
+// Latency 2, II 1.
+// Status: singular (|c| < 1/2 and |n| < 11/16, no unit vector: the last word is held, 0 after a reset).
 // Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_half_tangent
 `default_nettype none
 module vector_to_half_tangent #(
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 turn a vector by 0.0006 degrees at most
-    parameter T = 16   // fraction bits of the half-tangent, 8 to 20: 16 resolve 0.0009 degrees beside the x axis
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16: a vector turns by 0.0006 degrees)
+    parameter T = 16   // fraction bits of the half-tangent, 8 to 20 (default 16, 0.0009 degrees at the x axis)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -29,15 +29,15 @@ module vector_to_half_tangent #(
         end
     endgenerate
 
-    // 2^30 of what arcsin(i / 256) adds to the half-tangent of the x or the y axis, less half the sag of a chord;
-    // i from 0 to 190 and no further
+    // 2^30 of what arcsin(i / 256) adds to the half-tangent of the x or the y axis, less half the sag of a segment;
+    // i from 0 to 190, then constant
     localparam D = T + 2, KNOTS = 257;
     function [31*KNOTS-1:0] tangents(input y);
         integer    i, k;
         reg [63:0] n, square, root, cube, t;
         begin
             tangents = 0;
-            root = 64'd1 << 30;  // 1 - n^2 under it, the cosine
+            root = 64'd1 << 30;  // the cosine, the root of 1 - n^2
             for (i = 1; i < KNOTS; i = i + 1) begin
                 n = i > 190 ? 64'd190 : {32'd0, i};
                 square = (64'd65536 - n * n) << 44;
@@ -56,7 +56,7 @@ module vector_to_half_tangent #(
             end
         end
     endfunction
-    // Knot i, -256 to 256: with half a word and half a unit of truncation more
+    // Knot i, -256 to 256, plus half a word and half a unit of truncation
     localparam [31*KNOTS-1:0] X = tangents(1'b0), Y = tangents(1'b1);
     function [T+2:0] knot(input integer i, input y);
         reg [63:0] size;
@@ -90,8 +90,8 @@ module vector_to_half_tangent #(
     reg  [2*T-3:0] chord;
     reg  [11:0]    place;
     reg  [1:0]     axis;
-    reg  [1:0]     stages;  // which of them hold a sample
-    reg            lacks, singular;  // of the sample in the first stage, of the one in the second
+    reg  [1:0]     stages;  // the stages that hold a sample
+    reg            lacks, singular;  // of the sample in the first stage; of that in the second
     wire [T+2:0]   start;
     wire [T-6:0]   step, rise;
     wire [11:0]    cut;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turn-spread of a unit vector: the square of its minor coordinate, up or down from the nearer axis. No division.
+// Turn-spread of a unit vector: the nearer axis plus or minus the square of the minor coordinate, without a division.
 // Formats: in_c, in_n s2.U (1.0 is 2^U); out_j turn-spread u2.S modulo 4, rounded to nearest, ties upward.
-// Error: 0.69 LSB of the word at S = 24, 1/2 at S = 16, for the minor coordinate as it is given, so a rounded unit
-// vector is as good as its own rounding, sqrt(1/2) * 2^-U rad. The vector is taken as it is: a length of 1 + e turns it
-// by e * tan, tan <= 1.06.
-// For vectors of any length take vector_to_spread_iter or rational_ik1. Latency 1, II 1.
-// Status: singular (no unit vector, |c| < 1/2 and |n| < 11/16: the last word is held, 0 after a reset)
+// Error for the minor coordinate as it is given: 0.69 LSB at S = 24, 1/2 at S = 16. Rounding of a unit vector costs
+// sqrt(1/2) * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06. For
+// vectors of any length use vector_to_spread_iter or rational_ik1.
+// Latency 1, II 1.
+// Status: singular (|c| < 1/2 and |n| < 11/16, no unit vector: the last word is held, 0 after a reset).
 // Source: paper eq. 3, spread = square of the sine; the quadrant by signs. Model: conversion.vector_to_spread
 `default_nettype none
 module vector_to_spread #(
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 turn a vector by 0.0006 degrees at most
-    parameter S = 24   // fraction bits of the joint word, 2 to 24: 24 resolve 0.014 degrees beside a quadrant border
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16: a vector turns by 0.0006 degrees)
+    parameter S = 24   // fraction bits of the joint word, 2 to 24 (default 24, 0.014 degrees at a quadrant border)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -29,14 +29,14 @@ module vector_to_spread #(
         end
     endgenerate
 
-    localparam E = 27 - (U + 1);  // further bits of the other factor: they make its one's complement its negative
+    localparam E = 27 - (U + 1);  // extra bits of the other factor, so that its one's complement is its negative
     wire                   none;
     wire [1:0]             axis;
     wire signed [U+1:0]    minor;
     wire signed [U+E+1:0]  sine;
     nearest_axis #(.U(U), .E(E)) near (
         .in_c(in_c), .in_n(in_n), .out_none(none), .out_axis(axis), .out_minor(minor), .out_sine(sine));
-    // sine |sine|: of minor and its sign
+    // sine |sine|, from minor and its sign
     wire                   below = sine[U+E];
     wire signed [U+E:0]    factor = {minor[U:0], {E{1'b0}}} ^ {(U+E+1){below}};
     wire signed [2*U+E+1:0] square = $signed(minor[U:0]) * factor;  // s1.(2U+E)

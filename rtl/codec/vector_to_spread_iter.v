@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turn-spread word of a direction: s = n^2 / (c^2 + n^2), quadrant by the signs; a vector of any length will do.
+// Turn-spread word of a direction: s = n^2 / (c^2 + n^2), with the quadrant from the signs, for a vector of any length.
 //   out_j = {k, s} in even quadrants, {k, 1 - s} in odd ones: the word grows with the angle all the way round
-// Formats: in_c in_n sW in one scale, which may be any; out_j u2.S modulo 4, rounded to nearest.
-// Error: <= 1/2 LSB of the word (every quotient bit is exact, the last one rounds), so the word never falls as the
-// angle grows. Latency and II: 1 + ceil((S+1) / R).
-// Status: singular (c = n = 0 has no direction: the last word is held, 0 after a reset)
-// Source: paper eq. 3 and eq. 9; the quadrant by signs, which the paper does not recover
-// Model: codecs.vector_to_spread
+// Formats: in_c, in_n sW in any common scale; out_j u2.S modulo 4, rounded to nearest.
+// Error: 1/2 LSB of the word. Every quotient bit is exact and the last one rounds, so the word never falls as the angle
+// grows. Latency and II: 1 + ceil((S+1) / R).
+// Status: singular (c = n = 0: the last word is held, 0 after a reset).
+// Source: paper eqs. 3 and 9; the signs give the quadrant, which the paper does not recover. Model:
+// codecs.vector_to_spread
 `default_nettype none
 module vector_to_spread_iter #(
-    parameter W = 18,  // bits of a coordinate, 2 to 31; 18 holds a unit vector of 16 fraction bits
-    parameter S = 24,  // fraction bits of the joint word, 2 to 31; 24 is the library's default
-    parameter R = 3    // quotient bits a clock, 1 to S: more are faster and larger (rtl/paper/README.md)
+    parameter W = 18,  // bits of a coordinate, 2 to 31 (default 18, a unit vector of 16 fraction bits)
+    parameter S = 24,  // fraction bits of the joint word, 2 to 31 (default 24)
+    parameter R = 3    // quotient bits a clock, 1 to S (default 3); more are faster and larger
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -24,7 +24,7 @@ module vector_to_spread_iter #(
     output wire        [S+1:0] out_j,
     output wire        [3:0]   out_status
 );
-    localparam B = R < 1 ? 1 : R;  // R, where it is legal
+    localparam B = R < 1 ? 1 : R;  // R where it is legal
     localparam M = (S + B) / B;    // clocks of the division
     localparam N = B * M;          // quotient bits; those below the rounding bit are dropped
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Direction of (x, y), given about its nearer axis: the square of the sine between them, without a length or an angle.
-//   |square| = m^2 / q, q = x^2 + y^2, m the coordinate across the axis; both are shifted left until 1/4 <= q <= 2
-// As (m w) * (m slope), 1/q = w * slope: a signed product whose sign is the side, with all bits of m beside the axis.
-// Formats: in_x, in_y s16, any fraction; out_axis u2.0 quarter turns; out_square s0.40, its magnitude at most 0.8,
-// negative: the direction lies clockwise of the axis. Both in the clock of out_take, one before out_valid rises.
-// Error: direction within 0.48 * 2^-14 rad. The nearer axis is that of the coordinate that is longer in bits.
-// Latency 5, II 5.
-// Status: singular (x = y = 0: out_take does not come).
+// Direction of a point (x, y) about its nearer axis: the axis, and the signed square of the sine between the two.
+//   |square| = m^2 / q, q = x^2 + y^2, m the coordinate across the axis; x and y are shifted left until 1/4 <= q <= 2
+// The square is (m w) (m slope) with 1/q = w * slope, so it keeps all bits of m beside an axis. No length, no angle.
+// Formats: in_x, in_y s16, any fraction; out_axis u2.0 quarter turns; out_square s0.40, at most 0.8 in magnitude,
+// negative where the direction lies clockwise of the axis. Both are valid in the clock of out_take, one before
+// out_valid rises.
+// Error: the direction is within 0.48 * 2^-14 rad. The nearer axis is that of the coordinate that is longer in bits.
+// Latency 5, II 5. Status: singular (x = y = 0; then out_take does not come).
 // Source: rational trigonometry paper, eq. 9. Model: rational.ik1
 `default_nettype none
 module kernel_aim (
@@ -43,7 +43,7 @@ module kernel_aim (
 
     wire [14:0]  used = (in_x[14:0] ^ in_x[15:1]) | (in_y[14:0] ^ in_y[15:1]);
     wire [3:0]   spare;
-    wire [15:0]  mirrored;  // x from its first bit below the sign on
+    wire [15:0]  mirrored;  // x without its sign bit, most significant bit first
     genvar       g;
     generate
         for (g = 0; g < 15; g = g + 1) begin : g_mirror
@@ -53,13 +53,13 @@ module kernel_aim (
     assign mirrored[15] = 1'b0;
     reg  [3:0]   k;
     reg  [15:0]  x, y;
-    reg          x_long;  // x fills its word: the x axis is the nearer one
-    reg  [15:0]  word;    // what is shifted: x, y, m; a register of its own, for the clock's sake
+    reg          x_long;  // x fills its word, so the x axis is the nearer one
+    reg  [15:0]  word;    // the word to shift: x, y, then m; registered for the clock frequency
     wire [15:0]  scaled;
     normalise #(.B(16)) shift (
         .in_used(used), .out_k(spare), .in_k(k), .in_x(word), .out_x(scaled));
 
-    // One multiplier squares both coordinates, then takes m times w; -w is its one's complement
+    // One multiplier squares both coordinates, then forms m w. -w is the one's complement of w.
     wire         below = x[15] ^ y[15] ^ !x_long;
     wire [16:0]  w;
     wire [19:0]  slope;

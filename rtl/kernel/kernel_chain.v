@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of two or three joints, one after the other, on one table codec and two multipliers.
 //   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: z = y, then y = x n3, x = x c3
-// It knows no joint word: out_want names a joint, and two clocks later in_chords holds its chords, in the form of the
-// port of all table codecs (rtl/codec/README.md).
-// Formats: c, n odd words of 2^-(U+1) (so that ~word is -word and 1.0 needs no extra bit); A, B s(W+2+G) with F+G
-// fraction bits; every product is truncated to F+G fraction bits; outputs to nearest (ties upward), saturated.
-// Latency and II: lines of the table + 1. Overflow: a coordinate was saturated.
-// Models: rational.fk2, rational.fk3
+// out_want names a joint. Two clocks later in_chords holds its two roots as table segments (port of the table codecs,
+// rtl/codec/README.md). The kernel knows no joint word.
+// Formats: roots are odd integers of 2^-(U+1), so ~root is -root and 1.0 needs no extra bit. A and B are s(W+2+G) with
+// G bits below the LSB, to which every product is truncated. Outputs are rounded to nearest (ties upward) and
+// saturated.
+// Error of a coordinate: 1/2 LSB, that of the roots (bounds.rational_chain), and 2^-5 LSB for each truncated product.
+// Latency and II: 7 with two joints, 10 with three. Overflow: a coordinate was saturated.
+// Source: rational trigonometry paper, eqs. 84 and 96. Models: rational.fk2, rational.fk3
 `default_nettype none
 module kernel_chain #(
-    parameter JOINTS = 2,  // 2 or 3: the third turns the plane of the first two about an upright axis
-    parameter W = 16,      // bits of a length and of a coordinate, 15 to 20; their fraction bits do not matter here
-    parameter U = 16       // fraction bits of a root, 13 to 18: 16 keep 2^14 LSB within an LSB
+    parameter JOINTS = 2,  // joints, 2 or 3 (default 2); the third turns the plane of the others
+    parameter W = 16,      // bits of a length and of a coordinate, 15 to 20 (default 16)
+    parameter U = 16       // fraction bits of a root, 13 to 18 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -19,7 +21,7 @@ module kernel_chain #(
     input  wire [W-1:0]        cfg_l2,
     input  wire                in_valid,
     output wire                in_ready,
-    output wire [JOINTS:1]     out_want,  // one-hot: read this joint's word; out_want[2]: a sample is accepted
+    output wire [JOINTS:1]     out_want,  // one-hot: the codec reads this word; [2]: a sample is accepted
     input  wire [4*U+29:0]     in_chords,
     output reg                 out_valid,
     input  wire                out_ready,
@@ -67,7 +69,8 @@ module kernel_chain #(
     assign out_want[2:1] = {accept, cosine};
     assign in_ready = idle && (!out_valid || out_ready);
 
-    // First multiplier: major root, A, one product of a turn; second: minor root, B, the other product.
+    // The first multiplier forms the major root, A and one product of a turn; the second one the minor root, B and the
+    // other product.
     wire         minor_n, neg_c, neg_n;
     wire [U+2:0] major_knot, minor_knot;
     wire [2:0]   range;
@@ -77,8 +80,8 @@ module kernel_chain #(
     assign {minor_n, neg_c, neg_n, range, major_step, major_knot, major_offset, minor_step, minor_knot, minor_offset}
         = in_chords;
     reg  [N-1:0] a, b;
-    reg  [U:0]   major, minor;  // the roots with their signs, each without its last bit, which is always 1
-    reg          swap;          // the minor root is on the first multiplier
+    reg  [U:0]   major, minor;  // roots with their signs, without the last bit, which is always 1
+    reg          swap;          // the first multiplier has the minor root
     wire         turn = !decode && !place;
     wire [N-1:0] right1 = {{(N-U-1){1'b0}}, major_offset, {(U+1-D){1'b0}}} & {N{decode}}
                         | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | a & {N{turn}};
@@ -101,7 +104,7 @@ module kernel_chain #(
     /* verilator lint_on UNUSEDSIGNAL */
     wire         neg_major = minor_n ? neg_c : neg_n, neg_minor = minor_n ? neg_n : neg_c;
 
-    // Rounding and saturation stand behind a register, for the clock's sake: out_y and out_z move on, out_x stays
+    // Rounding and saturation follow a register, for the clock frequency. out_y and out_z hold earlier values of out_x.
     reg  [N-1:0] exact;
     reg          over_before;
     wire [W+1:0] nearest = exact[N-1:G] + {{(W+1){1'b0}}, exact[G-1]};
@@ -111,7 +114,7 @@ module kernel_chain #(
 
     always @(posedge clk) begin
         swap <= decode ? minor_n != cosine : !swap;
-        if (decode || !swap)  // what the first multiplier took comes back negative to the second: (n, c), then (c, -n)
+        if (decode || !swap)  // a root is negated after its use by the first multiplier: (n, c), (c, -n)
             major <= decode ? {neg_major, sum[U+2:3] ^ {U{neg_major}}} : ~major;
         if (decode || swap)
             minor <= decode ? {neg_minor, thin ^ {U{neg_minor}}} : ~minor;

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every joint's position of a chain in space of any number of links, each given by its direction in the fixed frame:
+// Every joint position of a chain in space of any number of links, each given by its direction in the fixed frame:
 //   (x, y, z) <- (x, y, z) + L (sin p sin t, sin p cos t, cos p), from (0, 0, 0) on; in_last ends a chain
-// It knows no joint word: with out_want the codec reads p, else t; one clock later in_chords holds the two roots as
-// chords (the port of all table codecs, rtl/codec/README.md).
-// Formats: roots odd integers of 2^-(U+1); sums s(W+D+1).G with D = log2 N, G = D + 3, to which products are truncated;
-// outputs to nearest, saturated, while the sums are not. Error beyond that of the roots: 1/2 + 3/16 LSB. Latency and II
-// lines of the table + 1.
-// Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not count.
-// Model: chain.mff
+// The codec reads p in a clock of out_want, else t. One clock later in_chords holds the two roots as table segments
+// (port of the table codecs, rtl/codec/README.md). The kernel knows no joint word.
+// Formats: roots are odd integers of 2^-(U+1); sums are s(W+D+1).G with D = log2 N and G = D + 3, and products are
+// truncated to G bits. Outputs are rounded to nearest and saturated; the sums are not saturated.
+// Error of a coordinate: 1/2 + 3/16 LSB, and that of the roots times the length. Latency 6, II 6.
+// Overflow: a coordinate was saturated, or the chain has more than N links; a link beyond the N-th does not count.
+// Source: rational trigonometry paper, section IV-D. Model: chain.mff
 `default_nettype none
 module kernel_fixed_frame #(
-    parameter W = 16,  // bits of a length and of a coordinate, 15 to 20, W + log2 N at most 23
-    parameter U = 16,  // fraction bits of a root, 13 to 18: 16 keep 64 units of Q7.8 within an LSB
-    parameter N = 32   // links that a chain may have, 2 to 64
+    parameter W = 16,  // bits of a length and of a coordinate, 15 to 20 (default 16); W + log2 N at most 23
+    parameter U = 16,  // fraction bits of a root, 13 to 18 (default 16: 64 units of Q7.8 stay within an LSB)
+    parameter N = 32   // links of a chain, 2 to 64 (default 32)
 ) (
     input  wire                clk,
     input  wire                rst,
     input  wire                in_valid,
     output wire                in_ready,
-    output wire                out_want,  // the codec reads the word of p at the input; else the one of t, kept
+    output wire                out_want,  // the codec reads the word of p at the input, else the held word of t
     input  wire [4*U+29:0]     in_chords,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
@@ -66,9 +66,9 @@ module kernel_fixed_frame #(
     assign {minor_n, neg_c, neg_n, range, major_step, major_knot, major_offset, minor_step, minor_knot, minor_offset}
         = in_chords;
 
-    // First multiplier: major root, L cos p, a sin t. Second: minor root, L sin p, a cos t
-    reg  [U-1:0] major, minor;  // without their last bit, which is always 1
-    reg          swap;          // the first multiplier takes the minor root
+    // First multiplier: the major root, L cos p, a sin t. Second multiplier: the minor root, L sin p, a cos t.
+    reg  [U-1:0] major, minor;  // without the last bit, which is always 1
+    reg          swap;          // the first multiplier has the minor root
     reg  [W-1:0] length;
     reg  [M-1:0] a;
     wire [M-1:0] long = {length, {G{1'b0}}} & {M{rise}} | a & {M{!rise && !decode}};
@@ -86,10 +86,10 @@ module kernel_fixed_frame #(
     spread_minor #(.U(U)) second (.in_range(range), .in_knot(minor_knot), .in_rise(product2[U+1 +: U+3]),
         .out_root(thin));
 
-    // z, then x, then y through one adder; they change places. A sign is that of a one's complement
+    // z, then x, then y through one adder; the three sums rotate. A negative product is a one's complement.
     reg  [P-1:0] sum0, sum1, sum2;
     reg  [M-1:0] held, y_part;
-    reg          down, back, left;  // signs of cos p, of sin p sin t and sin p cos t; down also of sin p, before
+    reg          down, back, left;  // signs of cos p, of sin p cos t and of sin p sin t
     wire         negative = out_valid ? back : last ? left : down;
     wire [M-1:0] part = (out_valid ? y_part : held) ^ {M{negative}};
     wire [P-1:0] sum = sum0 + {{(P-M){negative}}, part};
@@ -97,7 +97,7 @@ module kernel_fixed_frame #(
     reg          over_before;
     assign       out_y = over ? {sum[P-1], {(W-1){!sum[P-1]}}} : sum[W+G-1:G];
 
-    // Links of the chain so far, N at most
+    // Links of the chain so far, at most N
     reg  [D:0]   links;
     reg          ends, beyond;
     wire         full = links == MOST[D:0];

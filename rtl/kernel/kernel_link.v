@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of one joint from chords of its direction: x = L1 c, then y = L1 n on the same two multipliers.
-// It knows no joint word: in the clock of out_read the codec reads the cosine of the word at the input or, with
-// out_kept, the sine of that word; one clock later in_chord holds its chord {knot, step, offset}, as of angle_chord.
-// Formats: root sQ1.K; out_x, out_y to nearest (ties upward), saturated.
-// Error: 1/2 LSB beyond that of the root.
-// Latency 3, II 2: the first clock of a sample is the last of the one before it. No table: two bits name the clock.
-// Overflow: a coordinate was saturated. Model: table.fk1
+// Forward kinematics of one joint from table segments of its direction: x = L1 c, then y = L1 n on the same
+// multipliers. In a clock of out_read the codec reads the cosine of the word at the input, or with out_kept the sine of
+// the accepted word. One clock later in_chord holds the segment {knot, step, offset} of angle_chord: root = knot + step
+// * offset / 2^15. The kernel knows no joint word. One multiplier completes a root while the other multiplies the
+// previous one.
+// Formats: root sQ1.K; out_x, out_y are rounded to nearest (ties upward) and saturated.
+// Error of a coordinate: 1/2 LSB, and that of the root times the length.
+// Latency 3, II 2: the first clock of a sample is the last clock of the sample before it.
+// Overflow: a coordinate was saturated. Source: the definition. Model: table.fk1
 `default_nettype none
 module kernel_link #(
-    parameter W = 16,  // bits of the length and of a coordinate, 15 to 20; their fraction bits do not matter here
-    parameter K = 17,  // fraction bits of a root, 14 to 22: W + 1 keeps a coordinate within an LSB
-    parameter T = 9    // a step has K - T + 4 bits: 9 where a turn has 2^9 chords
+    parameter W = 16,  // bits of the length and of a coordinate, 15 to 20 (default 16)
+    parameter K = 17,  // fraction bits of a root, 14 to 22 (default 17 = W + 1)
+    parameter T = 9    // address bits of the codec's table (default 9); a step has K - T + 4 bits
 ) (
     input  wire                clk,
     input  wire                rst,
     input  wire [W-1:0]        cfg_l1,
     input  wire                in_valid,
     output wire                in_ready,
-    output wire                out_read,  // the codec reads; else it holds its chord
-    output wire                out_kept,  // sine of the word that was accepted, not cosine of that at the input
+    output wire                out_read,  // the codec reads; else it holds its segment
+    output wire                out_kept,  // the sine of the accepted word, not the cosine of the word at the input
     input  wire [2*K-T+19:0]   in_chord,
     output reg                 out_valid,
     input  wire                out_ready,
@@ -26,7 +28,7 @@ module kernel_link #(
     output wire signed [W-1:0] out_y,
     output wire                out_overflow
 );
-    reg  waits, second;  // first clock of a sample, which completes the cosine; its second, which forms x
+    reg  waits, second;  // first clock of a sample: completes the cosine; second clock: forms x
     wire move = !out_valid || out_ready;
     assign in_ready = !waits && move;
     assign out_read = move;
@@ -35,7 +37,7 @@ module kernel_link #(
     wire [K:0]     knot;
     wire [K-T+3:0] step, rise;
     wire [14:0]    offset, below;
-    wire           same, copy;  // of signs
+    wire           same, copy;  // copies of signs
     assign {knot, step, offset} = in_chord;
     assign {same, rise, below} = $signed(step) * $signed({1'b0, offset});
     reg  [K:0]     root;

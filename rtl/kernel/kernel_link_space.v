@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// kernel_link_sum in a plane that stands upright and yaws: every joint's position of a chain of any number of links.
-//   d = L c; (x, y, z) <- (x, y, z) + (d c3, d n3, L n), from 0 on; in_last ends a chain
-// The first word of a chain is its yaw (c3, n3), which is kept; its length is not looked at, its position the base.
-// It knows no joint word: out_cos: the codec reads the cosine of the word last accepted, one clock later its sine;
-// out_end: the sum of joint words starts at 0 again with the next word.
-// Formats: root sQ1.K; sums s(W+D+1).G with D = log2 N, G = D + 4, to which products are truncated, d too; outputs to
-// nearest, saturated (sums are not). Error beyond that of the roots: z 1/2 + 1/32 LSB, x and y 1/2 + 3/32.
-// Latency 6, II 3. Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not
-// count. Model: chain.table_chain
+// kernel_link_sum in a plane that is upright and yaws: every joint position of a chain of any number of links.
+//   d = L c; (x, y, z) <- (x, y, z) + (d c3, d n3, L n), from (0, 0, 0) on; in_last ends a chain
+// The first word of a chain is its yaw (c3, n3), which is held; its length is ignored and its position is the base.
+// With out_cos the codec reads the cosine of the last accepted word, one clock later its sine. out_end: the sum of
+// joint words restarts at 0 with the next word. The kernel knows no joint word.
+// Formats: root sQ1.K; sums s(W+D+1).G with D = log2 N and G = D + 4; products, d included, are truncated to G bits.
+// Outputs are rounded to nearest and saturated; the sums are not saturated.
+// Error: 1/2 + 1/32 LSB in z, 1/2 + 3/32 in x and y, and that of the roots times the length. Latency 6, II 3.
+// Overflow: a coordinate was saturated, or the chain has more than N links; a link beyond the N-th does not count.
+// Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.table_chain
 `default_nettype none
 module kernel_link_space #(
-    parameter W = 16,  // bits of a length and of a coordinate, 15 to 20; their fraction bits do not matter here
-    parameter K = 17,  // fraction bits of a root, 14 to 22: W + 1 keeps a coordinate within an LSB
-    parameter T = 10,  // a step has K - T + 4 bits: 10 where a turn has 2^10 chords
-    parameter N = 32   // links that a chain may have beside its yaw, 2 to 64
+    parameter W = 16,  // bits of a length and of a coordinate, 15 to 20 (default 16)
+    parameter K = 17,  // fraction bits of a root, 14 to 22 (default 17 = W + 1)
+    parameter T = 10,  // address bits of the codec's table (default 10); a step has K - T + 4 bits
+    parameter N = 32   // links of a chain without its yaw, 2 to 64 (default 32)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -35,10 +36,10 @@ module kernel_link_space #(
 );
     localparam D = $clog2(N), G = D + 4;          // bits of a count below N; guard bits
     localparam M = W + 1 + G, P = W + D + 1 + G;  // bits of a product, of a sum
-    localparam Z = W + T - K - 3;                 // bits that a length has more than a step
+    localparam Z = W + T - K - 3;                 // bits of a length beyond those of a step
     localparam [31:0] MOST = N + 1;
-    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half of what N products lose
-    reg  [6:1] at;  // the clock of a link: reads cosine; sine; completes both; d and z; x; y
+    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half the truncation of N products
+    reg  [6:1] at;  // clocks of a link: read cosine; read sine; complete the sine; d and z; x; y
     wire       move = !out_valid || out_ready;
     wire       accept = in_valid && in_ready;
     assign     in_ready = !at[1] && !at[2] && move;
@@ -46,7 +47,7 @@ module kernel_link_space #(
     assign     out_read = move;
     assign     out_cos = at[1];
 
-    // A link's length and flags; links counts the words of the chain, to N + 1
+    // Length and flags of a link; links counts the words of the chain up to N + 1
     reg  [W-1:0] length;
     reg  [2:0]   flags;   // yaw, last of the chain, beyond N links
     reg  [1:0]   shown;
@@ -56,11 +57,11 @@ module kernel_link_space #(
     assign       out_end = at[2] && move && (flags[2] || flags[1]);
     assign       out_last = shown[1];
 
-    // First multiplier: the steps of both roots, then d. The step stands at the upper end of the length
+    // The first multiplier completes both roots, then forms d. A step occupies the upper bits of the operand.
     wire [K:0]          knot;
     wire [K-T+3:0]      step;
     wire [14:0]         offset;
-    reg  [W-1:0]        scale;  // the length, in the clock of d, else 0
+    reg  [W-1:0]        scale;  // the length in the clock of d, else 0
     reg  [K:0]          cosine;
     assign {knot, step, offset} = in_chord;
     wire signed [W:0]   left = {at[4] ? {1'b0, scale[W-1:Z]} : step, scale[Z-1:0]};
@@ -71,7 +72,7 @@ module kernel_link_space #(
     wire [K-T+3:0]      rise = product1[Z+15 +: K-T+4];
     wire [K:0]          root = knot + {{(T-3){rise[K-T+3]}}, rise};
 
-    // Second multiplier: L n, d c3, d n3
+    // The second multiplier forms L n, d c3, d n3.
     reg  signed [M-1:0] part;
     reg  signed [K:0]   factor;
     reg  [K:0]          c3, n3;
@@ -79,7 +80,7 @@ module kernel_link_space #(
     wire [M+K:0]        product2 = part * factor;
     /* verilator lint_on UNUSEDSIGNAL */
 
-    // z, x and y pass by one adder in turn
+    // z, x and y share one adder and rotate through three registers.
     reg  [P-1:0]        front, middle, back;
     wire [P-1:0]        sum = front + {{(P-M){product2[M+K-1]}}, product2[K +: M]};
     wire                over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};

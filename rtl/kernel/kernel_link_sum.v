@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every joint's position of a planar chain of any number of links from chords of their directions, which are absolute:
-// (x, y) <- (x, y) + L (c, n), from (0, 0) on; in_last ends a chain. kernel_link with two sums behind its products.
-// It knows no joint word: in the clock of out_read the codec reads the cosine of the word at the input or, with
-// out_kept, the sine of that word; one clock later in_chord holds its chord {knot, step, offset}, as of angle_chord.
-// Formats: root sQ1.K; sums s(W+D+1).G with D = log2 N, G = D + 3, to which products are truncated; out_x, out_y to
-// nearest, saturated, while the sums are not. Error: 1/2 + 1/16 LSB beyond that of the roots.
-// Latency 3, II 2: the first clock of a link is the last of the one before it. No table: two bits name the clock.
-// Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not count.
-// Model: chain.table_chain
+// Every joint position of a planar chain of any number of links, from table segments of their absolute directions:
+//   (x, y) <- (x, y) + L (c, n), from (0, 0) on; in_last ends a chain
+// In a clock of out_read the codec reads the cosine of the word at the input, or with out_kept the sine of the accepted
+// word. One clock later in_chord holds the segment {knot, step, offset} of angle_chord. The kernel knows no joint word.
+// Formats: root sQ1.K; sums s(W+D+1).G with D = log2 N and G = D + 3; products are truncated to G bits. Outputs are
+// rounded to nearest and saturated; the sums are not saturated.
+// Error of a coordinate: 1/2 + 1/16 LSB, and that of the roots times the length.
+// Latency 3, II 2: the first clock of a link is the last clock of the link before it.
+// Overflow: a coordinate was saturated, or the chain has more than N links; a link beyond the N-th does not count.
+// Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.table_chain
 `default_nettype none
 module kernel_link_sum #(
-    parameter W = 16,  // bits of a length and of a coordinate, 15 to 20; their fraction bits do not matter here
-    parameter K = 17,  // fraction bits of a root, 14 to 22: W + 1 keeps a coordinate within an LSB
-    parameter T = 9,   // a step has K - T + 4 bits: 9 where a turn has 2^9 chords
-    parameter N = 32   // links that a chain may have, 2 to 64
+    parameter W = 16,  // bits of a length and of a coordinate, 15 to 20 (default 16)
+    parameter K = 17,  // fraction bits of a root, 14 to 22 (default 17 = W + 1)
+    parameter T = 9,   // address bits of the codec's table (default 9); a step has K - T + 4 bits
+    parameter N = 32   // links of a chain, 2 to 64 (default 32)
 ) (
     input  wire                clk,
     input  wire                rst,
     input  wire                in_valid,
     output wire                in_ready,
-    output wire                out_read,  // the codec reads; else it holds its chord
-    output wire                out_kept,  // sine of the word that was accepted, not cosine of that at the input
+    output wire                out_read,  // the codec reads; else it holds its segment
+    output wire                out_kept,  // the sine of the accepted word, not the cosine of the word at the input
     input  wire [2*K-T+19:0]   in_chord,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
@@ -34,8 +35,8 @@ module kernel_link_sum #(
     localparam [31:0] MOST = N;
     localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
     localparam M = W + 1 + G, P = W + D + 1 + G;  // bits of a product, of a sum
-    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half of what N products lose
-    reg  waits, second;  // first clock of a link, which completes the cosine; its second, which forms x
+    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half the truncation of N products
+    reg  waits, second;  // first clock of a link: completes the cosine; second clock: forms x
     wire move = !out_valid || out_ready;
     wire accept = in_valid && in_ready, taken = out_valid && out_ready;
     assign in_ready = !waits && move;
@@ -45,12 +46,12 @@ module kernel_link_sum #(
     wire [K:0]     knot;
     wire [K-T+3:0] step, rise;
     wire [14:0]    offset, below;
-    wire           same;  // of signs
+    wire           same;  // copies of signs
     assign {knot, step, offset} = in_chord;
     assign {same, rise, below} = $signed(step) * $signed({1'b0, offset});
     reg  [K:0]     root;
 
-    // A link's length and flags, in its first clock and in the two after it; links counts those of the chain, to N
+    // Length and flags of a link in its first clock and in the two after it; links counts the chain's links up to N
     reg  [W-1:0]   length0, length1;
     reg            ends0, ends1, beyond0, beyond1;
     reg  [D:0]     links;
@@ -61,7 +62,7 @@ module kernel_link_sum #(
     assign {copy_too, part, rest} = $signed(root) * $signed({1'b0, length1});
     wire           unused = &{1'b0, same, copy_too, rest, below};
 
-    // x, then y through one adder; they change places. Its constant HALF rounds
+    // x, then y through one adder; the two sums rotate. Their initial value HALF rounds.
     reg  [P-1:0]   front, back;
     wire [P-1:0]   sum = front + {{(P-M){part[M-1]}}, part};
     wire           over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // A length times cosine, then sine, each given as a product: x = +-L1 * w * slope / 2^34 of the cosine, y of the sine.
-// It knows no joint word: out_cos, out_sin name the value, in_w and in_negative belong to this clock, in_slope to the
-// next. L1 * w is formed while the table of slopes is read, so no path holds two products behind it.
-// Formats: cfg_l1 uW, in_w u19, in_slope u17; out_x, out_y sW, nearest (ties upward), saturated.
-// L1 * w is truncated 4 bits below the LSB of the coordinate; a constant 1 behind it centres that error and makes the
-// one's complement an exact negation: -(2 n + 1) = 2 ~n + 1. Error: 1/2 + 1/16 LSB beyond that of the value.
-// Latency 2, II 2: out_cos in the accepting clock, out_sin in the next; y waits behind the table until it is taken.
-// Overflow: a coordinate was saturated.
-// Model: rational.fk1
+// out_cos and out_sin name the value. in_w and in_negative belong to that clock, in_slope to the next one. L1 * w is
+// formed while the table of slopes is read, so no path has two products after the memory. The kernel knows no joint
+// word.
+// Formats: cfg_l1 uW, in_w u19, in_slope u17; out_x, out_y sW, rounded to nearest (ties upward), saturated. L1 * w is
+// truncated 4 bits below the LSB of the coordinate. A constant 1 below it centres that error and makes the one's
+// complement an exact negation: -(2 n + 1) = 2 ~n + 1.
+// Error of a coordinate: 1/2 + 1/16 LSB, and that of the value times the length (bounds.rational_fk1).
+// Latency 2, II 2: out_cos comes in the accepting clock, out_sin in the next; y stays at the memory until it is taken.
+// Overflow: a coordinate was saturated. Source: rational trigonometry paper, eqs. 51 and 52. Model: rational.fk1
 `default_nettype none
 module kernel_scale #(
-    parameter W = 16  // bits of the length and of a coordinate, 4 to 18: 18 is the word of a multiplier block
+    parameter W = 16  // bits of the length and of a coordinate, 4 to 18 (default 16); 18 is a multiplier block's word
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -28,7 +29,7 @@ module kernel_scale #(
     output wire signed [W-1:0] out_y,
     output wire                out_overflow
 );
-    reg    busy;  // x is formed, and the sine is read
+    reg    busy;  // x is being formed while the sine is read
     assign in_ready = !busy && (!out_valid || out_ready);
     assign out_cos = in_valid && in_ready;
     assign out_sin = busy;

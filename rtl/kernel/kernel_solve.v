@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions of the joints of a tip: two in the plane (x, y), or three, joint 3 turning that plane about z: (c3, n3) =
-// (x, y) / sqrt(x^2 + y^2), and rho = c3 x + n3 y and z stand for x and y. Each is given about its nearer axis.
+// Directions of the joints of a tip: two joints in the plane (x, y), or three, where joint 3 turns that plane about z:
+// (c3, n3) = (x, y) / sqrt(x^2 + y^2), and rho = c3 x + n3 y and z replace x and y. Each is given about its nearer
+// axis.
 //   q = x^2 + y^2, c2 = (q - Q1 - Q2) / 2 L1 L2, n2 = +-sqrt(1 - c2^2), k = L1 + L2 (c2, n2), (c1, n1) = p conj(k) / q
-// Out of reach c2 = +-1, n2 = 0 and (c1, n1) = +-p / |p|: the same products, 2 / sqrt(q) for 1/q, a power of two for k.
-// Formats: in_* s16.0; cfg_*: vector_solve.config; out_axis u2.0 quarter turns, out_below: the direction lies clockwise
-// of it; out_square u1.40, the square of the sine between them; of joint i + 1 in clocks of out_take[i]: the last.
-// Latency, II: 12, 26. Error: page. Status: unreachable (nearest point), singular (x = y = 0: joint 3, of two joints
-// joint 1, is not taken; nor joint 1 of three where z = 0 too). Models: rational.ik2, rational.ik3
+// Out of reach c2 = +-1, n2 = 0 and (c1, n1) = +-p / |p|, by the same products: 2 / sqrt(q) for 1/q, a power of two for
+// k. Formats: in_* s16.0; cfg_* by vector_solve.config; out_axis u2.0 quarter turns; out_below: clockwise of the axis;
+// out_square u1.40, square of the sine. Valid for joint i + 1 in each clock of out_take[i]; the last one holds. Error
+// of the tip: bounds.rational_ik2, rational_ik3, 0.37 and 0.80 LSB at L1 = L2 = 2^13 from a quarter to 0.99 of the
+// reach, 6 and 6.5 at full reach. Latency and II: 12, 26. Status: unreachable (the nearest point is answered), singular
+// (x = y = 0: joint 3, of two joints joint 1, is not given; nor is joint 1 of three where z = 0 too). Source: rational
+// trigonometry paper, eqs. 18-23 and 32-40, in vector form. Models: rational.ik2, rational.ik3
 `default_nettype none
 module kernel_solve #(
-    parameter JOINTS = 2  // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
+    parameter JOINTS = 2  // joints, 2 or 3 (default 2): in the plane, where in_z is not used, or in space
 ) (
     input  wire               clk,
     input  wire               rst,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Datapath of kernel_solve, whose table says what happens when: in_op is one line of it, column by column.
-// Ports, formats and models as in kernel_solve; in_start: in_x, in_y, in_z, in_elbow are taken at the end of the clock.
-// 1.0 is 2^25 in left, 2^26 in right but for the words in SLOPE, 2^24, in the product of them 2^49, of squares 2^51.
+// Datapath of kernel_solve, whose table says what happens in each clock: in_op is one line of it, column by column.
+// Ports, formats, error, status and models are those of kernel_solve. in_start: in_x, in_y, in_z and in_elbow are
+// loaded. 1.0 is 2^25 in left, 2^26 in right (2^24 in words from SLOPE), 2^49 in a product of the two and 2^51 in a
+// square.
 `default_nettype none
 module kernel_solve_path #(
-    parameter JOINTS = 2  // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
+    parameter JOINTS = 2  // joints, 2 or 3 (default 2): in the plane, where in_z is not used, or in space
 ) (
     input  wire               clk,
     input  wire [15:0]        cfg_l1,
@@ -32,11 +33,11 @@ module kernel_solve_path #(
     assign {rho_to, up, power, move, turn, to_k2, to_k1, left_from, right_from, add_l1,
             j1, j3, half, base, side, halve, sin2, cos2, inverse, read, root, gap, pairs, bytes} = in_op;
 
-    // At first minus_q makes q the gap; it rounds rho; where bytes and pairs are found it is 0
+    // minus_q first turns q into the gap, later it rounds rho; it is 0 where bytes and pairs are counted
     reg                elbow, clamped, zero, beyond, short;
-    reg                bent;            // c2^2 >= 1/2: joint 2 is given by n2^2
+    reg                bent;            // c2^2 >= 1/2, so joint 2 is given by n2^2
     reg                a_left, b_left;  // a < 0, b < 0
-    reg                x_near;          // the x axis is the nearer one: m is a
+    reg                x_near;          // the x axis is the nearer one, and m is a
     reg         [33:0] minus_q;
     reg  [3:0]         s;
     /* verilator lint_off UNUSEDSIGNAL */
@@ -58,14 +59,14 @@ module kernel_solve_path #(
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
-    // The third multiplier. An addend is a register of its own, cleared where there is none.
+    // The third multiplier. Its addend is a register that is 0 where nothing is added.
     reg  signed [26:0] left, right;
     reg  [15:0]        l1;
     assign             product = left * right;
     assign             result = product[52:31] + {2'd0, l1, 4'd0};
     wire               outside = beyond || product[53:49] != {5{product[53]}};
 
-    // v = 1 - c2^2 with 26 fraction bits; first factors of sqrt(v), 1/q', 2/sqrt(q'), 22 bits and a constant 1
+    // v = 1 - c2^2 has 26 fraction bits. First factors of sqrt(v), 1/q', 2/sqrt(q') have 22 bits and a constant 1.
     wire [25:0] v = ~product[50:25];
     wire        low = v[25:21] == 0, tiny = v[25:14] == 0;
     wire [20:0] e = tiny ? {2'd0, v[13:0], 5'd16} : low ? v[20:0] : v[25:5];
@@ -81,7 +82,7 @@ module kernel_solve_path #(
     wire [2:0] size = product[49:47] ^ {3{product[53]}};
     wire       far = size[2] || size[1] && size[0];
 
-    // The axes of joint 2 are the quarter turns for c2^2, none and half a turn for n2^2
+    // The axis of joint 2 is a quarter turn for c2^2, and 0 or half a turn for n2^2
     reg         zero3;
     /* verilator lint_off UNUSEDSIGNAL */
     wire [2:0]  take = {j3 && !zero, root || sin2 && bent, j1 && !zero};
@@ -134,7 +135,7 @@ module kernel_solve_path #(
         if (root || inverse) begin
             factor   <= inverse ? inverse_w : root_w;
         end
-        if (root && (clamped || product[51])) begin  // the root of 1 - (-1)^2 would read 1
+        if (root && (clamped || product[51])) begin  // for c2 = -1 the root would read 1
             factor   <= 22'd0;
         end
         if (left_from != 2'd3 && !(side && !far))

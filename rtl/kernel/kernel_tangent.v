@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Direction of (x, y) about an axis: the axis and the tangent of the angle from it, anticlockwise, without a length.
-//   tangent = m / M, M the coordinate that is longer in bits, m the other one; -m / M about the y axis
-// Both are shifted left until M fills its word; 1/M = w * slope, the tangent of 1/M in the middle of a segment, where w
-// is wiring of M: two products, and no addend.
-// Formats: in_x, in_y s16, any fraction; out_tangent s2.18; out_axis u2.0 quarter turns; both in the clock of out_take.
-// Error: 0.21 * 2^-14 rad of direction. Latency 4, II 4.
-// Status: singular (x = y = 0: no out_take but, after a reset, one of axis 0 and tangent 0).
-// Source: 1/M by tangents as reciprocal_pair. Model: table.ik1
+// Direction of a point (x, y) as an axis and the tangent of the angle from it, anticlockwise.
+//   tangent = m / M about the x axis, -m / M about the y axis, M the coordinate that is longer in bits, m the other one
+// Both are shifted left until M fills its word. 1/M = w * slope is the tangent to 1/M in the middle of a segment, and w
+// is wiring of M, so the quotient is two products without an addend.
+// Formats: in_x, in_y s16, any fraction; out_tangent s2.18; out_axis u2.0 quarter turns. Both are valid in the clock of
+// out_take. Error: 0.21 * 2^-14 rad of direction. Latency 4, II 4.
+// Status: singular (x = y = 0; then out_take does not come, except after a reset, with axis 0 and tangent 0).
+// Source: the definition; 1/M by tangents as in reciprocal_pair. Model: table.ik1
 `default_nettype none
 module kernel_tangent (
     input  wire               clk,
@@ -57,7 +57,7 @@ module kernel_tangent (
 
     wire [14:0]  used = (in_x[14:0] ^ in_x[15:1]) | (in_y[14:0] ^ in_y[15:1]);
     wire [3:0]   spare;
-    wire [15:0]  mirrored;  // x from its first bit below the sign on
+    wire [15:0]  mirrored;  // x without its sign bit, most significant bit first
     genvar       g;
     generate
         for (g = 0; g < 15; g = g + 1) begin : g_mirror
@@ -68,7 +68,7 @@ module kernel_tangent (
     reg  [3:0]   k;
     reg  [15:0]  x, y;
     reg          x_long, zero;
-    reg          fresh;   // nothing was taken since reset: the origin gives axis 0 and tangent 0
+    reg          fresh;   // no direction since reset: the origin gives axis 0 and tangent 0
     wire [15:0]  scaled;
     normalise #(.B(16)) shift (.in_used(used), .out_k(spare), .in_k(k), .in_x(x_long == short ? y : x), .out_x(scaled));
 
@@ -100,7 +100,7 @@ module kernel_tangent (
             slope <= slopes[{!x_long, scaled[15], scaled[13:7]}];
             w     <= {scaled[15:7], ~scaled[6:0]};
         end
-        factor <= first;  // of SHORT, for the next clock; 0 at the origin
+        factor <= first;  // the product of SHORT, for the next clock; 0 at the origin
         out_valid <= give || (out_valid && !out_ready);
         if (out_take)
             fresh <= 1'b0;

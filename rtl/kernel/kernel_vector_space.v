@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// kernel_vector_sum in a plane that stands upright and yaws: every joint's position of a chain of any number of links.
+// kernel_vector_sum in a plane that is upright and yaws: every joint position of a chain of any number of links.
 //   (C, N) <- (C c - N n, C n + N c); d = L C; (x, y, z) <- (x, y, z) + (d c3, d n3, L N); in_last ends a chain
-// The first word of a chain is its yaw (c3, n3), which is kept; its length is not looked at, its position the base.
-// Formats: as kernel_vector_sum, with one guard bit more in d and in the sums. Right while the product of the lengths
-// of the vectors, the yaw's too, stays below 2.
-// Error beyond that of the directions: z 1/2 + 1/32 LSB, x and y 1/2 + 3/32.
-// Latency 6, II 3: a third multiplier turns d while the others are at the next link. No table: bits name the clock.
-// Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not count.
-// Model: chain.vector_chain
+// The first word of a chain is its yaw (c3, n3), which is held; its length is ignored and its position is the base.
+// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uW; C, N s2.(U+G) with D = log2 N, G = D + 3; d and the sums have one
+// guard bit more; outputs sW, rounded to nearest and saturated; the sums are not saturated.
+// Error: 1/2 + 1/32 LSB in z, 1/2 + 3/32 in x and y, and that of the directions (bounds.chain.vector_chain_space).
+// Range: the product of the lengths of the vectors, the yaw's included, is below 2; beyond it the chain wraps.
+// Latency 6, II 3: a third multiplier turns d while the others work on the next link.
+// Overflow: a coordinate was saturated, or the chain has more than N links; a link beyond the N-th does not count.
+// Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.vector_chain
 `default_nettype none
 module kernel_vector_space #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20; their fraction bits do not matter here
-    parameter U = 16,  // fraction bits of cosine and sine, 4 to 20: 16 are what a coordinate of 16 bits needs
-    parameter N = 32   // links that a chain may have beside its yaw, 2 to 64, U + log2 N at most 22
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20 (default 16)
+    parameter U = 16,  // fraction bits of cosine and sine, 4 to 20 (default 16, enough for a coordinate of 16 bits)
+    parameter N = 32   // links of a chain without its yaw, 2 to 64 (default 32); U + log2 N at most 22
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -30,29 +31,29 @@ module kernel_vector_space #(
     output wire                out_last,
     output wire                out_overflow
 );
-    localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits of directions, one more of positions
+    localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits of directions, positions have one more
     localparam V = U + 2 + G, M = W + 3 + G, P = W + D + 3 + G;  // bits of C and N, of a product, of a sum
-    localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with zeros behind
+    localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with the zeros below
     localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
-    localparam [P-1:0] HALF = (1 << G) + (1 << D - 1);  // half an LSB, and half of what N products lose
+    localparam [P-1:0] HALF = (1 << G) + (1 << D - 1);  // half an LSB, and half the truncation of N products
     localparam [31:0] MOST = N + 1;
-    reg  [6:1] at;  // the clock of a link: cosine; sine; products d, z; x; y. Sums: one later
+    reg  [6:1] at;  // clocks of a link: cosine; sine; products d and z; x; y. Sums are one clock later
     wire move = !out_valid || out_ready;
     wire accept = in_valid && in_ready;
     assign in_ready = !at[1] && !at[2] && move;
     assign out_valid = at[6];
 
-    // The joint's word passes by both multipliers: (c, n), then (n, c), then the length twice
-    reg  signed [V-1:0] cosine, sine;  // of the link; in the first two clocks of the one before it
+    // r1, r2 hold (c, n), then (n, c), then the length twice, as operands of both multipliers.
+    reg  signed [V-1:0] cosine, sine;  // of the link; of the previous link in the first two clocks
     reg         [B-1:0] r1, r2;
-    reg                 minus;  // r2 is the one's complement of n, 2^-(U+G) below -n for the bits behind it are ones
+    reg                 minus;  // r2 is the one's complement of n with ones below it: 2^-(U+G) less than -n
     reg         [W-1:0] length;
     reg         [V-1:0] next;
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [V+R-1:0] product1 = cosine * $signed({r1, {G{1'b0}}}), product2 = sine * $signed({r2, {G{minus}}});
     /* verilator lint_on UNUSEDSIGNAL */
     wire [V-1:0] cut1 = product1[U+G +: V], cut2 = product2[U+G +: V];
-    wire [V-1:0] turned = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both cuts
+    wire [V-1:0] turned = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both truncations
 
     // The third multiplier turns d
     reg  signed [M-1:0] d;
@@ -62,14 +63,14 @@ module kernel_vector_space #(
     wire [M+U+1:0]      product3 = d * factor;
     /* verilator lint_on UNUSEDSIGNAL */
 
-    // z, x and y pass by one adder in turn
+    // z, x and y share one adder and rotate through three registers.
     reg  [P-1:0] front, middle, back;
     reg  [M-1:0] part;
     wire [P-1:0] sum = front + {{(P-M){part[M-1]}}, part};
     wire         over = sum[P-1:W+G] != {(P-W-G){sum[P-1]}};
     assign out_y = over ? {sum[P-1], {(W-1){!sum[P-1]}}} : sum[W+G:G+1];
 
-    // Words of the chain so far, N + 1 at most; the flags of a link go with it
+    // Words of the chain so far, at most N + 1; flags of the link
     reg  [D:0]   links;
     reg  [2:0]   flags;  // yaw, last of the chain, beyond N links
     reg  [1:0]   shown;

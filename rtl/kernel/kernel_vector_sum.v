@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every joint's position of a planar chain of any number of links, streamed from the base: a link in, a position out.
+// Every joint position of a planar chain of any number of links, streamed from the base: a link in, a position out.
 //   (C, N) <- (C c - N n, C n + N c), from (1, 0) on; (x, y) <- (x, y) + L (C, N), from (0, 0) on; in_last ends a chain
-// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uW; out_x, out_y sW, nearest, saturated (the sum is not).
-// Inside: C, N s2.(U+G), x, y s(W+D+2).G with D = log2 N, G = D + 3. Right while the product of the lengths of the
-// vectors stays below 2; beyond it the chain wraps, the next one does not.
+// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uW; out_x, out_y sW, rounded to nearest and saturated; the sums are
+// not. C, N are s2.(U+G), x, y s(W+D+2).G with D = log2 N and G = D + 3.
+// Range: the product of the lengths of the vectors is below 2; beyond it the chain wraps, and the next chain is right.
 // Error of a coordinate after k links: 1/2 + 1/16 + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB.
-// Latency 4, II 3 a link: the first clock of a link is the last of the one before it.
-// Overflow: a coordinate was saturated; or the chain has had N links before, and this one does not count.
-// Model: chain.vector_chain
+// Latency 4, II 3: the first clock of a link is the last clock of the link before it.
+// Overflow: a coordinate was saturated, or the chain has more than N links; a link beyond the N-th does not count.
+// Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.vector_chain
 `default_nettype none
 module kernel_vector_sum #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20; their fraction bits do not matter here
-    parameter U = 16,  // fraction bits of cosine and sine, 4 to 20: 16 are what a coordinate of 16 bits needs
-    parameter N = 32   // links that a chain may have, 2 to 64, U + log2 N at most 22: a snake has 32
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20 (default 16)
+    parameter U = 16,  // fraction bits of cosine and sine, 4 to 20 (default 16, enough for a coordinate of 16 bits)
+    parameter N = 32   // links of a chain, 2 to 64 (default 32, a snake robot's); U + log2 N at most 22
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -32,9 +32,9 @@ module kernel_vector_sum #(
     localparam [31:0] MOST = N;
     localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
     localparam V = U + 2 + G, M = W + 2 + G, P = W + D + 2 + G;  // bits of C and N, of a product, of a sum
-    localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with zeros behind
+    localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with the zeros below
     localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
-    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half of what N products lose
+    localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half the truncation of N products
 
     // Schedule, a clock a line
     localparam [1:0]
@@ -45,26 +45,26 @@ module kernel_vector_sum #(
         /* C n + N c */ {TURN},
         /* L C, L N  */ {LAST}};
     wire idle, turn, last;
-    reg  waits;  // the link is in its first clock, that of C c - N n
+    reg  waits;  // first clock of a link, that of C c - N n
     wire move = !out_valid || out_ready;
     wire accept = in_valid && in_ready;
     schedule #(.LINES(2), .BITS(2), .TABLE(LINK)) control (.clk(clk), .rst(rst), .in_start(waits && move),
         .out_idle(idle), .out_op({last, turn}));
     assign in_ready = !waits && (idle || last) && move;
 
-    // The joint's word passes by both multipliers: (c, n), then (n, c), then the length twice
-    reg  signed [V-1:0] cosine, sine;  // of the link; in the first two clocks of the one before it
+    // r1, r2 hold (c, n), then (n, c), then the length twice, as operands of both multipliers.
+    reg  signed [V-1:0] cosine, sine;  // of the link; of the previous link in the first two clocks
     reg         [B-1:0] r1, r2;
-    reg                 minus;  // r2 is the one's complement of n, 2^-(U+G) below -n for the bits behind it are ones
+    reg                 minus;  // r2 is the one's complement of n with ones below it: 2^-(U+G) less than -n
     reg         [W-1:0] length;
     reg         [V-1:0] next;
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [V+R-1:0] product1 = cosine * $signed({r1, {G{1'b0}}}), product2 = sine * $signed({r2, {G{minus}}});
     /* verilator lint_on UNUSEDSIGNAL */
     wire [V-1:0] cut1 = product1[U+G +: V], cut2 = product2[U+G +: V];
-    wire [V-1:0] turned = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both cuts
+    wire [V-1:0] turned = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both truncations
 
-    // x, then y through one adder; they change places. Its constant HALF rounds
+    // x, then y through one adder; the two sums rotate. Their initial value HALF rounds.
     reg  [P-1:0] front, back;
     reg  [M-1:0] y_part;
     wire [M-1:0] part = last ? product1[U+G +: M] : y_part;
@@ -72,7 +72,7 @@ module kernel_vector_sum #(
     wire         over = sum[P-1:W+G-1] != {(P-W-G+1){sum[P-1]}};
     assign       out_y = over ? {sum[P-1], {(W-1){!sum[P-1]}}} : sum[W+G-1:G];
 
-    // Links of the chain so far, N at most; ends and beyond are those of the link at work, then of the result
+    // Links of the chain so far, at most N; ends and beyond belong to the current link, then to the result
     reg  [D:0]   links;
     reg          ends, beyond, over_before;
     reg  [1:0]   shown;

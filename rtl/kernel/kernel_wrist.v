@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wrist of a planar arm of three joints: the tip less its last link, (x, y) - l3 (cos phi, sin phi), which a kernel of
-// two joints solves; and the third joint, phi - j1 - j2.
-// Formats: in_x, in_y s16.0; cfg_l3 u16.0; in_phi, in_j1, in_j2, out_j3 angle of A bits, in_phi held from in_start on;
-// out_x, out_y s16.0, nearest, in the clock of out_start. Overflow: one of them was saturated.
-// Error of out_x, out_y: half a unit, and that of angle_chord times l3. Latency 4. Model: table.wrist
+// Wrist of a planar arm of three joints, which a kernel of two joints then solves, and the third joint.
+//   (x, y) = tip - l3 (cos phi, sin phi); j3 = phi - j1 - j2
+// Formats: in_x, in_y s16.0; cfg_l3 u16.0; in_phi, in_j1, in_j2, out_j3 angles of A bits, in_phi loaded with in_start;
+// out_x, out_y s16.0, rounded to nearest and saturated, valid in the clock of out_start.
+// Error of a coordinate: 1/2 unit, and 1.62 * 2^-16 times l3 for the root. Latency 4.
+// Overflow: out_x or out_y was saturated.
+// Source: Newton-Raphson paper, eq. 14, in closed form. Model: table.wrist
 `default_nettype none
 module kernel_wrist #(
-    parameter A = 18  // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter A = 18  // bits of a joint word, 10 to 24 (default 18); a full turn is 2^A
 ) (
     input  wire               clk,
     input  wire               rst,
@@ -50,7 +52,7 @@ module kernel_wrist #(
     reg  signed [15:0]  goal, y;
     wire signed [27:0]  chord = rise * offset;
     wire signed [34:0]  link = root * $signed({1'b0, cfg_l3});
-    wire        [18:0]  twice = {{2{goal[15]}}, goal, 1'b0} - link[34:16];  // truncated, so its half is nearest
+    wire        [18:0]  twice = {{2{goal[15]}}, goal, 1'b0} - link[34:16];  // its half is rounded to nearest
     wire                over = twice[18:16] != {3{twice[18]}};
     assign              out_y = over ? {twice[18], {15{!twice[18]}}} : twice[16:1];
     assign              out_j3 = phi - in_j1 - in_j2;

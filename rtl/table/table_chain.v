@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every joint's position of a chain of any number of links, streamed from the base: a link in, a position out.
+// Every joint position of a chain of any number of links, streamed from the base: a link in, a position out.
 //   (x, y) <- (x, y) + L (cos j, sin j) with j the sum of the joint words so far; in_last ends a chain
-// SPACE = 1: (x, y, z) <- (x, y, z) + L (cos j cos j0, cos j sin j0, sin j), j0, the yaw, the first word of the chain.
-// Formats: in_j1 angle of A bits; in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, nearest, saturated (the sums are not).
-// Error of a coordinate: 0.57 + 1.63 (L1 + ... + Lk) / 2^16 LSB after k links, lengths in LSB; in space z 0.54 + 1.06
-// times that, x and y 0.60 + 2.11 times.
-// Latency 3 and II 2 a link, in space 6 and 3: the first clocks of a link are the last of the one before it.
-// Status: overflow (a coordinate was saturated; or the chain has had N links before, this one does not count).
-// Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions.
-// Model: chain.table_chain
+//   SPACE = 1: (x, y, z) <- (x, y, z) + L (cos j cos j0, cos j sin j0, sin j), j0, the yaw, the first word of the chain
+// Formats: in_j1 angle of A bits; in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, rounded to nearest and saturated; the sums
+// are not.
+// Error of a coordinate after k links, R = L1 + ... + Lk LSB, W = 16: 0.57 + 1.63 R / 2^16 LSB; in space z 0.54 + 1.06
+// R / 2^16, x and y 0.60 + 2.11 R / 2^16. Latency 3 and II 2 a link, in space 6 and 3.
+// Status: overflow (a coordinate was saturated, or the chain has more than N links; one beyond the N-th does not
+// count).
+// Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.table_chain
 `default_nettype none
 module table_chain #(
-    parameter SPACE = 0,  // 1: the chain's first word is its yaw, 0: a planar chain, without out_z
-    parameter W = 16,     // bits of a coordinate and of a length, 15 to 20: 16 are common in servo control
-    parameter F = 8,      // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
-    parameter A = 18,     // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
-    parameter N = 32      // links that a chain may have beside its yaw, 2 to 64: a snake has 32
+    parameter SPACE = 0,  // 1: in space, the first word of a chain is its yaw; 0: planar, out_z is 0 (default 0)
+    parameter W = 16,     // bits of a coordinate and of a length, 15 to 20 (default 16)
+    parameter F = 8,      // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18,     // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter N = 32      // links of a chain without its yaw, 2 to 64 (default 32)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -40,7 +40,7 @@ module table_chain #(
     endgenerate
 
     localparam K = W + 1;  // fraction bits of a root
-    localparam C = (W + 3) / 2 + (SPACE > 0 ? 1 : 0), T = A < C + 1 ? A - 1 : C;  // address bits of its table
+    localparam C = (W + 3) / 2 + (SPACE > 0 ? 1 : 0), T = A < C + 1 ? A - 1 : C;  // address bits of the sine table
 
     wire [A-1:0]      word;  // sum of the joint words of the chain
     wire              read, kept, cosine, overflow;

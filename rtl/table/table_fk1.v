@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of one joint: x = L1 cos j1, y = L1 sin j1.
-// Formats: in_j1 angle of A bits, cfg_l1 uQ(W-F).F, out_x and out_y sQ(W-F).F, nearest, saturated.
-// Error: a coordinate 0.50 + 1.62 L1 / 2^16 LSB, L1 in LSB: 0.91 at 2^14 (64 units in Q7.8), 0.77 measured.
+// Formats: in_j1 angle of A bits; cfg_l1 uQ(W-F).F; out_x, out_y sQ(W-F).F, rounded to nearest and saturated.
+// Error of a coordinate at W = 16: 0.50 + 1.63 L1 / 2^16 LSB, L1 in LSB: 0.91 at 2^14.
 // Latency 3, II 2: one table and two products serve x, then y.
 // Status: overflow (a coordinate was saturated).
 // Source: the definition; sine table with linear interpolation. Model: table.fk1
 `default_nettype none
 module table_fk1 #(
-    parameter W = 16,  // bits of a coordinate and of the length, 15 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter A = 18   // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter W = 16,  // bits of a coordinate and of the length, 15 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18   // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -30,7 +30,7 @@ module table_fk1 #(
     endgenerate
 
     localparam K = W + 1;  // fraction bits of a root
-    localparam T = A < (W + 3) / 2 + 1 ? A - 1 : (W + 3) / 2;  // address bits of its table
+    localparam T = A < (W + 3) / 2 + 1 ? A - 1 : (W + 3) / 2;  // address bits of the sine table
 
     reg  [T-1:0]      upper;
     wire              read, kept, overflow;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of three joints: x = rho cos j3, y = rho sin j3, z = L1 sin j1 + L2 sin(j1 + j2) with
-// rho = L1 cos j1 + L2 cos(j1 + j2), which keeps its sign: an arm that leans back lands behind the yaw axis.
-// Formats: in_j1..3 angle of A bits; cfg_l1, cfg_l2 uQ(W-F).F; out_x..z sQ(W-F).F, nearest, saturated.
-// Error: z 0.57 + 1.06 (L1 + L2) / 2^16 LSB, lengths in LSB; x and y 0.63 + twice that: 1.16 at 2^14, 0.90 measured.
-// Latency 7, II 6; the schedule is in kernel_links.v.
+// Forward kinematics of three joints, the third turning the plane of the first two about the upright axis.
+//   rho = L1 cos j1 + L2 cos(j1 + j2), z = L1 sin j1 + L2 sin(j1 + j2); x = rho cos j3, y = rho sin j3
+// rho keeps its sign: an arm that leans back ends on the other side of the yaw axis.
+// Formats: in_j1..3 angle of A bits; cfg_l1, cfg_l2 uQ(W-F).F; out_x..z sQ(W-F).F, rounded to nearest, saturated.
+// Error at W = 16, lengths in LSB: z 0.57 + 1.06 (L1 + L2) / 2^16 LSB, x and y 0.63 + twice that: 1.16 at 2^14.
+// Latency 7, II 6.
 // Status: overflow (a coordinate was saturated).
 // Source: angles of joints in a plane add, so a link needs one sine and one cosine. Model: table.fk3
 `default_nettype none
 module table_fk3 #(
-    parameter W = 16,  // bits of a coordinate and of a length, 15 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter A = 18   // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter W = 16,  // bits of a coordinate and of a length, 15 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18   // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -35,7 +36,7 @@ module table_fk3 #(
     endgenerate
 
     localparam K = W + 1;  // fraction bits of a root
-    localparam T = A < (W + 5) / 2 + 1 ? A - 1 : (W + 5) / 2;  // address bits of its table
+    localparam T = A < (W + 5) / 2 + 1 ? A - 1 : (W + 5) / 2;  // address bits of the sine table
 
     reg  [A-1:0]      j1, j12, j3;
     wire [3:1]        want;

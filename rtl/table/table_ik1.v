@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of one joint: the direction of (x, y) as a binary angle; no length is needed.
 //   j1 = axis + arctan(m / M), M the coordinate that is longer in bits, m the other one
-// Formats: in_x, in_y sQ(W-F).F, out_j1 angle of A bits modulo a turn, nearest.
-// Error: direction within 0.42 * 2^-14 rad of those that round to the word at A = 18, 0.32 at A = 24; 0.23 measured.
-// Latency 4, II 4; the schedule is in kernel_tangent.v.
-// Status: singular (x = y = 0: the last word is held, 0 after reset).
+// Formats: in_x, in_y sQ(W-F).F; out_j1 angle of A bits modulo a turn, rounded to nearest.
+// Error: the direction is within 0.421 * 2^-14 rad of those that round to the word at A = 18, 0.324 * 2^-14 at A = 24.
+// Latency 4, II 4.
+// Status: singular (x = y = 0: the last word is held, 0 after a reset).
 // Source: the definition; tables of 1/M and of the arc tangent. Model: table.ik1
 `default_nettype none
 module table_ik1 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W-1; changes no logic: 8, Q7.8
-    parameter A = 18   // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18   // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of two joints in binary angles: both joints of a tip (x, y) for the elbow asked for.
-// Formats: in_x, in_y s(W-F).F; out_j1, out_j2 angles of A bits modulo a turn, nearest; cfg_*: vector_solve.config.
-// Error of the tip: page. Latency, II: 12.
-// Status: unreachable (nearest point answered), singular (x = y = 0: out_j1 held).
-// Source: rational trigonometry paper, eqs. 18-23, in vector form; an arc sine of their result. Model: table.ik2
+// Inverse kinematics of two joints in binary angles: both joints of a tip (x, y) for the requested elbow.
+//   q = x^2 + y^2, cos j2 = (q - Q1 - Q2) / 2 L1 L2; j1 is the direction of (x, y) less that of L1 + L2 (cos j2, sin
+//   j2)
+// Formats: in_x, in_y s(W-F).F; out_j1, out_j2 angles of A bits modulo a turn, rounded to nearest; cfg_q, cfg_r, cfg_e
+// by table.config.
+// Error of the tip at the answered words: bounds.table_ik2, at L1 = L2 = 2^13 from a quarter of the reach on 1.27 LSB
+// at A = 18 and 0.94 at A = 24.
+// Latency 12, II 12.
+// Status: unreachable (the nearest point is answered), singular (x = y = 0: j1 is held, 0 after a reset).
+// Source: rational trigonometry paper, eqs. 18-23, in vector form, and an arc sine of their result. Model: table.ik2
 `default_nettype none
 module table_ik2 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter A = 18   // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18   // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,

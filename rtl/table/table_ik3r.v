@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of three joints in the plane, in one pass: all joints of a tip (x, y) whose last link points along
-// phi, for the elbow asked for: the wrist, then table_ik2, then j3 = phi - j1 - j2.
-// Formats: in_x, in_y s(W-F).F; in_phi, out_j* angles of A bits modulo a turn, nearest, but the last link exactly along
-// phi; cfg_*: as table_ik2, and cfg_l3 u(W-F).F. Error of the tip: page. Latency, II: 16.
-// Status: unreachable (the wrist is at the nearest point), singular (the wrist is the shoulder: out_j1 held), overflow
-// (the wrist was saturated to s(W-F).F).
+// Inverse kinematics of three joints in the plane: all joints of a tip (x, y) whose last link points along phi, for the
+// requested elbow.
+//   the wrist (x, y) - L3 (cos phi, sin phi), then table_ik2, then j3 = phi - j1 - j2
+// Formats: in_x, in_y s(W-F).F; in_phi, out_j* angles of A bits modulo a turn, j1 and j2 rounded to nearest; the three
+// words add up to in_phi exactly. cfg_l3 u(W-F).F; cfg_q, cfg_r, cfg_e by table.config.
+// Error of the tip: that of table_ik2, and sqrt(2) (1/2 + 1.62 L3 / 2^16) for the wrist in 16-bit words
+// (bounds.table_ik3r). Latency 16, II 16.
+// Status: unreachable (the wrist is at its nearest point), singular (the wrist is the shoulder: j1 is held), overflow
+// (the wrist was saturated).
 // Source: Newton-Raphson paper, eq. 14, in closed form. Model: table.ik3r
 `default_nettype none
 module table_ik3r #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter A = 18   // bits of a joint word, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18   // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,

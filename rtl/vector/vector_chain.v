@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every joint's position of a chain of any number of links, streamed from the base: a link in, a position out.
+// Every joint position of a chain of any number of links, streamed from the base: a link in, a position out.
 //   (C, N) <- (C c - N n, C n + N c), from (1, 0) on; (x, y) <- (x, y) + L (C, N), from (0, 0) on; in_last ends a chain
-// SPACE = 1: (x, y, z) <- (x, y, z) + L (C c3, C n3, N), where (c3, n3), the yaw, is the first word of the chain.
-// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, saturated (sums are not).
-// Right while the product of the lengths of the vectors stays below 2; beyond it the chain wraps, the next does not.
-// Error of a coordinate after k links: 0.57 (in space x, y 0.60) + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB with
+//   SPACE = 1: (x, y, z) <- (x, y, z) + L (C c3, C n3, N), where (c3, n3), the yaw, is the first word of the chain
+// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, rounded to nearest and saturated;
+// the sums are not. Range: the product of the lengths of the vectors is below 2; beyond it this chain wraps.
+// Error of a coordinate after k links: 0.57 LSB (in space x, y 0.60) + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB,
 // G = log2 N + 3. Latency 4, in space 6; II 3 a link.
-// Status: overflow (a coordinate was saturated; or the chain has had N links before, this one does not count).
-// Source: rational trigonometry paper, section IV-D, from joint words instead of fixed directions.
-// Model: chain.vector_chain
+// Status: overflow (a coordinate was saturated, or the chain has more than N links; one beyond the N-th does not
+// count).
+// Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.vector_chain
 `default_nettype none
 module vector_chain #(
-    parameter SPACE = 0,  // 1: the chain's first word is its yaw, 0: a planar chain, without out_z
-    parameter W = 16,     // bits of a coordinate and of a length, 4 to 20: 16 are common in servo control
-    parameter F = 8,      // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
-    parameter U = 16,     // fraction bits of cosine and sine, 4 to 20: 16 are what a coordinate of 16 bits needs
-    parameter N = 32      // links that a chain may have beside its yaw, 2 to 64, U + log2 N at most 22: a snake has 32
+    parameter SPACE = 0,  // 1: in space, the first word of a chain is its yaw; 0: planar, out_z is 0 (default 0)
+    parameter W = 16,     // bits of a coordinate and of a length, 4 to 20 (default 16)
+    parameter F = 8,      // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,     // fraction bits of cosine and sine, 4 to 20 (default 16)
+    parameter N = 32      // links of a chain without its yaw, 2 to 64 (default 32); U + log2 N at most 22
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of one joint whose word is the unit vector itself: x = L1 c1, y = L1 n1.
-// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); cfg_l1 uQ(W-F).F; out_x, out_y sQ(W-F).F, nearest (ties upward), saturated.
-// Error of a coordinate: 1/2 LSB for the vector as it is given, which may have any length.
-// Latency 2, II 2: x, then y through one rounding.
+// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); cfg_l1 uQ(W-F).F; out_x, out_y sQ(W-F).F, rounded to nearest (ties upward)
+// and saturated.
+// Error of a coordinate: 1/2 LSB for the vector as it is given, of any length.
+// Latency 2, II 2: x, then y through one rounding adder.
 // Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 51 and 52, whose roots of spreads are the vector. Model: vector.fk1
 `default_nettype none
 module vector_fk1 #(
-    parameter W = 16,  // bits of a coordinate and of the length, 4 to 24: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
-    parameter U = 16   // fraction bits of cosine and sine, 4 to 24: 16 turn the tip by 0.18 LSB at most, 64 units away
+    parameter W = 16,  // bits of a coordinate and of the length, 4 to 24 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16   // fraction bits of cosine and sine, 4 to 24 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -30,7 +31,7 @@ module vector_fk1 #(
         end
     endgenerate
 
-    reg    second;  // the clock after the accepting one: y is multiplied, x is rounded
+    reg    second;  // second clock of a sample: y is multiplied, x is rounded
     wire   accept = in_valid && in_ready;
     assign in_ready = !second && (!out_valid || out_ready);
 
@@ -40,7 +41,7 @@ module vector_fk1 #(
     wire signed [W+U+2:0] along = in_c1 * length, across = n * length;
     /* verilator lint_on UNUSEDSIGNAL */
 
-    // One fraction bit each. Of x and y one is a product, the other the half that rounds it: no selector is needed
+    // x and y have one fraction bit. One of them is a product, the other is 1/2, which rounds it without a selector.
     localparam [W+2:0] HALF = 1;
     reg  [W+2:0] x, y;
     wire [W+2:0] sum = x + y;

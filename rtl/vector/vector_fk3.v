@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of three joints whose words are unit vectors: vector_fk2 in a plane that stands upright and yaws.
-//   rho, z = x, y of vector_fk2; x = rho c3, y = rho n3; rho keeps its sign and its fraction
-// Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 uQ(W-F).F; out_x ... out_z sQ(W-F).F, nearest, saturated.
-// Error: each coordinate within 0.64 LSB of the vectors as they are given, if none is longer than 1.
-// Latency 6, II 6; the schedule is in kernel_vector_chain.v.
+// Forward kinematics of three joints whose words are unit vectors: vector_fk2 in a plane that is upright and yaws.
+//   rho, z = x, y of vector_fk2; x = rho c3, y = rho n3; rho keeps its sign and its fraction bits
+// Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 uQ(W-F).F; out_x ... out_z sQ(W-F).F, rounded to nearest
+// and saturated.
+// Error of a coordinate: 0.64 LSB for the vectors as they are given, if none is longer than 1 (bounds.vector_chain).
+// Range: (L1 + L2 |v2|) |v1| and that times |v3| below 2^(W+1) LSB; beyond it a coordinate wraps. Latency 6, II 6.
 // Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 24-31 in vector form. Model: vector.fk3
 `default_nettype none
 module vector_fk3 #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
-    parameter U = 16   // fraction bits of cosine and sine, 4 to 24: 16 are what a coordinate of 16 bits needs
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16   // fraction bits of cosine and sine, 4 to 24 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of one joint: the unit vector (c1, n1) = (x, y) / |(x, y)|, by one multiplier.
 //   q = x^2 + y^2 of x and y without their common redundant sign bits; c1 = x / sqrt(q), n1 = y / sqrt(q)
-// Formats: in_x, in_y s(W-F).F; out_c1, out_n1 s2.U (1.0 is 2^U), nearest (ties upward).
-// Error: (c1, n1) is a vector exactly along (x, y), of length 1 within 2^-16, each coordinate to nearest.
+// Formats: in_x, in_y s(W-F).F; out_c1, out_n1 s2.U, rounded to nearest (ties upward).
+// Error: the coordinates of one vector exactly along (x, y), of length 1 within 0.95 * 2^-16, each rounded to nearest.
 // Latency 8, II 8.
-// Status: singular (x = y = 0: the last vector is held, (1, 0) after reset).
+// Status: singular (x = y = 0: the last vector is held, (1, 0) after a reset).
 // Source: rational trigonometry paper, eq. 9, which loses the quadrant. Model: vector.ik1
 `default_nettype none
 module vector_ik1 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16 are common in servo control
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W-1; changes no logic: 8, Q7.8
-    parameter U = 16   // fraction bits of cosine and sine, 4 to 16: 16, half a step is 0.18 LSB 64 units away
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16   // fraction bits of cosine and sine, 4 to 16 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -56,17 +56,17 @@ module vector_ik1 #(
     schedule #(.LINES(7), .BITS(9), .TABLE(AIM)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
         .out_op({sine, cosine, root, to_slope, read, add, second, to_right, to_left}));
 
-    // Words of 16 bits, aligned to the left. The last step of the shift stands in the selectors of left and right
+    // Words of 16 bits, aligned to the left. The last step of the shift is in the selectors of left and right.
     wire [15:0] x_in = {in_x, {(16-W){1'b0}}}, y_in = {in_y, {(16-W){1'b0}}};
     wire [14:0] used = (x_in[14:0] ^ x_in[15:1]) | (y_in[14:0] ^ y_in[15:1]);
     reg  [15:0] x, y;
-    // Redundant sign bits, by fours: the first group of used bits that is not empty, and the first bit in it
+    // Redundant sign bits by groups of four: the first group with a used bit, and the first used bit in it
     wire        some3 = used[14:11] != 0, some2 = used[10:7] != 0, some1 = used[6:3] != 0;
     wire [1:0]  group = {!some3 && !some2, !some3 && (some2 || !some1)};
     wire [3:1]  bits = group[1] ? (group[0] ? used[2:0] : used[6:4]) : (group[0] ? used[10:8] : used[14:12]);
     wire [3:0]  spare = {group, !bits[3] && !bits[2], !bits[3] && (bits[2] || !bits[1])};
     reg  [3:0]  k;
-    reg  [1:0]  pick;  // what goes to right: 0 or 1 the coordinate, shifted by so much, 2 the slope, 3 the root
+    reg  [1:0]  pick;  // operand right: 0 or 1 the coordinate shifted by that much, 2 the slope, 3 the root
     reg         zero;
     wire [15:0] first = k[1] ? (second ? y << 2 : x << 2) : (second ? y : x);
     reg  [15:0] coarse;
@@ -78,12 +78,12 @@ module vector_ik1 #(
             default: coarse = first << 12;
         endcase
 
-    // left and right have 20 fraction bits as coordinates, so that a product has 18 above the 22 that are dropped
+    // Coordinates in left and right have 20 fraction bits, so a product has 18 above the 22 that are dropped.
     reg  signed [21:0] left, right;
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [43:0] product = left * right;
     /* verilator lint_on UNUSEDSIGNAL */
-    localparam [19:0] HALF = 1 << 16 - U;  // rounds c1 and n1; q starts with 1, what two truncated squares lose
+    localparam [19:0] HALF = 1 << 16 - U;  // rounds c1 and n1; q starts with 1, for two truncated squares
     wire [19:0] start = U < 16 && to_right ? 20'd1 : HALF;
     reg  [19:0] sum;
     wire [19:0] total = product[41:22] + sum;

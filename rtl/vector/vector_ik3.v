@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of three joints on unit vectors: joint 3 is the direction of (x, y), rho its length; vector_ik2 on
-// (rho, z). Formats: in_* s(W-F).F; out_c*, out_n* cos and sin of a joint, s2.U, nearest; cfg_*: vector_solve.config.
-// Error of the tip: page. Latency, II: 19.
-// Status: unreachable (nearest point answered), singular (x = y = 0: out_c3, out_n3 held, z = 0 too: out_c1, out_n1).
+// Inverse kinematics of three joints on unit vectors: joint 3 is the direction of (x, y), joints 1 and 2 are those of
+// vector_ik2 for (rho, z).
+//   (c3, n3) = (x, y) / sqrt(x^2 + y^2), rho = c3 x + n3 y
+// Formats: in_* s(W-F).F; out_c*, out_n* cosine and sine of a joint, s2.U, rounded to nearest; cfg_q, cfg_r, cfg_e by
+// vector_solve.config.
+// Error of the tip, rounding included: bounds.vector_ik3, 1.04 LSB at L1 = L2 = 2^13 from a quarter of the reach on.
+// Latency 19, II 19.
+// Status: unreachable (the nearest point is answered), singular (x = y = 0: c3, n3 are held; z = 0 too: c1, n1).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form. Model: vector_solve.ik3
 `default_nettype none
 module vector_ik3 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16   // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16   // fraction bits of cosine and sine, 8 to 16 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
