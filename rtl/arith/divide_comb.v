@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unsigned division with F extra fraction bits of the quotient, combinational.
+// This core divides unsigned words, with F extra fraction bits of the quotient. Combinational.
 //   in_n * 2^F = out_q * in_d + out_r, 0 <= out_r < in_d
-// Formats: in_n uWN.0, in_d uWD.0, out_q uWN.F, out_r exact. Error: truncation, 0 <= n/d - out_q < 1 LSB.
-// in_d = 0: out_div_by_zero = 1, out_q all ones, out_r = in_n * 2^F mod 2^WD.
+// Formats: in_n is uWN.0, in_d uWD.0, out_q uWN.F; out_r is exact. Error: truncation, 0 <= n/d - out_q < 1 LSB.
+// Status: in_d = 0 raises out_div_by_zero; out_q is then all ones and out_r = in_n * 2^F mod 2^WD.
 // Model: arith.divide
 `default_nettype none
 module divide_comb #(
-    parameter WN = 16,  // bits of the numerator, 1 or more; 16 is the library's word
-    parameter WD = 16,  // bits of the divisor, 1 or more; 16 is the library's word
-    parameter F  = 0    // further fraction bits of the quotient, 0 or more; 0: whole numbers
+    parameter WN = 16,  // bits of the numerator, 1 or more (default 16)
+    parameter WD = 16,  // bits of the divisor, 1 or more (default 16)
+    parameter F  = 0    // further fraction bits of the quotient, 0 or more (default 0)
 ) (
     input  wire [WN-1:0]   in_n,
     input  wire [WD-1:0]   in_d,

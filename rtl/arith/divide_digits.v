@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// R digits of the restoring division, combinational: the step that comb, iter and pipe share.
+// This part computes R digits of a restoring division, combinational. All forms of the divider share it.
 //   one digit: p = 2 rem + bit; p >= d ? (2 quotient + 1, p - d) : (2 quotient, p)
-// in_rem is the remainder of the K numerator bits so far, in_bits the next R bits, first bit on top.
-// A remainder has min(K, WD) bits (1 at K = 0), so the first rows compare few bits and ask only whether d has more.
-// d = 0 yields digits 1 and keeps p, of which WD bits remain.
+// in_rem is the remainder of the first K numerator bits; in_bits holds the next R bits, the first one on top.
+// A remainder has min(K, WD) bits (1 at K = 0), so the first rows compare few bits and only test whether d has more.
+// d = 0 gives digits 1 and keeps p, of which WD bits remain. Exact. Model: arith.divide
 `default_nettype none
 module divide_digits #(
-    parameter K  = 16,  // digits known before, 0 or more; 16 has no meaning: every user sets it
-    parameter R  = 1,   // digits to add, 1 or more; 1: the step itself
-    parameter WD = 16   // bits of the divisor, 1 or more; 16 is the library's word
+    parameter K  = 16,  // digits known before, 0 or more (default 16; every instance sets it)
+    parameter R  = 1,   // digits to add, 1 or more (default 1)
+    parameter WD = 16   // bits of the divisor, 1 or more (default 16)
 ) (
     input  wire [(K < 1 ? 1 : K < WD ? K : WD)-1:0] in_rem,
     input  wire [WD-1:0]                            in_d,
@@ -40,7 +40,7 @@ module divide_digits #(
             if (B < WD) begin : g_short
                 wire [B+1:0] trial;
                 wire         high;
-                if (B < 2) begin : g_gates  // the first two digits are a few LUTs as gates, two chains as sums
+                if (B < 2) begin : g_gates  // as gates the first two digits cost a few LUTs, as sums two carry chains
                     wire borrow = ~p[0] & in_d[0];
                     assign trial[2] = p[1] ? in_d[1] & borrow : in_d[1] | borrow;
                     assign trial[1:0] = {p[1] ^ in_d[1] ^ borrow, p[0] ^ in_d[0]};
@@ -55,7 +55,7 @@ module divide_digits #(
                 assign digit = !trial[B+1] && !high;
                 assign next_rem = digit ? trial[A-1:0] : p[A-1:0];
             end else begin : g_full
-                // p < 2 d keeps p - d inside WD+1 bits, sign included; p[WD] matters for d = 0 alone
+                // p < 2 d, so p - d fits WD+1 bits with its sign; p[WD] matters only for d = 0
                 wire [WD:0] trial = p - {1'b0, in_d};
                 assign digit = !trial[WD] || p[WD];
                 assign next_rem = digit ? trial[A-1:0] : p[A-1:0];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Square root of an unsigned word with F extra fraction bits, combinational.
+// This core computes the square root of an unsigned word, with F extra fraction bits. Combinational.
 //   out_root = floor(sqrt(in_d * 4^F)), out_rem = in_d * 4^F - out_root^2 <= 2 out_root
-// Formats: in_d uW.0, out_root u(ceil(W/2)).F, out_rem exact; in_d uW.2f gives out_root with f + F fraction bits.
-// Error: truncation, 0 <= sqrt - out_root < 1 LSB; nearest is out_root + (out_rem > out_root).
+// Formats: in_d is uW.0, out_root u(ceil(W/2)).F; out_rem is exact. in_d uW.2f gives out_root with f + F fraction bits.
+// Error: truncation, 0 <= sqrt - out_root < 1 LSB. The nearest root is out_root + (out_rem > out_root).
 // Model: arith.isqrt
 `default_nettype none
 module isqrt_comb #(
-    parameter W = 16,  // bits of the radicand, 1 or more; 16 is the library's word
-    parameter F = 0    // further fraction bits of the root, 0 or more; 0: whole numbers
+    parameter W = 16,  // bits of the radicand, 1 or more (default 16)
+    parameter F = 0    // further fraction bits of the root, 0 or more (default 0)
 ) (
     input  wire [W-1:0]         in_d,
     output wire [(W+1)/2+F-1:0] out_root,

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// R digits of the restoring square root, combinational: the step that comb, iter and pipe share.
+// This part computes R digits of a restoring square root, combinational. All forms of the root share it.
 //   one digit: t = 4 rem + pair - (4 root + 1); t >= 0 ? (2 root + 1, t) : (2 root, 4 rem + pair)
-// in_root holds the K digits known so far, in_rem = radicand so far - root^2 <= 2 root (K+1 bits),
-// in_pairs the next R bit pairs of the radicand, first pair on top.
-// The invariant 0 <= rem <= 2 root keeps t inside K+2 chain bits, so the sign bit is the digit.
+// in_root holds the K digits known so far; in_rem = radicand so far - root^2 <= 2 root has K+1 bits; in_pairs holds the
+// next R bit pairs of the radicand, the first one on top.
+// The invariant 0 <= rem <= 2 root keeps t inside K+2 bits of the carry chain, so its sign bit is the digit. Exact.
+// Model: arith.isqrt
 `default_nettype none
 module isqrt_digits #(
-    parameter K = 7,  // digits known before, 1 or more; 7: the last digit of a 16-bit radicand
-    parameter R = 1   // digits to add, 1 or more; 1: the step itself
+    parameter K = 7,  // digits known before, 1 or more (default 7: the last digit of a 16-bit radicand)
+    parameter R = 1   // digits to add, 1 or more (default 1)
 ) (
     input  wire [K:0]     in_rem,
     input  wire [K-1:0]   in_root,
@@ -38,8 +39,8 @@ module isqrt_digits #(
                 assign root = g_digit[i-1].next_root;
             end
 
-            // {pair - 1} borrows exactly when pair = 0, as does pair[1] - ~pair[0]: one chain bit, not two
-            if (D < 3) begin : g_gates  // as gates, the first three digits fit one 6-input LUT a bit
+            // pair - 1 borrows exactly when pair = 0, and so does pair[1] - ~pair[0], which is one bit shorter
+            if (D < 3) begin : g_gates  // as gates the first three digits cost one 6-input LUT a bit
                 wire [D+1:0] a = {rem, pair[1]};
                 wire [D+1:0] b = {1'b0, root, ~pair[0]};
                 reg  [D+1:0] difference;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normalisation of several 16-bit words by the redundant sign bits that all of them have: their count, and the shifter.
+// This part normalises several 16-bit words together: a count of their common redundant sign bits, and a shifter.
 //   out_k = number of bits below the sign bit that repeat it in every word; out_x = in_x << in_k
-// Formats: in_used = OR over the words w of w[14:0] ^ w[15:1]; out_k u4.0, 15 where every word is 0 or -1.
-// in_x has B bits and any fraction; a word that was counted does not lose its sign. Combinational, error 0.
-// The halves are independent: a user registers the count or not, and shifts several words by it, one after the other.
+// Formats: in_used is the OR over the words w of w[14:0] ^ w[15:1]; out_k is u4.0, 15 where every word is 0 or -1.
+// in_x has B bits and any fraction; a word that was counted keeps its sign. Combinational; exact.
+// The two halves are independent: the count may be registered, and one shifter may serve several words in turn.
 // Model: rational._zeros
 `default_nettype none
 module normalise #(
-    parameter B = 16  // bits of the shifted word, 16 or more: 16, the words that are counted
+    parameter B = 16  // bits of the shifted word, 16 or more (default 16)
 ) (
     input  wire [14:0]  in_used,
     output reg  [3:0]   out_k,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// 1/q as two factors without an addend, in one memory block of 512 x 20 bits, for users who multiply by both in turn:
-// the tangent in the middle t of segment a,  q = (a + d) h, d in [0, 1), h = 2^-8:  1/q = (2 t - q) / t^2, and 2 t - q
-// is wiring: the one's complement of d.
-// Formats: in_q u2.17, the sum of two words truncated to 2^-17; out_w u1.16, out_slope u4.16, one clock later.
-//   1/q = out_w * out_slope / 2^32; a user may take ~out_w for -out_w, half of whose unit is in the slope
-// Range: 1/4 <= q <= 2; q = 2 alone has bit 18 set, and the exact product 1/2.
-// Error, relative: (h / 2t)^2 / 2 = 2^-15 at q = 1/4 of sag; w 1.25 * 2^-16 / q with its sign; slope q^2 * 2^-17.
-// Model: rational._reciprocal_slopes
+// This part gives 1/q as two factors for users that multiply by both in turn. It is one memory block of 512 x 20 bits.
+//   1/q = out_w * out_slope / 2^32: the tangent in the middle t of segment a, 1/q = (2 t - q) / t^2, with
+//   q = (a + d) h, d in [0, 1), h = 2^-8; 2 t - q is wiring, the one's complement of d
+// Formats: in_q is u2.17, a sum of two words truncated to 2^-17; out_w u1.16 and out_slope u4.16 come one clock later.
+// A user may take ~out_w for -out_w: half of its unit is in the slope.
+// Range: 1/4 <= q <= 2. Only q = 2 has bit 18 set, and its product is exactly 1/2.
+// Relative error: at most 2^-19 / q^2 (tangent) + 1.25 * 2^-16 / q (out_w, with either sign) + 2^-17 q^2 (slope).
+// Model: rational.reciprocal_pair
 `default_nettype none
 module reciprocal_pair (
     input  wire        clk,
@@ -14,8 +14,8 @@ module reciprocal_pair (
     output reg  [16:0] out_w,
     output reg  [19:0] out_slope
 );
-    // With b = 2a + 1: 2^34 / b^2, raised by half the loss at a border, 1 / 2b^2, and lowered by the quarter of a unit
-    // that w is too large on average, 1 / 512b. Entry 0 is q = 2; those of q < 1/4 are never read.
+    // With b = 2a + 1 an entry is 2^34 / b^2, raised by half the loss at a segment border, 1 / 2b^2, and lowered by the
+    // quarter of a unit by which w is too large on average, 1 / 512b. Entry 0 serves q = 2; q < 1/4 is never read.
     function [19:0] slope_at(input integer a);
         reg [63:0] b, word;
         begin

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reciprocal square root as a product without an addend, 1/sqrt(q) = out_w * out_slope: the tangent in the middle t of
-// segment a,  q = (a + d) h, d in [0, 1), h = 2^-9, t = (a + 1/2) h:  1/sqrt(q) = (3 t - q) / 2 t^(3/2), and 3 t - q is
-// wiring, one's complement included.
-// Formats: in_q u2.18; out_w u3.18 in the same clock; out_slope u2.18, one clock after in_read, held.
-//   1/sqrt(q) = out_w * out_slope / 2^36
-// Range: 1/4 <= q <= 2; the word of q = 2 is that of segment 0, which none of the others needs.
-// Error, relative: 0.19 * 2^-16 at q = 1/4 by the tangent, half a unit of the slope, 0.71 * 2^-16 at q = 2.
+// This part gives 1/sqrt(q) as two factors: the tangent in the middle t of segment a.
+//   1/sqrt(q) = out_w * out_slope / 2^36: (3 t - q) / (2 t^(3/2)), q = (a + d) h, d in [0, 1), t = (a + 1/2) h,
+//   h = 2^-9; 3 t - q is wiring, one's complement included
+// Formats: in_q is u2.18; out_w is u3.18, in the same clock; out_slope is u2.18, one clock after in_read, and is held.
+// Range: 1/4 <= q <= 2. The word of q = 2 is in segment 0, which no other q of the range needs.
+// Relative error: at most 0.8 * 2^-16. At q = 1/4 the tangent loses 0.19 * 2^-16; at q = 2 half a unit of the slope is
+// 0.71 * 2^-16.
 // Model: vector.reciprocal_root
 `default_nettype none
 module reciprocal_root (
@@ -15,8 +15,8 @@ module reciprocal_root (
     output wire [20:0] out_w,
     output reg  [19:0] out_slope
 );
-    // With b = 2a + 1: 2^32 / b^(3/2), raised by half of what the tangent loses at the ends of its segment, 3 / 16 b^2,
-    // and by what the one's complement takes from w, 1 / 512 b
+    // With b = 2a + 1 an entry is 2^32 / b^(3/2), raised by half of what the tangent loses at the ends of its segment,
+    // 3 / 16 b^2, and by what the one's complement takes from w, 1 / 512 b
     function [19:0] slope_at(input integer a);
         reg [63:0] b, square, root;
         integer    i;

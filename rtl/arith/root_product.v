@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Square root of a fraction or of its complement as a product, sqrt(v) = out_w * out_slope / 2^(B+17).
-//   v = in_not ? 1 - in_v : in_v = (a + d) h, d in [0, 1), t = a + 1/2: the tangent in the middle of segment a,
-//   sqrt(v) = (v/h + t) * sqrt(h) / (2 sqrt(t)), needs no addend, and v/h + t is wiring: {a, d[top], ~d[top], d[rest]}.
-// Formats: in_v u0.S; out_w u19 with in_v; out_slope uB one clock after in_read, held until the next.
-// Four ranges of v, from 2^-4, 2^-9, 2^-15 and 0, of 512 segments each: w is a 4:1 selection, and the slopes are stored
+// This part gives the square root of a fraction, or of its complement, as two factors.
+//   sqrt(v) = out_w * out_slope / 2^(B+17), v = in_not ? 1 - in_v : in_v = (a + d) h, d in [0, 1), t = a + 1/2;
+//   the tangent in the middle of segment a, (v/h + t) * sqrt(h) / (2 sqrt(t)), needs no addend, and v/h + t is wiring
+// Formats: in_v is u0.S; out_w u19 comes with in_v; out_slope uB comes one clock after in_read and is held.
+// Four ranges of v, from 2^-4, 2^-9, 2^-15 and 0, have 512 segments each, so w is a 4:1 multiplexer. Slopes are stored
 // denormalised, so nothing is shifted. 1 - v is ~v followed by ones. The last range has a segment for every word.
-// Error: |sqrt - product| <= 0.52 * 2^-15, B = 20: 0.31 * 2^-15; 0 is exact; it may step back by 0.84 * 2^-15.
+// Error: |sqrt - product| <= 0.52 * 2^-15 at B = 17, 0.31 * 2^-15 at B = 20; 0 is exact. The product may step back by
+// 0.84 * 2^-15 at a segment border.
 // Model: arith.root_product
 `default_nettype none
 module root_product #(
-    parameter S = 24,  // bits of the radicand, 1 to 24: the longest spread of one table, 2^-24 to 1
-    parameter B = 17   // bits of a slope, 17 to 20: 17 where the error of 0.52 * 2^-15 is good enough
+    parameter S = 24,  // bits of the radicand, 1 to 24 (default 24)
+    parameter B = 17   // bits of a slope, 17 to 20 (default 17)
 ) (
     input  wire         clk,
     input  wire         in_read,
@@ -25,9 +26,9 @@ module root_product #(
         end
     endgenerate
 
-    // 2^(B+8) times the slopes of one range, each root by Newton's rule from the one before. With b = 2 t the factor
-    // 1 - 1/(8 b^2) under the root lowers the tangent by half of what it gains towards the ends of the segment, and
-    // 1 + 1/(512 b) centres the truncation of d. In the last range (shift = 0) the product is exact.
+    // This function returns 2^(B+8) times the slopes of one range; Newton's rule finds each root from the one before.
+    // With b = 2 t the factor 1 - 1/(8 b^2) under the root lowers the tangent by half of what it gains towards the ends
+    // of the segment; 1 + 1/(512 b) centres the truncation of d. In the last range (shift = 0) the product is exact.
     function [512*B-1:0] slopes(input integer shift);
         integer    a;
         reg [63:0] b, square, root;
@@ -49,7 +50,7 @@ module root_product #(
             end
         end
     endfunction
-    // A constant a range, not one of all: Icarus copies the whole constant for every entry
+    // There is one constant a range because Icarus copies the whole constant for every entry
     localparam [512*B-1:0] RANGE0 = slopes(10), RANGE1 = slopes(6), RANGE2 = slopes(1), RANGE3 = slopes(0);
     reg [B-1:0] slope[0:2047];
     integer     a;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rounds away SHIFT low bits of a signed word and clamps the rest to WO bits, combinational.
+// This core rounds away SHIFT low bits of a signed word and clamps the result to WO bits. Combinational.
 //   out_x = clamp(floor(in_x / 2^SHIFT + 1/2)), nearest, ties upward; out_overflow = it was clamped
-// Formats: in_x sWI.f, out_x sWO.(f-SHIFT). Error: at most 1/2 LSB of out_x unless clamped.
+// Formats: in_x is sWI.f, out_x sWO.(f-SHIFT). Error: at most 1/2 LSB of out_x unless clamped.
 // Model: arith.round_saturate
 `default_nettype none
 module round_saturate #(
-    parameter WI    = 24,  // bits of the word, above SHIFT; 24: 16 bits and a product's guard bits
-    parameter WO    = 16,  // bits of the result, 2 or more; 16 is the library's word
-    parameter SHIFT = 4    // low bits that are rounded away, 0 to WI - 1; 4 guard bits are what the CORDIC has
+    parameter WI    = 24,  // bits of the word, above SHIFT (default 24)
+    parameter WO    = 16,  // bits of the result, 2 or more (default 16)
+    parameter SHIFT = 4    // low bits that are rounded away, 0 to WI - 1 (default 4)
 ) (
     input  wire signed [WI-1:0] in_x,
     output wire signed [WO-1:0] out_x,
     output wire                 out_overflow
 );
-    localparam WR = WI - SHIFT + 1;  // rounding upward may need one bit more
+    localparam WR = WI - SHIFT + 1;  // rounding up may need one more bit
     wire [WR-1:0] rounded;
     generate
         if (WO < 2 || SHIFT < 0 || SHIFT >= WI) begin : g_illegal
@@ -22,7 +22,7 @@ module round_saturate #(
         if (SHIFT == 0) begin : g_whole
             assign rounded = {in_x[WI-1], in_x};
         end else begin : g_round
-            // the bit below the new LSB is the rounding carry: the bits under it cannot change the result
+            // the bit below the new LSB is the rounding carry; the bits below that cannot change the result
             assign rounded = {in_x[WI-1], in_x[WI-1:SHIFT]} + {{(WR-1){1'b0}}, in_x[SHIFT-1]};
         end
         if (WO >= WR) begin : g_fits

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control of a long sequential kernel: plays the table that `schedule` plays, by a line counter and a ROM in logic.
+// This part controls a long sequential kernel: it plays the table that `schedule` plays, by a line counter and a ROM.
 //   out_op = line i of TABLE in the i-th clock after the one with in_start, 0 in all others
-// A ROM of at most 64 lines costs one 6-input cell a control bit, whatever the lines are; the OR of one-hot steps grows
-// with the number of lines. So this one is for tables of some thirty lines on, most of them equal lines of loops.
-// out_op is registered. out_ahead is what out_op will be in the next clock if that plays a line: for registers that are
-// made ready from data one clock ahead. out_last: the last line is played.
-// in_start in a clock with rst is not taken. The user starts it again only when out_idle.
-// Latency of a kernel that raises its out_valid behind the last line: LINES + 1.
+// A ROM in logic of at most 64 lines costs one 6-input cell a control bit, whatever the lines are; the OR of one-hot
+// steps grows with the number of lines. So this module suits tables of about thirty lines and more, most of them loops.
+// out_op is registered. out_ahead is the out_op of the next clock if a line is played then: it serves registers
+// that are prepared one clock ahead. out_last is high in the last line.
+// in_start in a clock with rst is ignored. The user starts the table again only when out_idle is high.
+// A kernel that raises its out_valid after the last line has a latency of LINES + 1.
 `default_nettype none
 module schedule_counter #(
-    parameter LINES = 2,                  // lines of the table, 2 or more: one clock each
-    parameter BITS = 1,                   // control bits of a line, 1 or more
+    parameter LINES = 2,                  // lines of the table, one clock each, 2 or more (default 2)
+    parameter BITS = 1,                   // control bits of a line, 1 or more (default 1)
     parameter [LINES*BITS-1:0] TABLE = 0  // the control words, the first line in the top BITS bits
 ) (
     input  wire            clk,
@@ -29,7 +29,7 @@ module schedule_counter #(
 
     localparam N = LINES > 2 ? $clog2(LINES) : 1;
     localparam [31:0] LAST = LINES - 1;
-    reg  [N-1:0] line;  // how many lines have been started: the place of the next one
+    reg  [N-1:0] line;  // number of lines that were started, which is the index of the next one
     reg          busy;
     wire         run = !rst && (in_start || (busy && !out_last));
     assign out_idle = !busy;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// One stage of an AXI-Stream pipeline whose ready is registered too: cuts every path, keeps full throughput.
-// in_ready falls one clock after the output stalls; the word of that clock waits in `skid`.
-// Latency 1, II 1. Invariant: skid is filled only while out_valid.
+// This core is one stage of an AXI-Stream pipeline with a registered ready: it cuts every path at full throughput.
+// in_ready falls one clock after the output stalls; the word of that clock waits in `skid`, which is filled only while
+// out_valid is high. Words pass unchanged.
+// Latency and II: 1. Status: none.
 // Model: arith.skid_buffer
 `default_nettype none
 module skid_buffer #(
-    parameter W = 16  // bits of a word, 1 or more; 16 is the library's word
+    parameter W = 16  // bits of a word, 1 or more (default 16)
 ) (
     input  wire         clk,
     input  wire         rst,

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two links in a plane, and with YAW their plane on a turning base: the kernel of paper_fk2 and paper_fk3.
+// This kernel of paper_fk2 and paper_fk3 computes two links in a plane and, with YAW, their plane on a turning base.
 //   q3 = Q1 + Q2 -+ 2 sqrt(Q1 Q2 (1-s2)), s' = s2 Q2 / q3, s = s1 (-) s', x = +-sqrt(q3 (1-s)), y = +-sqrt(q3 s)
 //   YAW: z = +-sqrt(q3 s), qa = q3 - qz, y = +-sqrt(qa s3), x = +-sqrt(qa (1-s3))
-// This file is the control; registers and arithmetic are paper_chain_path.
-// Formats, rounding, error bound: README.md. Latency and II: M + 7, with YAW M + 8, M = ceil((S+1) / 3).
-// Status: out_overflow (a link or the tip of 2^(W-1-F) units or more, or a coordinate that rounds to it)
+// This file is the control; paper_chain_path holds registers and arithmetic, with the I, N, G, Q and D used here.
+// Error of the tip at the distance r of n joints: r (2^(-D/2) + sqrt(3) 2^(-N/2) + 2^(-Q/2)) + (n+1) 2^(-G/2) + 2^(I-N)
+// units and sqrt(n) LSB, with I, N, G, Q and D of paper_chain_path.
+// Latency and II: M + 7, with YAW M + 8, M = ceil((S+1) / 3).
+// Status: out_overflow (a link or the tip of 2^I units or more, or a coordinate that rounds to 2^(W-1) LSB).
 // Source: paper eqs. 11-17, 24-31, Table II corrected. Model: paper.chain
 `default_nettype none
 module paper_chain #(
-    parameter W   = 16,  // bits of a coordinate and of a link; F + 5 or more, so that W - 1 - F integer bits are 4
-    parameter F   = 8,   // fraction bits of a coordinate, 1 or more; Q7.8 is the paper's word
-    parameter S   = 8,   // fraction bits of a joint word, 4 to 24; 8 is the paper's
-    parameter YAW = 0    // 1: joint 3 turns the plane
+    parameter W   = 16,  // bits of a coordinate and of a link, F + 5 or more (default 16: Q7.8 is the paper's word)
+    parameter F   = 8,   // fraction bits of a coordinate, 1 or more (default 8)
+    parameter S   = 8,   // fraction bits of a joint word, 4 to 24 with N and D at most Q (default 8, the paper's)
+    parameter YAW = 0    // 1: joint 3 turns the plane; 0 (default): it does not
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -94,7 +96,7 @@ module paper_chain #(
         .in_q3(op[6]), .in_law(op[5]), .in_next(op[4:3]), .in_x(op[2]), .in_y(op[1]), .in_z(op[0]),
         .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_overflow(out_overflow));
 
-    // A register that says busy is as small as looking at every step of the table, and leaves the clock 4 % faster
+    // A busy register is as small as an OR over all steps of the table and makes the clock 4 % faster
     reg    busy;
     wire   last = op[2];  // x
     wire   unused = idle;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registers and arithmetic of paper_chain; the control inputs are the operations of its cycle table.
-//   One multiplier feeds one square root: the paper's 1DOF module (Fig. 8a). One squarer; R quotient digits a clock.
-// Formats: joints u2.S, links u(W-F).F below 2^I units, coordinates sW.F; inside as the localparams say.
-// Rounding: everything inside truncates, a coordinate is rounded to nearest. Error bound: README.md.
+// This datapath holds the registers and the arithmetic of paper_chain; its control inputs are the operations of that
+// cycle table. One multiplier feeds one square root, the paper's 1DOF module (Fig. 8a). There are one squarer and a
+// divider of R digits a clock.
+// Formats: joints are u2.S, links u(W-F).F below 2^I units, coordinates s(W-F).F.
+// Rounding: every intermediate value is truncated; a coordinate is rounded to nearest where N >= W, else truncated.
 // Status: out_overflow. Source: paper eqs. 11-17, 24-31. Model: paper.chain
 `default_nettype none
 module paper_chain_path #(
-    parameter W = 16,  // bits of a coordinate and of a link; F + 5 or more
-    parameter F = 8,   // fraction bits of a coordinate, 1 or more; Q7.8 is the paper's word
-    parameter S = 8,   // fraction bits of a joint word, 4 to 24; 8 is the paper's
-    parameter R = 3    // quotient digits a clock, 1 or more; 3 is what paper_chain counts on
+    parameter W = 16,  // bits of a coordinate and of a link, F + 5 or more (default 16)
+    parameter F = 8,   // fraction bits of a coordinate, 1 or more (default 8)
+    parameter S = 8,   // fraction bits of a joint word, 4 to 24 with N and D at most Q (default 8, the paper's)
+    parameter R = 3    // quotient digits a clock, 1 or more (default 3: paper_chain relies on it)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -25,8 +26,8 @@ module paper_chain_path #(
 );
     localparam I = W - 1 - F;                      // integer bits of a length
     localparam N = S + 1 > W - 1 ? S + 1 : W - 1;  // digits of the root: lengths uI.(N-I), spreads u0.N
-    localparam E = S < 2*N + 2 - 2*I ? S : 2*N + 2 - 2*I;  // no more fraction bits than the square of a length has
-    localparam G = E < 27 - 2*I ? E : 27 - 2*I;    // fraction bits of a quadrance: it fits one 27-bit multiplier
+    localparam E = S < 2*N + 2 - 2*I ? S : 2*N + 2 - 2*I;  // at most the fraction bits of a squared length
+    localparam G = E < 27 - 2*I ? E : 27 - 2*I;    // fraction bits of a quadrance, which fits one 27-bit multiplier
     localparam Q = 2*I + G;                        // bits of a quadrance, u(2I).G
     localparam B = R < 1 ? 1 : R;                  // R, where it is legal
     localparam M = (S + B) / B;                    // clocks of the division
@@ -43,13 +44,13 @@ module paper_chain_path #(
     reg  [1:0]          k2;       // quadrant of joint 2
     reg                 obtuse;   // the base angle is beyond a quarter turn
     reg                 range;    // a link or the tip is out of the coordinates' range
-    reg                 rounded;  // a coordinate was rounded to its end
+    reg                 rounded;  // a coordinate was saturated by its rounding
     reg  [S:0]          spread;   // right factor, u1.S
     reg  signed [N+2:0] acc;      // s(I+1).(N-I+1) lengths, s1.(N+1) roots of spreads
     reg  [Q-1:0]        quad, h;  // Q2, then q3; Q2 s2, then the remainder, then qa
     reg  [D-1:0]        digits;   // s', u0.D
 
-    // The spread register takes 1 - s2 at the port, then s1, 1 - s1, and with YAW s3, 1 - s3
+    // The spread register loads 1 - s2 from the port, then s1, 1 - s1, and with YAW s3, 1 - s3
     wire [S-1:0] fraction = in_start ? in_j2[S-1:0] : in_next[1] ? j3[S-1:0] : j1[S-1:0];
     wire         fall = in_start ? !in_j2[S] : in_next[0] ^ (in_next[1] && j3[S]);
     wire [S:0]   operand;

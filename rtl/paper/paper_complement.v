@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spread of a joint word's fraction: out_s = in_fall ? 1 - in_f : in_f.
-//   Formats: in_f u0.S, out_s u1.S (1 - 0 is 1.0). Exact; combinational.
-// The two's complement inverts the bits above the lowest 1: as gates it is smaller than an adder and a multiplexer.
+// This part gives the spread of a joint word's fraction: out_s = in_fall ? 1 - in_f : in_f.
+// Formats: in_f is u0.S, out_s u1.S (1 - 0 is 1.0). Exact; combinational.
+// The two's complement inverts the bits above the lowest 1. As gates this is smaller than an adder and a multiplexer.
 // Source: paper Table I read as turn-spread (odd quadrants exchange s and 1 - s). Model: paper.complement
 `default_nettype none
 module paper_complement #(
-    parameter S = 8  // fraction bits of a spread, 1 or more; 8 is the paper's Q7.8
+    parameter S = 8  // fraction bits of a spread, 1 or more (default 8, the paper's)
 ) (
     input  wire [S-1:0] in_f,
     input  wire         in_fall,

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of one joint, the paper's way: quadrance times spread, then the square root.
+// This core finds the tip of one joint the paper's way: quadrance times spread, then the square root.
 //   x = +-sqrt(Q1 (1 - s1)), y = +-sqrt(Q1 s1), Q1 = cfg_l1^2, signs by quadrant
-// Formats: in_j1 turn-spread u2.S, cfg_l1 u(W-F).F, out_x out_y s(W-F).F; rounded to nearest, ties outward.
-// Error: arithmetic <= 1/2 LSB (Q1 s is exact down to the bit that decides the rounding).
-// Latency 2, II 2: one pair of multipliers and one square root serve f, then 1 - f.
-// Status: overflow (a magnitude rounds to 2^(W-1) LSB or more: +-(2^(W-1) - 1))
-// Source: paper eqs. 51-52, Fig. 8, Table I read as turn-spread (odd quadrants swap s and 1 - s)
-// Model: paper.fk1
+// Formats: in_j1 is a turn-spread u2.S, cfg_l1 is u(W-F).F; out_x and out_y are s(W-F).F, nearest, ties away from zero.
+// Error: a coordinate is within 1/2 LSB, because Q1 s is exact down to the bit that decides the rounding.
+// Latency and II: 2. The same multipliers and the same square root serve f, then 1 - f.
+// Status: overflow (a magnitude rounds to 2^(W-1) LSB or more and reads +-(2^(W-1) - 1)).
+// Source: paper eqs. 51-52, Fig. 8, Table I read as turn-spread (odd quadrants exchange s and 1 - s). Model: paper.fk1
 `default_nettype none
 module paper_fk1 #(
-    parameter W = 16,  // bits of a coordinate and of the link, 4 to 18; Q7.8 is the paper's word
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1
-    parameter S = 8    // fraction bits of the joint word, 2 to 24; 8 is the paper's
+    parameter W = 16,  // bits of a coordinate and of the link, 4 to 18 (default 16: Q7.8 is the paper's word)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8)
+    parameter S = 8    // fraction bits of the joint word, 2 to 24 (default 8, the paper's)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -31,7 +30,7 @@ module paper_fk1 #(
         end
     endgenerate
 
-    // Two clocks need no schedule: the accepting one roots Q1 f from the port, `second` roots Q1 (1 - f)
+    // In the accepting clock the root is that of Q1 f, from the port; in the clock of `second` it is that of Q1 (1 - f)
     reg         second;
     reg [1:0]   kept_k;
     reg [S:0]   kept_s;  // 1 - f
@@ -40,10 +39,10 @@ module paper_fk1 #(
     wire [1:0]  k = second ? kept_k : in_j1[S +: 2];
     wire [S:0]  s = second ? kept_s : {1'b0, in_j1[S-1:0]};
 
-    // Q1 s as L1 (L1 s): the same product, but no factor is wider than a DSP block at S = 8
+    // Q1 s is formed as L1 (L1 s), so that no factor is wider than a DSP block at S = 8
     wire [W+S:0]     ls = cfg_l1 * s;
     wire [2*W+S-1:0] q  = cfg_l1 * ls;
-    wire [W-1:0]     root;  // one bit more than the magnitude: it rounds
+    wire [W-1:0]     root;  // one bit more than the magnitude; that bit rounds
     paper_root #(.N(W)) square_root (.in_d(q[2*W+S-3 : S-2]), .out_root(root));
     wire             unused = &{1'b0, q};
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of two joints in the plane, the paper's way, Table II corrected.
-//   x, y = +-sqrt(q3 (1 - s)), +-sqrt(q3 s) with q3 by the cross law and s = s1 (-) s', s' = s2 Q2 / q3
-// Formats: joints turn-spread u2.S, links u(W-F).F below 2^(W-1-F), coordinates s(W-F).F; spreads have S bits inside.
-// Error: <= README.md's law, about reach * 2^(-S/2): the paper's form roots what it has rounded as a square.
-// Latency and II 10 at S = 8, 16 at S = 24; cycle table in paper_chain.v.
-// Status: overflow (tip or link beyond 2^(W-1-F): every coordinate +-(2^(W-1) - 1), signs undefined)
+// This core finds the tip of two joints in the plane the paper's way, with Table II corrected.
+//   x = +-sqrt(q3 (1 - s)), y = +-sqrt(q3 s), q3 by the cross law, s = s1 (-) s', s' = s2 Q2 / q3
+// Formats: joints are turn-spreads u2.S, links u(W-F).F below 2^I units, I = W-1-F, coordinates s(W-F).F.
+// Error of the tip at the distance r: r (2^(-D/2) + sqrt(3) 2^(-N/2) + 2^(-Q/2)) + 3 * 2^(-G/2) + 2^(I-N) units and
+// sqrt(2) LSB, N = max(S+1, W-1), D = 3 ceil((S+1)/3), G = min(S, 27-2I, 2(N+1-I)), Q = 2I+G.
+// Latency and II: 7 + ceil((S+1)/3). The cycle table is in paper_chain.v.
+// Status: overflow (a link or the tip is 2^I units or more: every coordinate reads +-(2^(W-1) - 1), sign undefined;
+// or a coordinate rounds to 2^(W-1) LSB and is saturated alone).
 // Source: paper eqs. 11-17, Table II, Fig. 9. Model: paper.fk2
 `default_nettype none
 module paper_fk2 #(
-    parameter W = 16,  // bits of a coordinate and of a link, F + 5 or more; Q7.8 is the paper's word
-    parameter F = 8,   // fraction bits of a coordinate, 1 or more
-    parameter S = 8    // fraction bits of a joint word, 4 to 24; 8 is the paper's
+    parameter W = 16,  // bits of a coordinate and of a link, F + 5 or more (default 16: Q7.8 is the paper's word)
+    parameter F = 8,   // fraction bits of a coordinate, 1 or more (default 8)
+    parameter S = 8    // fraction bits of a joint word, 4 to 24 with N and D at most Q (default 8, the paper's)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions of joints four and five of an industrial arm, which lie on the forearm's axis: paper_fk3 at two distances.
-//   P4, P5 = paper_fk3 with L2 = cfg_d4, cfg_d5, the distance of the joint from the elbow
-// Formats: in_j1 in_j2 in_j3 turn-spread u2.S, cfg_l1 cfg_d4 cfg_d5 u(W-F).F below 2^I units, I = W-1-F; out s(W-F).F.
+// This core finds joints four and five of an industrial arm, which lie on the axis of the forearm.
+//   P4 and P5 are paper_fk3 with L2 = cfg_d4 and L2 = cfg_d5, the distances of the joints from the elbow
+// Formats: in_j1 to in_j3 are turn-spreads u2.S; cfg_l1, cfg_d4 and cfg_d5 are u(W-F).F below 2^I units, I = W-1-F; the
+// outputs are s(W-F).F.
 // Error: that of paper_fk3 with the same distance for L2.
-// Latency and II: twice those of paper_fk3, 16 + 2 ceil((S+1)/3): the same circuit plays twice.
-// Status: overflow (a link, a distance or a joint's position is out of range: its coordinates are +-(2^(W-1) - 1))
+// Latency and II: 16 + 2 ceil((S+1)/3). One circuit computes joint four, then joint five.
+// Status: overflow (a length is 2^I units or more, or a joint is out of range: its coordinates read +-(2^(W-1) - 1)).
 // Source: paper Fig. 11. Model: chain.paper_fk5
 `default_nettype none
 module paper_fk5 #(
-    parameter W = 16,  // bits of a coordinate and of a length; F + 5 or more; Q7.8 is the paper's word
-    parameter F = 8,   // fraction bits of a coordinate, 1 or more
-    parameter S = 8    // fraction bits of a joint word, 4 to 24; 8 is the paper's
+    parameter W = 16,  // bits of a coordinate and of a length, F + 5 or more (default 16: Q7.8 is the paper's word)
+    parameter F = 8,   // fraction bits of a coordinate, 1 or more (default 8)
+    parameter S = 8    // fraction bits of a joint word, 4 to 24 with N and D of paper_chain_path at most Q (default 8)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -32,7 +33,7 @@ module paper_fk5 #(
     output wire signed [W-1:0] out_z5,
     output wire        [3:0]   out_status
 );
-    // The kernel takes the words and the first distance, then, in the clock in which joint four is there, both again
+    // The kernel accepts the words with the first distance, and again with the second one when joint four is ready
     reg              again, over4;
     reg  [3*(S+2)-1:0] kept;
     wire [3*(S+2)-1:0] words = again ? kept : {in_j3, in_j2, in_j1};

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of one joint, the paper's way: the spread is a quotient of quadrances.
+// This core finds one joint the paper's way: the spread is a quotient of quadrances.
 //   s1 = qy / (qx + qy), qx = x^2, qy = y^2; out_j1 = {k, s1} in even quadrants, {k, 1 - s1} in odd ones
-// Formats: in_x in_y s(W-F).F, out_j1 turn-spread u2.S modulo 4, rounded to nearest.
-// Error: arithmetic <= 1/2 LSB of the joint word (all S+1 quotient bits are exact; the last one rounds).
-// Latency and II: 1 + ceil((S+1) / 3); the cycle table is in vector_to_spread_iter.v.
-// Status: singular (x = y = 0: the last joint word is held, 0 after a reset)
-// Source: paper eq. 9, quadrant by the signs of x and y (Table I); the paper does not recover the quadrant
-// Model: paper.ik1
+// Formats: in_x and in_y are s(W-F).F; out_j1 is a turn-spread u2.S modulo 4, rounded to nearest.
+// Error: the joint word is within 1/2 LSB (all S+1 bits of the quotient are exact; the last one rounds).
+// Latency and II: 1 + ceil((S+1)/3). The cycle table is in vector_to_spread_iter.v.
+// Status: singular (x = y = 0: the last joint word is held, 0 after a reset).
+// Source: paper eq. 9; the signs of x and y give the quadrant, which the paper does not recover. Model: paper.ik1
 `default_nettype none
 module paper_ik1 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 18; Q7.8 is the paper's word
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; the joint word does not depend on it
-    parameter S = 8    // fraction bits of the joint word, 3 to 24; 8 is the paper's
+    parameter W = 16,  // bits of a coordinate, 4 to 18 (default 16: Q7.8 is the paper's word)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); F changes no logic
+    parameter S = 8    // fraction bits of the joint word, 3 to 24 (default 8, the paper's)
 ) (
     input  wire                clk,
     input  wire                rst,

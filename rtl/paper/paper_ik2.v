@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of two joints in the plane, the paper's way, with every quadrant and both elbows.
+// This core finds two joints in the plane the paper's way, with every quadrant and both elbows.
 //   sa = qy / q3, s2 = 1 - (q3 - Q1 - Q2)^2 / (4 Q1 Q2), s' = s2 Q2 / q3, s1 = sa (+) s' or sa (-) s'
-// Formats: coordinates s(W-F).F, links u(W-F).F below 2^(W-1-F), joints turn-spread u2.S to nearest, modulo 4.
-// in_elbow: 0 gives joint 2 in [0, 2] (theta2 >= 0), 1 the mirror image.
-// Error: README.md's law. Latency and II 8 + 3M, M = ceil((S+3) / R); cycle table in paper_solve.v.
-// Status: unreachable (joint 2 stretched or folded: the nearest point), overflow (a link of 2^(W-1-F) or more),
-//   singular (q3 = 0: joint 1 holds its last word)
+// Formats: coordinates s(W-F).F, links u(W-F).F below 2^I units, I = W-1-F, joints turn-spread u2.S, nearest, modulo 4.
+// in_elbow = 0 gives theta2 >= 0, 1 the mirror image. Latency and II: 8 + 3 ceil((S+3)/R); cycle table: paper_solve.v.
+// Error of the tip in reach, without the rounding of the words, r = L1 + L2, D = R ceil((S+3)/R), N = min(D, 26),
+// G = min(S, 2F), B = min(2I+G, 27): 2r 2^(-D/2) + (r + 2 L2) 2^((1-N)/2) + sqrt(2 (4^I 2^-B + 2^-G)) units; where
+// G < 2F, with u = 2^(-G/2), 4u + 2u sqrt(6 L2 / L1) + 3u^2 / L1 more; never more than 2r.
+// Status: unreachable (nearest point: joint 2 is stretched or folded), singular (q3 = 0: joint 1 keeps its last word),
+// overflow (a link is 2^I units or more; the joints are undefined).
 // Source: paper eqs. 18-23, which lose the elbow and the quadrants. Model: paper.ik2
 `default_nettype none
 module paper_ik2 #(
-    parameter W = 16,  // bits of a coordinate and of a link, F + 5 or more; Q7.8 is the paper's word
-    parameter F = 8,   // fraction bits of a coordinate, 1 or more
-    parameter S = 8,   // fraction bits of a joint word, 4 to 24; 8 is the paper's
-    parameter R = 4    // quotient digits a clock, 1 or more; 4 stays within the paper's 671 logic elements at S = 8
+    parameter W = 16,  // bits of a coordinate and of a link, F + 5 or more (default 16: Q7.8 is the paper's word)
+    parameter F = 8,   // fraction bits of a coordinate, 1 or more (default 8)
+    parameter S = 8,   // fraction bits of a joint word, 4 to 24 (default 8, the paper's)
+    parameter R = 4    // quotient digits a clock, 1 or more with D <= B (default 4)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Method of fixed frames: every joint's position of a chain in space, a link in, a position out, any number of links.
+// This core finds every joint of a chain in space by the method of fixed frames: a link in, a position out.
 //   (x, y, z) <- (x, y, z) + (+-sqrt(st sp Q), +-sqrt((1-st) sp Q), +-sqrt((1-sp) Q)), Q = L^2; in_last ends a chain
 // in_j1 is the angle t from the y axis to the x axis, in_j2 the angle p from the z axis; both in the FIXED frame.
-// Formats: turn-spreads u2.S, whose quadrants are the octant; in_l uQ(W-F).F; outputs sQ(W-F).F, saturated.
-// Error: z 0.57 + 0.83 (L1 + ... + Lk) / 2^U LSB after k links, lengths in LSB; x and y 0.69 and twice that.
-// Latency and II 6 a link; the schedule is in kernel_fixed_frame.v.
-// Status: overflow (a coordinate was saturated; or the chain has had N links before: this one does not count).
-// Source: paper section IV-D, Fig. 12, octants corrected; a root of each spread, not of their product. Model: chain.mff
+// Formats: in_j1 and in_j2 are turn-spreads u2.S, whose quadrants are the octant; in_l is u(W-F).F; outputs s(W-F).F.
+// Error after k links at U = 16: z is within 9/16 + 0.83 (L1 + ... + Lk) / 2^16 LSB, lengths in LSB; x and y are within
+// 11/16 + 1.65 (L1 + ... + Lk) / 2^16 LSB.
+// Latency and II: 6 a link. The cycle table is in kernel_fixed_frame.v.
+// Status: overflow (a coordinate was saturated, or this link follows the N-th of its chain and does not move the tip).
+// Source: paper section IV-D, Fig. 12, octants corrected; the root of each spread replaces that of their product.
+// Model: chain.mff
 `default_nettype none
 module paper_mff #(
-    parameter W = 16,  // bits of a coordinate and of a length, 15 to 20: 16 are the paper's
-    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 are the paper's
-    parameter S = 24,  // fraction bits of a joint word, 10 to 30: 24 resolve 0.014 degrees at a border of a quadrant
-    parameter U = 16,  // fraction bits of a root, 13 to 18: 16 keep 64 units of Q7.8 within an LSB
-    parameter N = 32   // links that a chain may have, 2 to 64, W + log2 N at most 23: a snake has 32
+    parameter W = 16,  // bits of a coordinate and of a length, 15 to 20 (default 16, the paper's)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8, the paper's); F changes no logic
+    parameter S = 24,  // fraction bits of a joint word, 10 to 30 (default 24: 0.014 degrees at a quadrant border)
+    parameter U = 16,  // fraction bits of a root, 13 to 18 (default 16: 1.1 LSB at 64 units of Q7.8)
+    parameter N = 32   // longest chain, 2 to 64 links with W + ceil(log2 N) at most 23 (default 32: a snake)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// R fraction digits of a quotient of two quadrances, which is a spread and so at most 1; restoring, combinational.
+// This part gives R fraction digits of a quotient of two quadrances, which is a spread and so at most 1.
 //   in_rem 2^R = out_digits in_d + out_rem, 0 <= in_rem <= in_d; in_rem = in_d gives ones and keeps the remainder
-// Formats: in_rem in_d out_rem uQ in one scale, out_digits u0.R. Error: truncation, exact with the remainder.
-// 2 rem - d = {rem, 1} + ~d: the free bit below 2 rem carries the increment of -d, so a row costs no cell for it.
+// Formats: in_rem, in_d and out_rem are uQ in one scale, out_digits u0.R. Truncated; exact with the remainder.
+// Restoring, combinational. 2 rem - d = {rem, 1} + ~d: the free bit below 2 rem carries the increment of -d, so a row
+// costs no cell for it.
 // Model: paper.quotient
 `default_nettype none
 module paper_quotient #(
-    parameter Q = 22,  // bits of remainder and divisor, 1 or more; 22 is a quadrance of the forward cores at S = 8
-    parameter R = 3    // digits, 1 or more; 3 is what paper_chain takes a clock
+    parameter Q = 22,  // bits of remainder and divisor, 1 or more (default 22: a quadrance of paper_fk2 at S = 8)
+    parameter R = 3    // digits, 1 or more (default 3: what paper_chain computes a clock)
 ) (
     input  wire [Q-1:0] in_rem,
     input  wire [Q-1:0] in_d,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Non-restoring square root of an unsigned word, combinational: the paper's kind of root (its reference 27).
-//   out_root = floor(sqrt(in_d)), in_d u(2N).0, out_root uN.0. Error: truncation, 0 <= sqrt - root < 1.
-// A row adds or subtracts 4 root + 1 or 3 and never restores: its sign is the digit and steers the next row.
-// In the Cyclone V flow it is smaller than isqrt_comb, in LUT-4 devices larger (reports/report.md).
+// This part is a non-restoring square root, combinational: the paper's kind of root (its reference 27).
+//   out_root = floor(sqrt(in_d)), in_d u(2N).0, out_root uN.0
+// Error: truncation, 0 <= sqrt - root < 1.
+// A row adds or subtracts 4 root + 1 or 3 and never restores. The sign of its result is the digit and selects between
+// addition and subtraction in the next row.
 // Model: paper.root
 `default_nettype none
 module paper_root #(
-    parameter N = 15  // digits of the root, 2 or more; 15 is a coordinate of Q7.8 without its sign
+    parameter N = 15  // digits of the root, 2 or more (default 15: a coordinate of Q7.8 without its sign)
 ) (
     input  wire [2*N-1:0] in_d,
     output wire [N-1:0]   out_root

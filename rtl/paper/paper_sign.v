@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sign (Fig. 8b) and rounding of a root: out_word = -+in_root / 2^(N-W+1), to nearest, ties away from zero.
-//   Formats: in_root uN.0, N >= W-1; out_word sW.0. With N = W-1 nothing is rounded.
+// This part rounds a root and gives it a sign (Fig. 8b): out_word = -+in_root / 2^(N-W+1), nearest, ties away from 0.
+// Formats: in_root is uN.0, N >= W-1; out_word is sW.0. With N = W-1 nothing is rounded.
 // Sign and rounding share one carry: x + 1 inverts the bits up to the lowest 0, -x those above the lowest 1, and
-// -(x + 1) inverts every bit. The word is +-(2^(W-1) - 1) when in_over, or when the magnitude would round to 2^(W-1):
-// out_over says so.
-// Model: paper.sign
+// -(x + 1) inverts every bit.
+// The word is +-(2^(W-1) - 1) when in_over is high and when the magnitude would round to 2^(W-1) (out_over).
+// Combinational. Model: paper.sign
 `default_nettype none
 module paper_sign #(
-    parameter W = 16,  // bits of the word, 2 or more; Q7.8 is the paper's word
-    parameter N = 16   // digits of the root, W - 1 or more; W rounds by one digit
+    parameter W = 16,  // bits of the word, 2 or more (default 16)
+    parameter N = 16   // digits of the root, W - 1 or more (default 16: one digit rounds)
 ) (
     input  wire        [N-1:0] in_root,
     input  wire                in_negative,

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangle of two links solved backwards, and with YAW its plane: the kernel of paper_ik2 and paper_ik3.
+// This kernel of paper_ik2 and paper_ik3 solves the triangle of two links and, with YAW, finds the plane it lies in.
 //   sa = qy / q3, s2 = 1 - (q3 - Q1 - Q2)^2 / (4 Q1 Q2), s' = s2 Q2 / q3, s1 = sa (-) s' or sa (+) s'
 //   YAW: s3 = qy / qa, qa = qx + qy, q3 = qa + qz, sa = qz / q3
-// This file is the control; registers and arithmetic are paper_solve_path.
-// Formats, rounding, error bound: README.md. Latency and II: 3M + 8, with YAW 4M + 9, M = ceil((S+3) / R).
-// Status: unreachable, singular, overflow, see paper_ik2 and paper_ik3
-// Source: paper eqs. 18-23, 32-40, elbow and quadrants recovered. Model: paper.solve
+// This file is the control; paper_solve_path holds registers and arithmetic, with the I, D, N, G and L used here.
+// Error of the tip in reach, r = L1 + L2: 2r 2^(-D/2) + (r + 2 L2) 2^((1-N)/2) + sqrt(2 (4^I 2^-L + 2^-G)) units, and
+// r 2^(-D/2) more with YAW; paper_ik2 and paper_ik3 state what is added where G < 2F.
+// Latency and II: 3M + 8, with YAW 4M + 9, M = ceil((S+3) / R).
+// Status: unreachable (nearest point), singular (q3 = 0 holds joint 1, qa = 0 holds joint 3), overflow (a link of 2^I
+// units or more). Source: paper eqs. 18-23, 32-40, elbow and quadrants recovered. Model: paper.solve
 `default_nettype none
 module paper_solve #(
-    parameter W   = 16,  // bits of a coordinate and of a link; F + 5 or more, so that W - 1 - F integer bits are 4
-    parameter F   = 8,   // fraction bits of a coordinate, 1 or more; Q7.8 is the paper's word
-    parameter S   = 8,   // fraction bits of a joint word, 4 to 24; 8 is the paper's
-    parameter R   = 3,   // quotient digits a clock, 1 or more; 3 as in paper_chain
-    parameter YAW = 0    // 1: joint 3 turns the plane
+    parameter W   = 16,  // bits of a coordinate and of a link, F + 5 or more (default 16: Q7.8 is the paper's word)
+    parameter F   = 8,   // fraction bits of a coordinate, 1 or more (default 8)
+    parameter S   = 8,   // fraction bits of a joint word, 4 to 24 (default 8, the paper's)
+    parameter R   = 3,   // quotient digits a clock, 1 or more with D <= L and D <= 27 (default 3)
+    parameter YAW = 0    // 1: joint 3 turns the plane; 0 (default): it does not
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -96,7 +98,7 @@ module paper_solve #(
         .in_law(op[5]), .in_add_z(op[4]), .in_divide(op[3]), .in_j1(op[2]), .in_j2(op[1]), .in_j3(op[0]),
         .out_j1(out_j1), .out_j2(out_j2), .out_j3(out_j3), .out_status(out_status));
 
-    // The table is long: a register that says busy is smaller than looking at every step of it
+    // The table is long: a busy register is smaller than an OR over all of its steps
     reg    busy;
     wire   last = op[2];  // joint 1
     wire   unused = idle;

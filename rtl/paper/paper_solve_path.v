@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registers and arithmetic of paper_solve; the control inputs are the operations of its cycle table.
-//   One set of quotient rows divides; one multiplier feeds one square root (the paper's 1DOF module); two squarers.
-// Formats: coordinates s(W-F).F, links u(W-F).F below 2^I units, joints u2.S; inside as the localparams say.
-// Rounding: everything inside truncates, a joint word is rounded to nearest. Error bound: README.md.
+// This datapath holds the registers and the arithmetic of paper_solve; its control inputs are the operations of that
+// cycle table. It has one set of quotient rows, one multiplier that feeds one square root (the paper's 1DOF module),
+// and two squarers.
+// Formats: coordinates are s(W-F).F, links u(W-F).F below 2^I units, joints u2.S.
+// Rounding: every intermediate value is truncated; a joint word is rounded to nearest.
 // Status: unreachable, singular, overflow. Source: paper eqs. 18-23, 32-40. Model: paper.solve
 `default_nettype none
 module paper_solve_path #(
-    parameter W   = 16,  // bits of a coordinate and of a link; F + 5 or more
-    parameter F   = 8,   // fraction bits of a coordinate, 1 or more; Q7.8 is the paper's word
-    parameter S   = 8,   // fraction bits of a joint word, 4 to 24; 8 is the paper's
-    parameter R   = 3,   // quotient digits a clock, 1 or more
-    parameter YAW = 0    // 1: joint 3 turns the plane
+    parameter W   = 16,  // bits of a coordinate and of a link, F + 5 or more (default 16)
+    parameter F   = 8,   // fraction bits of a coordinate, 1 or more (default 8)
+    parameter S   = 8,   // fraction bits of a joint word, 4 to 24 (default 8, the paper's)
+    parameter R   = 3,   // quotient digits a clock, 1 or more with D <= L and D <= 27 (default 3)
+    parameter YAW = 0    // 1: joint 3 turns the plane; 0 (default): it does not
 ) (
     input  wire                clk, rst,
     input  wire        [W-1:0] cfg_l1, cfg_l2,
@@ -28,11 +29,11 @@ module paper_solve_path #(
     localparam G = S < 2*F ? S : 2*F;           // fraction bits of a quadrance
     localparam Q = 2*I + 2 + G;                 // bits of a quadrance, u(2I+2).G: three squares fit
     localparam B = R < 1 ? 1 : R;               // R, where it is legal
-    localparam D = B * ((S + 2 + B) / B);       // digits of a share, divided R a clock
+    localparam D = B * ((S + 2 + B) / B);       // digits of a share (a quotient), R of them a clock
     localparam P = D > W ? D : W;               // bits of the multiplier's right factor
-    localparam L = 2*I + G > 27 ? 27 : 2*I + G; // and of its left one
+    localparam L = 2*I + G > 27 ? 27 : 2*I + G; // bits of the multiplier's left factor
     localparam E = P > 26 ? 26 : P;             // bits of a root to be squared
-    localparam Z = (L > P ? L : P) + 1;         // bits of a share, filled up for either factor
+    localparam Z = (L > P ? L : P) + 1;         // bits of a share, padded for either factor
     localparam N = D > 26 ? 26 : D;             // digits of the root
 
     generate
@@ -85,7 +86,7 @@ module paper_solve_path #(
 
     wire [Q-1:0]      next_num;
     wire [B-1:0]      next_digits;
-    // Unreachable: v = 0, and s' = 0, because s2 is one truncation above 0 there
+    // Out of reach the digits of v and of s' are forced to 0: s2 would be one truncation above 0 there
     wire [D+B-1:0]    longer = {digits, next_digits & {B{!unreachable}}};
     paper_quotient #(.Q(Q), .R(B)) quotient (
         .in_rem(num), .in_d(den), .out_rem(next_num), .out_digits(next_digits));

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of one joint: x = L1 cos = +-L1 sqrt(1 - s), y = L1 sin = +-L1 sqrt(s).
-// Formats: in_j1 turn-spread u2.S, cfg_l1 uQ(W-F).F, out_x and out_y sQ(W-F).F, nearest, saturated.
-// Error of a coordinate: 1/2 + 1/16 + 0.52 L1 / 2^15 LSB with L1 in LSB: 0.83 LSB at 2^14 (64 units in Q7.8).
-// Latency 2, II 2: one table and two products serve x, then y.
+// This core finds the tip of one joint: x = L1 cos = +-L1 sqrt(1 - s), y = L1 sin = +-L1 sqrt(s).
+// Formats: in_j1 is a turn-spread u2.S, cfg_l1 is u(W-F).F; out_x and out_y are s(W-F).F, nearest (ties up), saturated.
+// Error: a coordinate is within 1/2 + 1/16 + 0.52 L1 / 2^15 LSB, L1 in LSB: 0.83 LSB at 2^14 (64 units of Q7.8).
+// Latency and II: 2. One table and two multipliers compute x, then y.
 // Status: overflow (a coordinate was saturated).
-// Source: rational trigonometry paper, eqs. 51 and 52 (as L1 * root: no quadrance Q1, half the bits) and Table I.
+// Source: rational-trigonometry paper, Table I and eqs. 51 and 52, with L1 outside the root, which saves half the bits.
 // Model: rational.fk1
 `default_nettype none
 module rational_fk1 #(
-    parameter W = 16,  // bits of a coordinate and of the length, 4 to 18: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter S = 24   // fraction bits of a turn-spread, 1 to 24: 24 resolve 0.014 degrees at worst
+    parameter W = 16,  // bits of a coordinate and of the length, 4 to 18 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); F changes no logic
+    parameter S = 24   // fraction bits of a turn-spread, 1 to 24 (default 24: 0.014 degrees at a quadrant border)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of two joints in the plane: x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2.
-// Formats: in_j1, in_j2 turn-spread u2.S; cfg_l1, cfg_l2 uQ(W-F).F; out_x, out_y sQ(W-F).F, nearest, saturated.
-// Error: each coordinate 0.61 + 1.06 (L1 + 2 L2) / 2^16 LSB, lengths in LSB: 1.00 at L1 = L2 = 2^13, 0.80 measured.
-// Latency 7, II 7; the schedule is in kernel_chain.v.
+// This core finds the tip of two joints in the plane: x = A c1 - B n1, y = A n1 + B c1, A = L1 + L2 c2, B = L2 n2.
+// Formats: in_j1 and in_j2 are turn-spreads u2.S, cfg_l1 and cfg_l2 are u(W-F).F; out_x and out_y are s(W-F).F, nearest
+// (ties up), saturated.
+// Error at U = 16: a coordinate is within 0.61 + 1.06 (L1 + 2 L2) / 2^16 LSB, lengths in LSB: 1.01 at L1 = L2 = 2^13.
+// Latency and II: 7. The cycle table is in kernel_chain.v.
 // Status: overflow (a coordinate was saturated).
-// Source: rational trigonometry paper, eqs. 84 and 96 (what eqs. 11-17 and Table II mean): no table of quadrants.
+// Source: rational-trigonometry paper, eqs. 84 and 96, which replace eqs. 11-17 and the quadrants of Table II.
 // Model: rational.fk2
 `default_nettype none
 module rational_fk2 #(
-    parameter W = 16,  // bits of a coordinate and of a length, 15 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter S = 24,  // fraction bits of a turn-spread, 10 to 30: 24 resolve 0.014 degrees at worst
-    parameter U = 16   // fraction bits of a unit vector, 13 to 18: 16 are what a coordinate of 16 bits needs
+    parameter W = 16,  // bits of a coordinate and of a length, 15 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); F changes no logic
+    parameter S = 24,  // fraction bits of a turn-spread, 10 to 30 (default 24: 0.014 degrees at a quadrant border)
+    parameter U = 16   // fraction bits of a unit vector, 13 to 18 (default 16: what a coordinate of 16 bits needs)
 ) (
     input  wire                clk,
     input  wire                rst,

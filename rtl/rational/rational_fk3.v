@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of three joints: x = rho c3, y = rho n3, z = A n1 + B c1 with rho = A c1 - B n1, A = L1 + L2 c2,
-// B = L2 n2. rho keeps its sign: an arm that leans back over the yaw axis lands behind it.
-// Formats: in_j1..3 turn-spread u2.S; cfg_l1, cfg_l2 uQ(W-F).F; out_x..z sQ(W-F).F, nearest, saturated.
-// Error: z as rational_fk2; x, y 0.06 + 0.83 (L1 + L2) / 2^16 LSB more: 1.27 at L1 = L2 = 2^13, 0.93 measured.
-// Latency 10, II 10; the schedule is in kernel_chain.v.
+// This core finds the tip of three joints: x = rho c3, y = rho n3, z = A n1 + B c1 with rho = A c1 - B n1,
+// A = L1 + L2 c2, B = L2 n2. rho keeps its sign: an arm that leans back over the yaw axis points behind it.
+// Formats: in_j1 to in_j3 are turn-spreads u2.S, cfg_l1 and cfg_l2 are u(W-F).F; out_x to out_z are s(W-F).F, nearest
+// (ties up), saturated.
+// Error at U = 16, lengths in LSB: z is within 0.61 + 1.06 (L1 + 2 L2) / 2^16 LSB; x and y may err by
+// 0.06 + 0.83 (L1 + L2) / 2^16 LSB more: 1.28 LSB at L1 = L2 = 2^13.
+// Latency and II: 10. The cycle table is in kernel_chain.v.
 // Status: overflow (a coordinate was saturated).
-// Source: rational trigonometry paper, eqs. 24-31 in vector form, with the sign of rho that squaring loses.
+// Source: rational-trigonometry paper, eqs. 24-31 in vector form, with the sign of rho that squaring loses.
 // Model: rational.fk3
 `default_nettype none
 module rational_fk3 #(
-    parameter W = 16,  // bits of a coordinate and of a length, 15 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter S = 24,  // fraction bits of a turn-spread, 10 to 30: 24 resolve 0.014 degrees at worst
-    parameter U = 16   // fraction bits of a unit vector, 13 to 18: 16 are what a coordinate of 16 bits needs
+    parameter W = 16,  // bits of a coordinate and of a length, 15 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); F changes no logic
+    parameter S = 24,  // fraction bits of a turn-spread, 10 to 30 (default 24: 0.014 degrees at a quadrant border)
+    parameter U = 16   // fraction bits of a unit vector, 13 to 18 (default 16: what a coordinate of 16 bits needs)
 ) (
     input  wire                clk,
     input  wire                rst,

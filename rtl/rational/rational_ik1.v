@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of one joint: the turn-spread of the direction of (x, y); no length is needed.
-//   s = m^2 / q, q = x^2 + y^2, m the coordinate across the nearer axis; out_j1 = that axis (a quarter turn each) +- s
-// Formats: in_x, in_y s(W-F).F, out_j1 turn-spread u2.S modulo 4, nearest.
-// Error: direction within 0.48 * 2^-14 rad of those that round to the word: 0.5 LSB at a tip 2^14 LSB (64 units) away.
-// Latency 5, II 5.
-// Status: singular (x = y = 0: the last word is held, 0 after reset).
-// Source: rational trigonometry paper, eq. 9, which does not recover the quadrant. Model: rational.ik1
+// This core finds the turn-spread of the direction of (x, y). It needs no length.
+//   out_j1 = the nearer axis (k quarter turns) +- s, s = m^2 / q, q = x^2 + y^2, m is the coordinate across that axis
+// Formats: in_x and in_y are s(W-F).F; out_j1 is a turn-spread u2.S modulo 4, nearest, ties anticlockwise.
+// Error: the direction is within 0.48 * 2^-14 rad of those that round to the word: 0.48 LSB at a tip 2^14 LSB away.
+// Latency and II: 5.
+// Status: singular (x = y = 0: the last word is held, 0 after a reset).
+// Source: rational-trigonometry paper, eq. 9, which does not recover the quadrant. Model: rational.ik1
 `default_nettype none
 module rational_ik1 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter S = 24   // fraction bits of a turn-spread word, 2 to 24: 24, 0.014 degrees at a quadrant border
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); F changes no logic
+    parameter S = 24   // fraction bits of a turn-spread, 2 to 24 (default 24: 0.014 degrees at a quadrant border)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of three joints: joint 3 is the direction of (x, y), rho its length; rational_ik2 on (rho, z).
-// Formats: in_x, in_y, in_z s(W-F).F, out_j1..3 turn-spread u2.S modulo 4, nearest; cfg_*: rational.config.
-// Error of the tip <= 0.65 LSB at L1 = L2 = 2^13, 1 unit of Q7.8 and more from the shoulder; page. Latency, II: 26.
-// Status: unreachable, singular (x = y = 0: out_j3 held, z = 0 too: out_j1). Model: rational.ik3
+// This core finds three joints: joint 3 is the direction of (x, y), rho its length, and rational_ik2 solves (rho, z).
+// Formats: in_x to in_z are s(W-F).F; out_j1 to out_j3 are turn-spreads u2.S modulo 4, nearest. rational.config finds
+// cfg_q, cfg_r and cfg_e from the lengths cfg_l1 and cfg_l2, u(W-F).F.
+// Error of the tip beyond the rounding of the words: at most 0.94 LSB at L1 = L2 = 2^13 (W = 16) for targets at least
+// 256 LSB away with |sin j2| > 2^-8.
+// Latency and II: 26.
+// Status: unreachable (the nearest point is answered), singular (x = y = 0: out_j3 is held; z = 0 too: out_j1 also).
+// Source: rational-trigonometry paper, eqs. 9 and 18-23 in vector form. Model: rational.ik3
 `default_nettype none
 module rational_ik3 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter S = 24   // fraction bits of a turn-spread word, 2 to 24: 24, 0.014 degrees at a quadrant border
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1 (default 8); F changes no logic
+    parameter S = 24   // fraction bits of a turn-spread, 2 to 24 (default 24: 0.014 degrees at a quadrant border)
 ) (
     input  wire                clk,
     input  wire                rst,
