@@ -1,13 +1,17 @@
-"""What pytest learns from the house: --core and --sim choose tests, --names shows them, a failed bench is recorded."""
+"""Pytest here: --core and --sim choose tests, --names shows them, failures say why, a run that was cut is an error."""
 
 from __future__ import annotations
 
 import sys
 import time
+from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 from quadrance.cli.catalogue import Refused, choose, find
 from quadrance.cores import Core
+
+from tb.lib import blame
 
 RECORDED = 3  # failed benches of a run that are recorded: each is simulated once or twice more
 EVERY = 20.0  # seconds between two lines of progress where there is no terminal
@@ -59,22 +63,71 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.hookimpl(hookwrapper=True)
 def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo):
-    """Below a failed cocotb bench of a listed core: the waveform, the time, the command that repeats it."""
+    """Below a failed test, in the JUnit file too: where arrays differ; of a cocotb bench the waveform and a command."""
     report = (yield).get_result()
-    core = _core(item)
-    if not (report.when == "call" and report.failed and core and "simulator" in item.callspec.params
-            and isinstance(call.excinfo.value, SystemExit)):
+    if not (report.when == "call" and report.failed):
         return
-    count = item.config.stash.get(_COUNT, 0)
-    item.config.stash[_COUNT] = count + 1
-    if count < RECORDED:
-        from ci import waves
+    core = _core(item)
+    if core and "simulator" in item.callspec.params and isinstance(call.excinfo.value, SystemExit):
+        title, lines = "how to look at it", _recorded(item, core)
+    elif isinstance(call.excinfo.value, AssertionError):
+        title, lines = "where it differs", blame.failed(call.excinfo.tb)
+    else:
+        return
+    if lines and hasattr(report.longrepr, "addsection"):
+        report.longrepr.addsection(title, "\n".join(lines))
 
-        try:
-            lines = waves.explain(core, item.callspec.params["simulator"])
-        except (RuntimeError, SystemExit) as error:
-            lines = [f"no waveform: {error}"]
-        report.sections.append(("how to look at it", "\n".join(lines)))
+
+def _recorded(item: pytest.Item, core: Core) -> list[str]:
+    """The waveform of a failed bench, the time, the command; beyond the first few of a run the command alone."""
+    from ci import waves
+
+    simulator = item.callspec.params["simulator"]
+    count = item.config.stash[_COUNT] = item.config.stash.get(_COUNT, 0) + 1
+    if count > RECORDED:
+        return [f"again:    {waves.command(core, simulator, waves.tests_of(core))}"]
+    try:
+        return waves.explain(core, simulator)
+    except (RuntimeError, SystemExit) as error:
+        return [f"no waveform: {error}"]
+
+
+def _junit(config: pytest.Config) -> Path | None:
+    """The JUnit file of this run, None in a worker process or where none was asked for."""
+    path = config.getoption("xmlpath", None)
+    return Path(path) if path and not hasattr(config, "workerinput") else None
+
+
+def _incomplete(path: Path, reason: str) -> None:
+    """Put an error into the JUnit file, so that a run that was cut does not read green."""
+    if path.exists():
+        tree = ElementTree.parse(path)
+        suite = next(tree.iter("testsuite"))
+    else:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        suite = ElementTree.Element("testsuite", name="pytest", errors="0", failures="0", skipped="0", tests="0")
+        tree = ElementTree.ElementTree(suite)
+    for key in ("errors", "tests"):
+        suite.set(key, str(int(suite.get(key)) + 1))
+    case = ElementTree.SubElement(suite, "testcase", classname="pytest", name="the whole run", time="0")
+    ElementTree.SubElement(case, "error", message=reason).text = reason
+    tree.write(path, encoding="utf-8", xml_declaration=True)
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """The JUnit file of an earlier run goes; one of a run that is killed says so."""
+    if path := _junit(session.config):
+        path.unlink(missing_ok=True)
+        _incomplete(path, "the run did not end: it was killed, or it is still at work")
+
+
+@pytest.hookimpl(hookwrapper=True, tryfirst=True)
+def pytest_sessionfinish(session: pytest.Session, exitstatus: int):
+    """Pytest writes its JUnit file within; of a run that was cut it would hold what passed before."""
+    yield
+    if (path := _junit(session.config)) and exitstatus not in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED):
+        name = pytest.ExitCode(exitstatus).name.lower().replace("_", " ")
+        _incomplete(path, f"the run was not complete: {name}")
 
 
 _COUNT = pytest.StashKey[int]()

@@ -191,7 +191,8 @@ def jobs(monkeypatch):
                              for target, w in (("1 LSB", 16), ("2 LSB", 15))} | {"1/2 LSB": None}}
                    for what, one, _ in wanted if what == "reach"}
         return {(what, one, arm): reached[one] if what == "reach" else
-                dict.fromkeys(search.FLOWS, area) if what == "area" else 70.0 for what, one, arm in wanted}
+                dict.fromkeys(search.FLOWS, area) if what == "area" else what == "confirm" or 70.0
+                for what, one, arm in wanted}
 
     monkeypatch.setattr(search.pool, "run", answers)
     return done
@@ -237,8 +238,8 @@ def test_a_changed_core_is_searched_and_measured_again(report, jobs, monkeypatch
     monkeypatch.setattr(search, "source", lambda design, arm: source(design, arm) + design.core[:1] * (
         design.core == "table_fk1"))
     monkeypatch.setattr(freshness, "synthesis", lambda core: digest(core) + "x" * (core.params["W"] == 15))
-    assert search.check(report) == ["verdict: table_fk1 changed", "verdict: part table_fk1-W15F8A18 changed",
-                                    "verdict: part vector_fk1-W15F8U16 changed"]
+    assert search.check(report) == [f"verdict: {what} changed (make verdict)" for what in (
+        "table_fk1", "part table_fk1-W15F8A18", "part vector_fk1-W15F8U16")]
     search.put_together("cobra600", report)
     assert jobs == [("reach", "table_fk1"), *((what, part) for what in ("clock", "area") for part in (
         "table_fk1-W15F8A18", "vector_fk1-W15F8U16"))]
@@ -254,26 +255,59 @@ def test_another_flow_or_tool_costs_synthesis_only(report, jobs):
 def test_what_was_changed_by_hand_or_is_missing_is_found(report, jobs):
     other = copy.deepcopy(report)
     other["verdict"]["parts"]["table_fk1-W15F8A18"]["fmax_mhz"] = 99.0
-    assert search.check(other) == ["verdict: a figure was changed by hand"]
+    assert search.check(other) == ["verdict: a figure was changed by hand (make verdict)"]
     jobs.clear()
     search.put_together("cobra600", other)
     assert len(jobs) == 10, "nothing of it is kept"
     del other["verdict"]["parts"]
     assert search.check(other)[0].startswith("report.json: verdict: KeyError")
     del other["verdict"]
-    assert search.check(other) == [], "a report that shows no verdict"
+    assert search.check(other) == ["report.json: the verdict at equal accuracy is missing (make verdict)"]
 
 
-def test_a_verdict_is_shown_whole_or_not_at_all(report, jobs):
+def test_a_verdict_stands_while_its_cores_stand(report, jobs, monkeypatch):
+    """Another core, or a core of it that changed, neither deletes it nor hides that."""
     assert search.standing("cobra600", report) == {"verdict": report["verdict"]}
     assert search.standing("cobra600", {}) == search.standing("cobra600", None) == {}
-    report["verdict"]["parts"]["table_fk1-W15F8A18"]["digest"] = "of other sources"
-    report["verdict"]["figures"] = search.digest_of(report["verdict"])
-    earlier = search.standing("cobra600", report)
-    assert earlier == {"earlier_verdict": report["verdict"]}
     jobs.clear()
-    search.put_together("cobra600", report | earlier | {"verdict": None})
-    assert jobs == [(what, "table_fk1-W15F8A18") for what in ("clock", "area")], "what stands of it is kept"
+    every = [*search.everything()[:1], Design("vector_fk2", "vector")]  # one is new, one is gone
+    monkeypatch.setattr(search, "everything", lambda: every)
+    verdict = search.standing("cobra600", report)["verdict"]
+    assert verdict["designs"] == {"table_fk1": report["verdict"]["designs"]["table_fk1"]} and len(verdict["parts"]) == 2
+    assert verdict["open"] == ["verdict: vector_fk2 is not in the report"]
+    assert search.check(report | {"verdict": verdict}) == ["verdict: vector_fk2 is not in the report (make verdict)"]
+    verdict["parts"]["table_fk1-W15F8A18"]["digest"] = "of other sources"
+    verdict["figures"] = search.digest_of(verdict)
+    again = search.standing("cobra600", report | {"verdict": verdict})["verdict"]
+    assert again["parts"] == verdict["parts"] and "verdict: part table_fk1-W15F8A18 changed" in again["open"]
+    assert jobs == []
+    search.put_together("cobra600", report | {"verdict": again})
+    assert jobs[:1] == [("reach", "vector_fk2")] and ("area", "table_fk1-W15F8A18") in jobs[1:]
+    assert ("reach", "table_fk1") not in jobs, "what stands of it is kept"
+
+
+def test_code_that_judges_every_core_alike_may_change_while_the_errors_stay(report, jobs, monkeypatch):
+    """As it does when a core comes with a function of its own."""
+    monkeypatch.setattr(search, "judge", lambda: "of today")
+    assert search.check(report) == ["verdict: the code that judges every core changed (make verdict)"]
+    jobs.clear()
+    verdict = search.standing("cobra600", report)["verdict"]
+    assert jobs == [("confirm", "table_fk1"), ("confirm", "vector_fk1")]
+    assert verdict == report["verdict"] | {"judge": "of today"} and search.check(report | {"verdict": verdict}) == []
+    monkeypatch.setattr(search.pool, "run", lambda work, wanted, since, name: {
+        key: key[1].core == "vector_fk1" for key in wanted})
+    verdict = search.standing("cobra600", report)["verdict"]
+    assert verdict["open"] == ["verdict: table_fk1 changed"]
+
+
+def test_a_design_is_confirmed_by_its_errors(monkeypatch, tmp_path):
+    monkeypatch.setattr(search.cache, "FOLDER", tmp_path)
+    design = Design("vector_fk1", "vector")
+    values = {"W": 16, "F": 8, "U": 12}
+    total = round(designs.total(design, values, ARM, designs.RULES["samples"]), 6)
+    for said, same in ((total, True), (total + 1e-6, False)):
+        picks = {"1 LSB": {"values": values, "total_lsb": said}, "2 LSB": None}
+        assert search.confirmed(design, "cobra600", picks) == {"same": same}
 
 
 def test_report_check_covers_the_verdict(report, monkeypatch):
@@ -288,13 +322,13 @@ def test_report_check_covers_the_verdict(report, monkeypatch):
 def test_a_core_that_is_new_or_gone_is_found(report, monkeypatch):
     every = search.everything()
     monkeypatch.setattr(search, "everything", lambda: [*every[:1], Design("vector_fk2", "vector")])
-    assert search.check(report) == ["verdict: vector_fk1 is in the report but gone",
-                                    "verdict: vector_fk2 is not in the report"]
+    assert search.check(report) == ["verdict: vector_fk1 is in the report but gone (make verdict)",
+                                    "verdict: vector_fk2 is not in the report (make verdict)"]
 
 
 def test_the_digest_follows_model_rule_and_targets(monkeypatch):
     design = Design("table_fk1", "angle")
-    before = search.source(design, "cobra600")
+    before, judge = search.source(design, "cobra600"), search.judge()
     assert before != search.source(design, "ur5") and before != search.source(Design("table_fk2", "angle"), "cobra600")
     with monkeypatch.context() as patch:
         patch.setattr(designs, "RULES", designs.RULES | {"target": {"1 LSB": {"lsb": 1.0}}})
@@ -302,6 +336,9 @@ def test_the_digest_follows_model_rule_and_targets(monkeypatch):
     with monkeypatch.context() as patch:
         patch.setattr(designs, "RULES", designs.RULES | {"price": {"dsp": 1, "mem": 1}})
         assert search.source(design, "cobra600") == before, "a price needs no new search"
+    with monkeypatch.context() as patch:
+        patch.setattr(search, "CODE", [])
+        assert search.judge() != judge
     with monkeypatch.context() as patch:
         digests = search.code.digests
         patch.setattr(search.code, "digests", lambda files: digests(files) | (

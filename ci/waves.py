@@ -6,28 +6,17 @@ import argparse
 import ast
 import re
 import shutil
-from dataclasses import dataclass
 from pathlib import Path
-from xml.etree import ElementTree
 
 from quadrance.cli.catalogue import Refused, choose, find
 from quadrance.cores import Core
 
 from tb.lib import program, tools
-from tb.lib.simulate import SIMULATORS, available, simulate
+from tb.lib.simulate import SIMULATORS, BenchFailed, Failure, available, simulate
 from tb.lib.suite import SEED
 
 FOLDER = tools.BUILD / "waves"
 BENCH = Path(program.__file__).with_name("bench.py")
-
-
-@dataclass(frozen=True)
-class Failure:
-    """A failed test of a bench: its name, when it ended in the recording, what it said."""
-
-    test: str
-    time_ns: float
-    message: str
 
 
 def tests_of(core: Core) -> list[str]:
@@ -37,30 +26,16 @@ def tests_of(core: Core) -> list[str]:
     return [name for name in found if ("combinational" in name) != core.clocked]
 
 
-def failures(results: Path) -> list[Failure]:
-    """The failed tests in cocotb's file of results; a time counts from the start of the simulation."""
-    found = []
-    for case in ElementTree.parse(results).iter("testcase"):
-        reason = next(case.iter("failure"), next(case.iter("error"), None))
-        if reason is not None:
-            about = {one.get("name"): one.get("value") for one in case.iter("property")}
-            text = " ".join((reason.get("message") or reason.text or "").split())
-            found.append(Failure(case.get("name"), float(about["sim_time_stop"]), text[:300]))
-    return found
-
-
 def record(core: Core, simulator: str, tests: list[str], seed: int = SEED) -> tuple[Path, list[Failure]]:
     """The waveform of tests of a core's bench, below build/waves, and which of them failed."""
     folder = program.build_folder(core, simulator, "-waves", True, True)
-    for old in [*folder.glob("*.fst"), *folder.glob("*.vcd"), *folder.glob("*_results.xml")]:
+    for old in [*folder.glob("*.fst"), *folder.glob("*.vcd")]:
         old.unlink()
     failed: list[Failure] = []
     try:
         simulate(core, simulator, tests=rf"\.({'|'.join(tests)})$", seed=seed, waves=True, label="-waves")
-    except SystemExit as error:
-        if not (results := sorted(folder.glob("*_results.xml"))):
-            raise RuntimeError(f"{core.id} in {simulator}: {error}") from None
-        failed = failures(results[-1])
+    except BenchFailed as error:
+        failed = error.failures
     made = next((path for path in folder.iterdir() if path.suffix in (".fst", ".vcd")), None)
     if made is None:
         raise RuntimeError(f"{core.id} in {simulator}: no waveform in {tools.local(folder)}")

@@ -32,7 +32,7 @@ def check() -> None:
 
 
 def report(arm: str, fresh: bool, verdict: bool = False, out: str | None = None) -> None:
-    """Measure, write and print the report of an arm; a verdict that no longer stands is searched, or not shown."""
+    """Measure, write and print the report of an arm; the verdict is searched, or the committed one shown."""
     started, listed, committed = time.monotonic(), cores.reported(), freshness.committed()
     arm = DEFAULT_ARM if run.is_default(arm) else arm
     folder = run.folder_of(arm, out)
@@ -53,8 +53,9 @@ def report(arm: str, fresh: bool, verdict: bool = False, out: str | None = None)
             lines += search.differences((committed or {}).get("verdict"), made["verdict"])
         print("\n".join(["Other than in the committed report:", *(f"  {line}" for line in lines)]) if lines else
               "Every figure is the one of the committed report.")
-    if folder == REPORTS and "verdict" not in made:
-        print("The verdict at equal accuracy does not stand and is left out: `make verdict` searches it.")
+    if folder == REPORTS and (problems := search.check(made)):
+        print("\n".join(["The verdict at equal accuracy is not that of today; `make verdict` searches what is open:",
+                         *(f"  {problem}" for problem in problems)]))
     where = tools.local(folder) if folder.is_relative_to(tools.ROOT) else folder
     print(f"Written to {where}/ (report.json, report.md, plots) in {time.monotonic() - started:.0f} s."
           + ("" if folder == REPORTS else f" Only {DEFAULT_ARM} refreshes reports/ and README.md."))

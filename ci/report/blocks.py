@@ -15,7 +15,7 @@ from quadrance.cores import Core
 
 from ci.report import judgement
 from ci.report.comparison import pareto, smaller
-from ci.report.documents import listed
+from ci.report.documents import listed, open_note
 from ci.report.paper import paper_tables
 from ci.report.rows import Row, name
 from ci.report.tables import headline_table, page_table
@@ -40,9 +40,9 @@ def made(report: dict) -> dict[str, str]:
 def _verdict(report: dict) -> str:
     """Who wins what at one LSB, and what rational trigonometry itself changes."""
     if not report.get("verdict"):
-        return "The verdict at equal accuracy was not searched since the cores last changed: `make verdict`."
+        return "The verdict at equal accuracy was not searched yet: `make verdict`."
     found = report["verdict"]
-    return "\n\n".join([f"With a total error of at most {README_TARGET} of Q7.8 at the tip:",
+    return "\n\n".join([*open_note(found), f"With a total error of at most {README_TARGET} of Q7.8 at the tip:",
                         listed(judgement.families(found, README_TARGET), ""), judgement.itself_at(report),
                         listed(judgement.itself(report), ""), VERDICT_MORE])
 

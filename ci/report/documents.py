@@ -31,7 +31,14 @@ Errors are distances at the tip of the arm; one LSB is 2^-F units.
 - **words**: the greatest error over the arm's workspace, borders of the words included, of an exact core of the same
   words: what rounding joints, targets and links costs, for inverse cores also the answered joint words.
 - **total**: the greatest error of words and arithmetic together over the same samples: where the tip of the real core
-  is, against where it was meant to be."""
+  is, against where it was meant to be. Both errors have a direction. At the sample where rounding costs an exact core
+  most, the arithmetic error of the real core may point the other way, or make it answer the neighbouring word, which
+  is nearer: a total below its words is right."""
+
+MAP_NOTE = """\
+The map has one random point in each of its cells. The greatest errors lie on lines as thin as a word (borders of the
+words, the stretched and the folded arm), which few of these points meet and which the table's samples seek: each panel
+says the greatest error of both. Neither is a bound; the bounds are on the cores' pages."""
 
 PAPER_NOTE = """\
 The paper counts Cyclone V logic elements (Quartus 16.0) and cycles at 50 MHz; ours are the ALUT proxy with DSP blocks
@@ -81,10 +88,16 @@ def _titled(table: Table, *after: str) -> list[str]:
     return [f"## {table.title}", table.markdown(), *after]
 
 
+def open_note(verdict: dict) -> list[str]:
+    """What of the verdict is not that of today's cores; nothing where all of it is."""
+    return [f"**Not searched since: {'; '.join(one.removeprefix('verdict: ') for one in verdict['open'])}.** Figures "
+            "of what changed are those of before; `make verdict` searches it."] if verdict["open"] else []
+
+
 def _verdict(report: dict) -> list[str]:
     """The verdict at equal accuracy: tables, picture, scenarios, sentences."""
     found = report["verdict"]
-    parts = ["## The verdict at equal accuracy", VERDICT_NOTE.format(**designs.RULES["price"])]
+    parts = ["## The verdict at equal accuracy", *open_note(found), VERDICT_NOTE.format(**designs.RULES["price"])]
     for function in KINEMATIC:
         if verdict.plain(found, function):
             table = verdict.target_table(found, function)
@@ -111,7 +124,7 @@ def markdown(report: dict) -> str:
                            "![Area against latency](area_latency.png)"),
                   *_titled(accuracy_table("Accuracy at the tip", kinematic), ERROR_COLUMNS, "![Accuracy](accuracy.png)",
                            "Over the workspace of two joints (elbow 0), the same scale everywhere:",
-                           "![Tip error over the workspace](tip_error_map.png)")]
+                           "![Tip error over the workspace](tip_error_map.png)", MAP_NOTE)]
     if report.get("verdict"):
         parts += _verdict(report)
     if others:

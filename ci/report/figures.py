@@ -46,7 +46,7 @@ def draw(report: dict, maps: dict[tuple[str, str], dict[str, list]], folder: Pat
     maps : (function, family) -> "arithmetic" or "words" -> grid of LSB over the workspace, NaN out of reach.
     """
     rows = q7_8(pick(report, KINEMATIC))
-    drawn = [_area(rows), _accuracy([row for row in rows if row["error_lsb"]]), _map(report["trajectory"], maps)]
+    drawn = [_area(rows), _accuracy([row for row in rows if row["error_lsb"]]), _map(report["trajectory"], maps, rows)]
     drawn += [_verdict(report["verdict"])] if report.get("verdict") else []
     for plot in PLOTS:
         (folder / plot).unlink(missing_ok=True)
@@ -134,8 +134,13 @@ def _accuracy(rows: list[Row]) -> pyplot.Figure:
     return figure
 
 
-def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]]) -> pyplot.Figure:
-    """Error over the workspace of two joints, a panel for each function, kind of error and family."""
+def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]], rows: list[Row]) -> pyplot.Figure:
+    """Error over the workspace of two joints, a panel for each function, kind of error and family.
+
+    A panel says the greatest error of its points, and that of the table's samples.
+    """
+    greatest = {(row["function"], row["family"], what): value for row in reversed(rows) for what, value in (
+        ("arithmetic", greatest_error(row)), ("words", row["words_lsb"]))}
     panels = [(function, what) for function in MAPPED for what in ("arithmetic", "words")]
     figure, grid = pyplot.subplots(len(panels), len(FAMILIES), figsize=(4 * len(FAMILIES), 15), layout="constrained")
     scale = LogNorm(0.01, 1000, clip=True)
@@ -147,12 +152,15 @@ def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]]) -> pypl
                 shown = numpy.array(maps[function, family][what])
                 axis.imshow(numpy.maximum(shown, 0.01), norm=scale, cmap="viridis", origin="lower",
                             interpolation="nearest", extent=[-reach, reach] * 2)
-                axis.set_title(f"{family}_{function}: {what}, max {number(float(numpy.nanmax(shown)))} LSB", fontsize=9)
+                here = number(float(numpy.nanmax(shown)))
+                axis.set_title(f"{family}_{function}: {what}, LSB\nat most {here} here, "
+                               f"{number(greatest.get((function, family, what)))} in the table", fontsize=9)
             else:
                 axis.set_axis_off()
     figure.colorbar(image, ax=grid, shrink=0.5, label="error at the tip, LSB")
     figure.suptitle(f"Tip error over the workspace of {trajectory['name']}, units; elbow 0\n"
-                    "arithmetic: the core's own; words: what rounding its words costs an exact core")
+                    "arithmetic: the core's own; words: what rounding its words costs an exact core. One random point "
+                    "a cell;\nthe table's samples seek the borders of words, the stretched and the folded arm")
     return figure
 
 

@@ -1,6 +1,9 @@
 """The figures of the verdict at equal accuracy: who reaches it with which words (`reach`), and what that costs.
 
-A search that still follows from its sources is taken from the committed report, and so is every area and clock.
+A search that still follows from its sources is taken from the committed report, and so is every area and clock. A
+search follows from its core (list entry, rule, model), the arm and the rules, and from the code that judges all cores
+alike. Where only the latter changed, a new core's function for instance, the errors of the chosen words are worked out
+again: where they are what they were, the search stands.
 """
 
 from __future__ import annotations
@@ -22,15 +25,20 @@ CODE = [Path(reach.__file__)]
 FLOWS = ("cyclonev", "cyclonev_nodsp")
 
 
+def judge() -> str:
+    """Digest of the code that searches and judges every design alike."""
+    return cache.digest([code.digests(code.closure(CODE)), tools.versions()["numpy"]])[:16]
+
+
 def source(design: Design, arm_name: str) -> str:
-    """Digest of all that the search of a design follows from."""
+    """Digest of what the search of a design follows from, but for `judge`."""
     names = [design.core, *([design.codec] if design.codec else [])]
     models = {ROOT / "models" / "quadrance" / f"{cores.find(name).model_name.split('.')[0]}.py" for name in names}
     entries = [[*entry, designs.rule(name), legal.ranges(cores.find(name))]
                for name in names for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
     rules = {key: rule for key, rule in designs.RULES.items() if key != "price"}
-    return cache.digest([entries, code.digests(code.closure([*CODE, *sorted(models)])), design.word,
-                         arms.path_of(arm_name).read_text(), rules, tools.versions()["numpy"]])[:16]
+    own = [path for path in code.closure(sorted(models)) if path not in code.closure(CODE)]
+    return cache.digest([entries, code.digests(own), design.word, arms.path_of(arm_name).read_text(), rules])[:16]
 
 
 def named(name: str, params: dict[str, int]) -> str:
@@ -65,7 +73,17 @@ def searched(design: Design, arm_name: str) -> dict:
                 "picks": picks}
 
     key = source(design, arm_name)
-    return cache.cached(["reach", key], compute) | {"digest": key}
+    return cache.cached(["reach", key, judge()], compute) | {"digest": key}
+
+
+def confirmed(design: Design, arm_name: str, picks: dict) -> dict[str, bool]:
+    """Whether every chosen set of words has the error again that the report says of it."""
+    def compute() -> dict:
+        arm, chosen = arms.load(arm_name), [pick for pick in picks.values() if pick]
+        return {"same": all(round(designs.total(design, pick["values"], arm, designs.RULES["samples"]), 6)
+                            == pick["total_lsb"] for pick in chosen)}
+
+    return cache.cached(["confirmed", source(design, arm_name), judge(), picks], compute)
 
 
 def of_id(part: str) -> Core:
@@ -75,9 +93,11 @@ def of_id(part: str) -> Core:
 
 
 def job(what: str, subject: Design | str, arm_name: str) -> object:
-    """One measurement, in a worker process: "reach" of a design, "area" or "clock" of a part."""
+    """One job, in a worker process: "reach" of a design or to "confirm" it, "area" or "clock" of a part."""
     if what == "reach":
         return searched(subject, arm_name)
+    if what == "confirm":
+        return confirmed(subject, arm_name, freshness.committed()["verdict"]["designs"][subject.id]["picks"])["same"]
     core = of_id(subject)
     if what == "clock":
         return synth.core_fmax(core)
@@ -93,24 +113,49 @@ def everything() -> list[Design]:
 
 
 def standing(arm_name: str, committed: dict | None) -> dict:
-    """The committed verdict: as ``verdict`` where all of it stands, else as ``earlier_verdict``, which is not shown.
+    """The committed verdict as it stands, ``{}`` where there is none: nothing is searched and nothing is left out.
 
-    A part of it would name winners among those that happen to stand.
+    Cores that are gone go. ``open`` says which designs and parts changed since, or are new: the page names them, and
+    `make report-check` fails until `make verdict` has searched them.
     """
-    found = (committed or {}).get("verdict") or (committed or {}).get("earlier_verdict")
+    found = (committed or {}).get("verdict")
     if not found:
         return {}
-    return {"earlier_verdict" if stale({"arm": arm_name, "verdict": found}) else "verdict": found}
+    if found["judge"] != judge() and found["figures"] == digest_of(found):
+        found = found | {"designs": _judged_again(found["designs"], arm_name), "judge": judge()}
+    known = {design.id for design in everything()}
+    designs_left = {one: row for one, row in found["designs"].items() if one in known}
+    used = {part for row in designs_left.values() for pick in row["picks"].values() if pick
+            for part, _ in pick["parts"]}
+    found = found | {"designs": designs_left,
+                     "parts": {part: row for part, row in found["parts"].items() if part in used}}
+    found["figures"] = found["figures"] if _altered(committed["verdict"]) else digest_of(found)
+    return {"verdict": found | {"open": stale({"arm": arm_name, "verdict": found | {"open": []}})}}
+
+
+def _judged_again(rows: dict[str, dict], arm_name: str) -> dict[str, dict]:
+    """Designs whose own sources did not change, judged by the code of today: without a digest where they fail."""
+    every = {design.id: design for design in everything()}
+    jobs = {("confirm", every[one], arm_name): one for one, row in rows.items()
+            if one in every and row["digest"] == source(every[one], arm_name)}
+    same = pool.run(job, list(jobs), 0.0, "verdict")
+    failed = {one for key, one in jobs.items() if not same[key]}
+    return {one: row | {"digest": "judged otherwise"} if one in failed else row for one, row in rows.items()}
+
+
+def _altered(verdict: dict) -> bool:
+    """Whether a figure was changed by hand."""
+    return verdict["figures"] != digest_of(verdict)
 
 
 def _kept(report: dict | None) -> tuple[dict, dict]:
     """Designs, and parts of the same tools and flow, of a committed report that was not changed by hand."""
-    verdict = (report or {}).get("verdict") or (report or {}).get("earlier_verdict") or {}
-    if not verdict or verdict["figures"] != digest_of(verdict):
+    verdict = (report or {}).get("verdict")
+    if not verdict or _altered(verdict):
         return {}, {}
     same = report["sources"]["flow"] == code.digests(freshness.FLOW) and all(
         report["tools"].get(tool) == tools.versions()[tool] for tool in freshness.CONCERNS["synthesis"][1])
-    return verdict["designs"], verdict["parts"] if same else {}
+    return verdict["designs"] if verdict["judge"] == judge() else {}, verdict["parts"] if same else {}
 
 
 def digest_of(verdict: dict) -> str:
@@ -141,7 +186,7 @@ def put_together(arm_name: str, committed: dict | None, fresh: bool = False) -> 
         verdict["parts"][part] = {
             "core": core.name, "params": core.params, "digest": digests[part], "cycles": core.latency, "ii": core.ii,
             "area": measured["area", part, arm_name], "fmax_mhz": measured["clock", part, arm_name]}
-    return verdict | {"figures": digest_of(verdict)}
+    return verdict | {"judge": judge(), "open": [], "figures": digest_of(verdict)}
 
 
 def differences(old: dict | None, new: dict) -> list[str]:
@@ -155,15 +200,18 @@ def differences(old: dict | None, new: dict) -> list[str]:
 
 
 def check(report: dict | None = None) -> list[str]:
-    """`stale` of a report, the committed one by default, or nothing where it shows no verdict.
+    """`stale` of a report, the committed one by default, whose verdict must be there and show what is searched.
 
     A report that cannot be read is `freshness.check`'s.
     """
     report = freshness.committed() if report is None else report
     if not report:
         return []
+    if not report.get("verdict"):
+        return ["report.json: the verdict at equal accuracy is missing (make verdict)"]
     try:
-        return stale(report) if "verdict" in report else []
+        problems = stale(report)
+        return [f"{one} (make verdict)" for one in problems]
     except (KeyError, TypeError, AttributeError) as error:
         return [f"report.json: verdict: {type(error).__name__}: {error}"]
 
@@ -174,11 +222,15 @@ def stale(report: dict) -> list[str]:
     now = {design.id: source(design, arm_name) for design in everything()}
     then = {name: design["digest"] for name, design in verdict["designs"].items()}
     problems = freshness.changes(then, now, "verdict:")
+    if verdict["judge"] != judge():
+        problems.append("verdict: the code that judges every core changed")
     for part, row in verdict["parts"].items():
         core = of_id(part) if row["core"] in {one.name for one in cores.all_cores()} else None
         if core is None or (core.latency, core.ii, freshness.synthesis(core)) != (row["cycles"], row["ii"],
                                                                                  row["digest"]):
             problems.append(f"verdict: part {part} changed")
-    if verdict["figures"] != digest_of(verdict):
+    if _altered(verdict):
         problems.append("verdict: a figure was changed by hand")
+    if not problems and verdict["open"]:
+        problems.append("verdict: the page names designs as changed which are not")
     return problems

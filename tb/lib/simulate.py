@@ -9,7 +9,7 @@ import pickle
 import shutil
 import signal
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -19,6 +19,37 @@ from quadrance.cores import Core
 from tb.lib import program, tools
 
 SIMULATORS = ("icarus", "verilator")
+LONGEST = 800  # characters of what a failed test said
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A failed test of a bench: its name, when it ended in the simulation, what it said."""
+
+    test: str
+    time_ns: float
+    message: str
+
+
+class BenchFailed(SystemExit):
+    """Tests of a bench failed: which, when, and what each of them said."""
+
+    def __init__(self, where: str, failures: list[Failure]) -> None:
+        super().__init__("\n".join([f"FAILED {len(failures)} tests of {where}", *(
+            f"  {one.test} at {one.time_ns:g} ns: {one.message}" for one in failures)]))
+        self.failures = failures
+
+
+def failures(results: Path) -> list[Failure]:
+    """The failed tests in cocotb's file of results; a time counts from the start of the simulation."""
+    found = []
+    for case in ElementTree.parse(results).iter("testcase"):
+        reason = next(case.iter("failure"), next(case.iter("error"), None))
+        if reason is not None:
+            about = {one.get("name"): one.get("value") for one in case.iter("property")}
+            text = " ".join((reason.get("message") or reason.text or "").split())
+            found.append(Failure(case.get("name"), float(about["sim_time_stop"]), text[:LONGEST]))
+    return found
 
 
 class Built(Verilator):
@@ -50,7 +81,7 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
              parameters: bool = True, failures: int | None = None, plusargs: Sequence[str] = ()) -> Path:
     """Build `core` and run the cocotb tests of `module` on it.
 
-    Raises SystemExit when a test fails, RuntimeError when the core cannot be built or the simulator ends early.
+    Raises BenchFailed when a test fails, RuntimeError when the core cannot be built or the simulator ends early.
 
     Parameters
     ----------
@@ -109,6 +140,7 @@ def _run(core: Core, runner: type[Simulator], folder: Path, module: str, tests: 
     os.environ.update(tools.environment())
     os.environ.pop("COCOTB_RESULTS_FILE", None)
     logging.getLogger("cocotb").propagate = True
+    _cleared(folder)
     try:
         with _handlers_kept():
             simulation = runner(
@@ -121,10 +153,20 @@ def _run(core: Core, runner: type[Simulator], folder: Path, module: str, tests: 
         simulation.run()
     except (SystemExit, ElementTree.ParseError) as error:  # cocotb-test exits for every reason, and says which
         if str(error).startswith("FAILED"):
-            raise
-        raise RuntimeError(f"{core.id} in {runner.__name__}: {error}") from None
+            found = failures(next(folder.glob("*_results.xml")))
+            raise BenchFailed(f"{core.id} in {_simulator(runner)}, SEED={seed}", found) from None
+        raise RuntimeError(f"{core.id} in {_simulator(runner)}: {error}") from None
     finally:
         os.environ.clear()
         os.environ.update(previous)
-    for stale in folder.glob("*_results.xml"):
-        stale.unlink()
+        _cleared(folder)
+
+
+def _simulator(runner: type[Simulator]) -> str:
+    return "icarus" if runner is Icarus else "verilator"
+
+
+def _cleared(folder: Path) -> None:
+    """Results of a run, or of one that was cut, go."""
+    for results in folder.glob("*_results.xml"):
+        results.unlink()

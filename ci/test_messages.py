@@ -1,0 +1,135 @@
+"""What a failed test says, in the JUnit file and in its summary: reason, sample, the command that repeats it."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from ci import summary
+from tb.lib import blame, tools
+
+BENCH = """
+from dataclasses import replace
+from pathlib import Path
+import pytest
+from quadrance import cores
+from tb.lib.simulate import simulate
+from tb.lib.suite import SEED, simulators
+
+CORE = cores.find("vector_fk1")
+FILE = Path(__file__).with_name("vector_fk1.v")
+TEXT = CORE.sources[0].read_text()
+assert TEXT.count("out_x  <= out_y;") == 1
+FILE.write_text(TEXT.replace("out_x  <= out_y;", "out_x  <= out_y ^ 1'b1;"))
+BROKEN = replace(CORE, sources=(FILE, *CORE.sources[1:]), set_id="broken")
+
+@pytest.mark.parametrize(("simulator", "core"), [pytest.param(simulators()[0], BROKEN, id="broken")])
+def test_bench(core, simulator):
+    simulate(core, simulator, seed=SEED)
+"""
+MODEL = """
+import numpy as np
+
+def test_words():
+    for axis in "xy":
+        words = {"in_j1": np.arange(9), "in_j2": np.arange(9) * 2}
+        found = {"out_x": words["in_j1"] + 1, "out_y": words["in_j2"] + (words["in_j1"] == 7)}
+        assert np.all(found[f"out_{axis}"] == words[f"in_j{1 + (axis == 'y')}"] + (axis == "x"))
+"""
+CUT = """
+import os, signal, time
+
+def test_passes():
+    pass
+
+def test_is_cut():
+    os.kill(os.getpid(), signal.{signal})
+    time.sleep(9)
+"""
+
+
+def run(folder: Path, text: str, *options: str) -> tuple[int, ElementTree.Element | None, str]:
+    """Pytest in the repository on a file of its own: exit code, JUnit, its summary in Markdown."""
+    (folder / "test_made.py").write_text(text)
+    file = folder / "test.xml"
+    done = subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-c", tools.ROOT /
+                           "pyproject.toml", "--rootdir", tools.ROOT, "--confcutdir", tools.ROOT, "-p", "conftest",
+                           folder / "test_made.py", "--junitxml", file, *options], cwd=tools.ROOT,
+                          capture_output=True, text=True, env=os.environ | {"PYTHONPATH": f"{tools.ROOT}:"
+                                                                           f"{tools.ROOT / 'models'}"})
+    return done.returncode, ElementTree.parse(file) if file.exists() else None, summary.summary(file) + done.stdout
+
+
+@pytest.mark.full
+def test_a_failed_bench_says_sample_ports_waveform_and_command(tmp_path):
+    code, found, text = run(tmp_path, BENCH)
+    assert code == 1
+    reason = next(found.iter("failure"))
+    for said in (reason.get("message") + reason.text, text):
+        assert "one_clock_of_reset at " in said and "sample 0 {" in said and "out_x" in said and "model {" in said
+        assert "waveform: build/waves/" in said and "again:    make waves CORE=vector_fk1-broken SIM=" in said
+
+
+def test_a_model_test_says_sample_port_and_what_went_in(tmp_path):
+    code, found, text = run(tmp_path, MODEL)
+    assert code == 1
+    reason = next(found.iter("failure"))
+    for said in (reason.text, text):
+        for line in ("sample 7 is the first of 1 (of 9) that break found[f'out_{axis}'] ==", "words[in_j2] there: 14",
+                     "found[out_y] there: 15", "axis: 'y'"):
+            assert line in said
+
+
+@pytest.mark.parametrize(("by", "codes"), [("SIGINT", (2,)), ("SIGKILL", (-9,))])
+def test_a_run_that_is_cut_does_not_read_green(by, codes, tmp_path):
+    (tmp_path / "test.xml").write_text("<testsuite><testcase classname='a' name='of an earlier run'/></testsuite>")
+    code, found, text = run(tmp_path, CUT.format(signal=by))
+    assert code in codes and int(next(found.iter("testsuite")).get("errors")) == 1
+    assert "`pytest::the whole run`" in text and "earlier" not in text and " 1 failed" in text
+
+
+def test_a_whole_run_has_no_such_error(tmp_path):
+    code, found, text = run(tmp_path, "def test_passes():\n    pass\n")
+    assert code == 0 and not list(found.iter("error")) and "**1 passed, 0 failed, 0 skipped**" in text
+    code, found, text = run(tmp_path, "import numpy as np\ndef test_x():\n    assert np.array_equal([1, 2], [1, 3])\n")
+    assert code == 1 and not list(found.iter("error")) and "sample 1 is the first of 1 (of 2)" in text
+
+
+def reason_of(check) -> str:
+    try:
+        check()
+    except AssertionError as error:
+        return "\n".join(blame.failed(error.__traceback__))
+    raise ValueError("it passed")
+
+
+def test_forms_of_an_assertion():
+    import numpy as np
+
+    one, other = np.arange(6), np.array([0, 1, 2, 9, 4, 5])
+    pairs, rows = {"out_x": one, "out_y": other}, np.stack([one, other])
+
+    def equal_each():
+        assert all(np.array_equal(pairs[port], one) for port in pairs)
+
+    def method():
+        assert (one <= 9).all() and (other - one == 0).all()
+
+    def flags():
+        bad = one == 4
+        assert np.all(~bad)
+
+    def shapes():
+        assert np.array_equal(one, other[:3])
+
+    def matrix():
+        assert np.all(rows < 9)
+
+    assert "with port = 'out_y'" in reason_of(equal_each) and "sample 3 is the first of 1" in reason_of(equal_each)
+    assert "other - one == 0" in reason_of(method) and "other there: 9" in reason_of(method)
+    assert "sample 4 is the first of 1 (of 6) that break ~bad" in reason_of(flags)
+    assert "has the shape (3,)" in reason_of(shapes)
+    assert "sample 1, 3 is the first" in reason_of(matrix)
