@@ -17,8 +17,9 @@ module angle_about_axis #(
 );
     localparam D = A + 2;
 
-    // 2^44 (arctan(i / 128) + half the sag, 16 i / (2^14 + i^2)^2), i from 0 to 256: arctan by differences,
-    // arctan z with z = 128 / (2^14 + i (i + 1)); then in turns of 2^-D, with half a word and half a truncation
+    // 2^44 (arctan(i / 128) + half the sag, 16 i / (2^14 + i^2)^2), i from 0 to 256. The arc tangent is the sum of the
+    // differences arctan z, z = 128 / (2^14 + i (i + 1)). It is then scaled to 2^-D turn, plus half a word and half a
+    // unit of truncation.
     localparam KNOTS = 257;
     function [64*KNOTS-1:0] arcs(input integer unused);
         integer    i;

@@ -24,9 +24,9 @@ module angle_of_vector #(
 );
     localparam D = A + 3;
 
-    // 2^44 (arcsin(i / 256) - half the sag), i from 0 to 224, held above, by differences: with b = 2 i + 1 and
-    // n = 2^18 - b^2 that is 2/sqrt(n) (1 + (2^18 + 2 b^2) / 6 n^2); then in turns of 2^-62. ROUND: half a word of 8
-    // units less half a unit, half of the two units that are truncated, half of the last bit of m
+    // 2^44 (arcsin(i / 256) - half the sag), i from 0 to 224, then constant. A difference, with b = 2 i + 1 and
+    // n = 2^18 - b^2, is 2/sqrt(n) (1 + (2^18 + 2 b^2) / 6 n^2). It is then scaled to 2^-62 turn. ROUND is half a word
+    // of 8 units less half a unit, half of the two truncated units, and half of the last bit of m.
     function [64*257-1:0] arcs(input integer unused);
         integer    i;
         reg [63:0] k, b, n, root, rise, arc;

@@ -16,7 +16,7 @@ module arcsine_chords #(
     output wire [A:0]   out_knot,
     output wire [A-8:0] out_step
 );
-    // 2^62 arcsin(i / 256) in turns, less half the sag, i from 0 to 190 and no further: 2 arctan of its half-tangent t
+    // 2^62 arcsin(i / 256) in turns, less half the sag, i from 0 to 190, then constant: 2 arctan t, t = tan of its half
     localparam D = A + 2, KNOTS = 257;
     function [64*KNOTS-1:0] arcs(input integer unused);
         integer    i, k;

@@ -2,7 +2,7 @@
 // Binary angle of a unit vector: the nearer axis plus the arc sine of the minor coordinate, without a division.
 // Formats: in_c, in_n s2.U (1.0 is 2^U); out_j angle of A bits modulo a turn, rounded to nearest.
 // Error for the minor coordinate as it is given: 0.89 LSB at A = 18, 0.76 at A = 14. Rounding of a unit vector costs
-// sqrt(1/2) * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06. For
+// 0.73 * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06. For
 // vectors of any length use table_ik1.
 // Latency 2, II 1.
 // Status: singular (|c| < 1/2 and |n| < 11/16, no unit vector: the last word is held, 0 after a reset).

@@ -3,7 +3,7 @@
 // the minor coordinate adds to it, by one table and without a division.
 // Formats: in_c, in_n s2.U (1.0 is 2^U); out_j half-tangent u2.T modulo 4 (rtl/codec/README.md), rounded to nearest.
 // Error for the minor coordinate as it is given: 0.92 LSB at T = 16, 0.76 at T = 12. Rounding of a unit vector costs
-// sqrt(1/2) * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06.
+// 0.73 * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06.
 // Latency 2, II 1.
 // Status: singular (|c| < 1/2 and |n| < 11/16, no unit vector: the last word is held, 0 after a reset).
 // Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_half_tangent

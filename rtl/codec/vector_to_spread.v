@@ -2,7 +2,7 @@
 // Turn-spread of a unit vector: the nearer axis plus or minus the square of the minor coordinate, without a division.
 // Formats: in_c, in_n s2.U (1.0 is 2^U); out_j turn-spread u2.S modulo 4, rounded to nearest, ties upward.
 // Error for the minor coordinate as it is given: 0.69 LSB at S = 24, 1/2 at S = 16. Rounding of a unit vector costs
-// sqrt(1/2) * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06. For
+// 0.73 * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06. For
 // vectors of any length use vector_to_spread_iter or rational_ik1.
 // Latency 1, II 1.
 // Status: singular (|c| < 1/2 and |n| < 11/16, no unit vector: the last word is held, 0 after a reset).

@@ -78,7 +78,7 @@ module kernel_solve_path #(
         .in_range(read ? {1'b1, clamped} : {tiny, low && !tiny}), .in_segment(read ? factor[20:12] : e[20:12]),
         .out_slope(slope));
 
-    // m is b where |b| / q < 3/4
+    // m is b where |b| / q < 3/4, else a
     wire [2:0] size = product[49:47] ^ {3{product[53]}};
     wire       far = size[2] || size[1] && size[0];
 

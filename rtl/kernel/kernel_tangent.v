@@ -22,8 +22,8 @@ module kernel_tangent (
     output wire [19:0]        out_tangent,
     output wire [3:0]         out_status
 );
-    // 2^15 / t^2 in the middle t = b / 512 of 128 segments, M from 1/2, then of 128, M from -1; then all negative.
-    // Raised by half of what the tangent loses at a border, 1 / 2b^2, and by the unit that w lacks, 1 / 64b of t.
+    // 2^15 / t^2 in the middle t = b / 512 of 128 segments, M from 1/2, then of 128, M from -1; then all negated.
+    // Each is raised by half the error of the tangent at a border, 1 / 2b^2, and by 1 / 64b for the unit that w lacks.
     function [17:0] slope_at(input [8:0] i);
         reg [63:0] b, raised;
         begin
