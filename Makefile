@@ -12,7 +12,7 @@ $(error the path "$(CURDIR)" has a space, with which make and Verilator cannot w
 endif
 PY   := $(VENV)/bin/python
 # CORE, where it was given and is not the default above; names instead of dots on a long run
-CHOSEN := $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(SIM),--sim $(SIM))
+CHOSEN := $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(SIM),--sim $(SIM)) $(if $(SHARD),--shard $(SHARD))
 TESTS  := $(PY) -m pytest -q -n $(N) --dist worksteal --names
 export SEED
 export SIM
@@ -26,7 +26,7 @@ export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
-	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  FARM=tcp://host:8786  FRESH=1"
+	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  SHARD=k/n  FARM=tcp://host:8786  FRESH=1"
 
 setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
 	@( mkdir -p build && : > build/.writable ) 2> /dev/null || { \

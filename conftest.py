@@ -1,4 +1,4 @@
-"""Pytest here: --core and --sim choose tests, --names shows them, failures say why, a run that was cut is an error."""
+"""Pytest here: which tests to run, progress by name, a reason for every failure, an error for a run that was cut."""
 
 from __future__ import annotations
 
@@ -18,10 +18,11 @@ EVERY = 20.0  # seconds between two lines of progress where there is no terminal
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    house = parser.getgroup("quadrance")
-    house.addoption("--core", help="only tests of this core: a name, or name-set")
-    house.addoption("--sim", help="no test in another simulator: icarus or verilator (bulk runs are Verilator's)")
-    house.addoption("--names", action="store_true", help="names of tests and their number in place of dots")
+    options = parser.getgroup("quadrance")
+    options.addoption("--core", help="only tests of this core: a name, or name-set")
+    options.addoption("--sim", help="no test in another simulator: icarus or verilator (bulk runs are Verilator's)")
+    options.addoption("--names", action="store_true", help="names of tests and their number in place of dots")
+    options.addoption("--shard", metavar="K/N", help="every N-th test from the K-th on: one of N machines")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -30,10 +31,20 @@ def pytest_configure(config: pytest.Config) -> None:
             find(name)
         if name := config.getoption("--sim"):
             choose("simulator", name, ("icarus", "verilator"))
+        _shard(config)
     except Refused as error:
         raise pytest.UsageError(str(error)) from None
     if config.getoption("--names") and not hasattr(config, "workerinput"):
         config.pluginmanager.register(Names(), "names")
+
+
+def _shard(config: pytest.Config) -> slice:
+    """The tests of --shard, all without it."""
+    text = config.getoption("--shard") or "1/1"
+    numbers = [int(part) if part.isdecimal() else 0 for part in text.split("/")]
+    if len(numbers) != 2 or not 1 <= numbers[0] <= numbers[1]:
+        raise Refused(f"--shard {text}: it is K/N, such as 2/6, K from 1 to N")
+    return slice(numbers[0] - 1, None, numbers[1])
 
 
 def _core(item: pytest.Item) -> Core | None:
@@ -48,7 +59,7 @@ def _simulator(item: pytest.Item) -> str | None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Keep the tests that --core and --sim ask for."""
+    """Keep the tests that --core, --sim and --shard ask for."""
     name, simulator = config.getoption("--core"), config.getoption("--sim")
 
     def wanted(item: pytest.Item) -> bool:
@@ -56,9 +67,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         return (not name or core is not None and name in (core.id, core.name)) and \
             (not simulator or _simulator(item) in (None, simulator))
 
-    if name or simulator:
-        config.hook.pytest_deselected(items=[item for item in items if not wanted(item)])
-        items[:] = [item for item in items if wanted(item)]
+    kept = [item for item in items if wanted(item)][_shard(config)]
+    if len(kept) < len(items):
+        config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+        items[:] = kept
 
 
 @pytest.hookimpl(hookwrapper=True)

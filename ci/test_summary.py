@@ -1,34 +1,37 @@
-"""The workflow: its commands exist, every folder of benches has a job; the summary of its results."""
+"""The workflow: its commands exist, its shards are all tests once; the summary of its results."""
 
 import re
 import subprocess
 import sys
 
 import yaml
+from quadrance.cores import ROOT
 
-from ci import choose, summary
+from ci import summary
 
-MAKEFILE = (choose.ROOT / "Makefile").read_text()
-FLOW = yaml.safe_load(choose.WORKFLOW.read_text())
+WORKFLOW = ROOT / ".github" / "workflows" / "regression.yml"
+MAKEFILE = (ROOT / "Makefile").read_text()
+FLOW = yaml.safe_load(WORKFLOW.read_text())
 
 
 def test_every_command_of_the_workflow_is_a_target():
-    text = choose.WORKFLOW.read_text()
+    text = WORKFLOW.read_text()
     targets = set(re.findall(r"^([a-z-]+):", MAKEFILE, re.M))
     used = set(re.findall(r"make ([a-z-]+)", text)) | {
         name for job in FLOW["jobs"].values() for name in job["strategy"]["matrix"].get("what", ())}
     assert {"test", "setup", "lint", "formal", "exhaustive"} <= used <= targets
     for path in re.findall(r"(?:ci|models|tb)/[\w/]+\.py", text):
-        assert (choose.ROOT / path).exists(), path
+        assert (ROOT / path).exists(), path
 
 
-def test_every_folder_of_benches_has_a_job():
-    matrix = FLOW["jobs"]["test"]["strategy"]["matrix"]
-    paths = [*matrix["paths"], *(one["paths"] for one in matrix["include"])]
-    named = [name for one in paths for name in one.split() if one != "rest"]
-    assert "rest" in paths and all((choose.ROOT / name).exists() for name in named)
-    assert set(choose.folders()) <= {*named, *choose.rest()}
-    assert not set(choose.rest()) & set(named)
+def test_the_shards_are_all_tests_once(pytester):
+    pytester.copy_example(str(ROOT / "conftest.py"))
+    pytester.makepyfile("import pytest\n@pytest.mark.parametrize('i', range(7))\ndef test(i): pass\n")
+    shards = FLOW["jobs"]["test"]["strategy"]["matrix"]["shard"]
+    texts = [pytester.runpytest("--collect-only", "-q", "--shard", shard).stdout.str() for shard in shards]
+    kept = [name for text in texts for name in re.findall(r"::test\[(\d)\]", text)]
+    assert sorted(kept) == list("0123456")
+    assert "it is K/N" in pytester.runpytest("--shard", "7/6").stderr.str()
 
 
 def test_the_summary(tmp_path):
