@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// One vectoring of classic_solve_iter unrolled, bit for bit, combinational: the x it ends with; its angle added to z.
-// Up to C a micro-rotation carries w = y or ~y, whichever is not negative, as cordic_aim_array does:
-//   x' = x + (w >> 2i),  u = w + ~x + (w is ~y),  w' = 2 u or ~2 u.  Then a division.
-// Six signs at a time look up the sum of their angles. in_minus: the angles are subtracted.
+// This engine is one vectoring of classic_solve_iter unrolled, with the same bits, combinational. It gives the final x
+// and adds the angle to z, or subtracts it if in_minus.
+// Up to C a micro-rotation carries w = y or ~y, whichever is not negative, as cordic_aim_array does. Then it divides.
+//   x' = x + (w >> 2i),  u = w + ~x + (w is ~y),  w' = 2 u or ~2 u
+// One look-up by six signs gives the sum of their six angles.
+// Formats: in_x and in_y have 4 guard bits; a turn of in_z and out_z is 2^(A+6).
+// Error of the angle at W = A = 16: 1.73e-5 rad + 0.24 rad LSB / length. Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_aim_array #(
-    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter A = 16,  // bits of an angle, 4 to W, 2^A to the turn; 16, as sharp as the coordinates
-    parameter U = 6    // last micro-rotation that grows x, up to (W + 1) / 2; 6: of two joints at W = 16
+    parameter W = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter A = 16,  // bits of an angle, a turn is 2^A, 4 to W (default 16)
+    parameter U = 6    // last micro-rotation that changes x, up to (W + 1) / 2 (default 6: two joints at W = 16)
 ) (
     input  wire        [W+5:0] in_x,
     input  wire signed [W+7:0] in_y,

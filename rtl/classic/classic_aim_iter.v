@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vectorings of classic_solve_iter: its vector, its angle, and what each of them starts from.
-// A micro-rotation is that of cordic_aim_step; in_grow: x too. in_to_*: the last one, the next vectoring is loaded.
-// Of h and d the angle is subtracted, with elbow 1 added: in_to_half, in_to_rest. h goes on as h + d.
-// Formats: in_a, in_b, in_product with 4, 4 and 5 guard bits; out_z, out_next (what it will be) a turn is 2^(A+6).
+// This engine computes the vectorings of classic_solve_iter: it holds their vector and angle and loads each start.
+// A micro-rotation is that of cordic_aim_step; in_grow changes x too. With in_to_* it is the last one, and the next
+// vectoring is loaded.
+// After in_to_half and in_to_rest (h and d) the angle is subtracted, with elbow 1 added. h continues as h + d.
+// Formats: in_a, in_b and in_product have 4, 4 and 5 guard bits; a turn of out_z and of out_next, its next value, is
+// 2^(A+6).
+// Error of the angle at W = A = 16: 1.73e-5 rad + 0.24 rad LSB / length. Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_aim_iter #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter A      = 16,  // bits of an angle, 4 to W; 2^A to the turn, as sharp as the coordinates
-    parameter JOINTS = 2    // 2: in the plane; 3: the yaw comes first. 2, the smaller one
+    parameter W      = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter A      = 16,  // bits of an angle, a turn is 2^A, 4 to W (default 16)
+    parameter JOINTS = 2    // 2 (default): in the plane; 3: in space, the yaw comes first
 ) (
     input  wire                clk,
     input  wire                in_start,
@@ -35,8 +38,8 @@ module classic_aim_iter #(
     reg         [D-1:0] x;
     reg  signed [Y-1:0] y;
     reg         [Z-1:0] z;
-    reg                 mirror, elbow;  // mirror: the angle is subtracted
-    reg         [4:0]   step;           // i; 3 by6 + by2 up to 8, where x stands still
+    reg                 mirror, elbow;  // mirror is high while the angle is subtracted
+    reg         [4:0]   step;           // step is i; 3 by6 + by2 counts with it up to 8, where x is constant
     reg         [1:0]   by2, by6;
     wire        [D-1:0] shifted;
     wire signed [Y-1:0] next_y;
@@ -62,7 +65,7 @@ module classic_aim_iter #(
             endcase
         end
 
-    // the angle starts with half an LSB in all, and the mean of what complements and shifts of a vectoring round down
+    // the angle starts with half an LSB and the mean of what the complements and shifts of a vectoring round down
     localparam H = (L + 1) / 2;
     localparam [31:0] ALONE = 32 + H, LEADING = 48 + 2 * H, TRAILING = H + 16;
     always @(posedge clk) begin
@@ -71,7 +74,7 @@ module classic_aim_iter #(
         if (in_start) x <= {2'b00, in_x ^ {W{in_x[W-1]}}, {G{in_x[W-1]}}};
         else if (in_to_half || in_to_rest) x <= {1'b0, in_b};
         else if (in_grow) x <= x + (shifted ^ {D{minus}});
-        if (in_start) y <= {{4{in_y[W-1]}}, in_y, {(G-1){1'b0}}, 1'b1};  // the mean of the complements is taken out
+        if (in_start) y <= {{4{in_y[W-1]}}, in_y, {(G-1){1'b0}}, 1'b1};  // removes the mean of the complements
         else if (over) y <= in_to_half ? {3'b000, in_a} : in_product;
         else if (in_turn) y <= next_y;
         if (in_start) z <= {in_x[W-1], {(A-2){1'b0}}, JOINTS == 3 ? ALONE[6:0] : LEADING[6:0]};

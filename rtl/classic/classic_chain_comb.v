@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic of classic_chain_iter, bit for bit, on the parallel CORDIC: a rotation a clock. No handshake.
-// out_x and out_y are not registered: with out_lifted out_y is the height, with out_done both are the result.
-// The first rotation is done in the clock of in_start; the five factors of the gain stand before the third.
+// This engine has the arithmetic of classic_chain_iter, bit for bit, on a combinational CORDIC: one rotation a clock.
+// It has no handshake.
+// out_x and out_y are not registered. With out_lifted out_y is the height; with out_done both are the result.
+// The first rotation is computed in the clock of in_start. The five factors of the gain precede the third rotation.
+// Formats: in_s1, in_s2, out_x and out_y have 5 guard bits.
+// Error of a coordinate at W = A = 16, rounded: 2 LSB with two joints, 2.9 with three, up to L1 + L2 = 2^(W-2).
+// Model: classic.fk2, classic.fk3
 `default_nettype none
 module classic_chain_comb #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter A      = 16,  // bits of an angle, 5 to W + 3, 2^A to the turn; 16, as sharp as the coordinates
-    parameter JOINTS = 2    // 2: in the plane; 3: in space. 2, the smaller one
+    parameter W      = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter A      = 16,  // bits of an angle, a turn is 2^A, 5 to W + 3 (default 16)
+    parameter JOINTS = 2    // 2 (default): in the plane; 3: in space
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -35,7 +39,7 @@ module classic_chain_comb #(
         {x, y} <= {out_x, out_y};
     end
 
-    // start of a rotation: the middle of a quadrant from the sum of two, of the tip so far, of rho
+    // start of a rotation: the middle of the quadrant of j1 + j2; then the tip so far; then rho
     wire         first = pass == 2'd0;
     wire         yawing = JOINTS == 3 && pass == 2'd2;
     wire [A-1:0] j = first ? in_j2 : yawing ? j3 : j1;
@@ -47,7 +51,7 @@ module classic_chain_comb #(
     cordic_turn_array #(.W(W), .D(D), .R(8'd0), .CLOCKED(0)) turn (.clk(clk), .in_enable(1'b0), .in_x(x0), .in_y(y0),
         .in_z({{2{j[A-3] ^ !first}}, j[A-4:0], {(W+3-A){1'b0}}, 2'b10}), .out_x(turned_x), .out_y(turned_y));
 
-    // end of a rotation: plus the first link, or half an LSB and what was rounded down
+    // end of a rotation: adds the first link, or half an LSB and the mean of what was rounded down
     wire [D-1:0] link = {2'b00, in_s1};
     wire [4:0]   round_x = yawing ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29;
     wire [4:0]   round_y = yawing ? 5'd22 : 5'd29;

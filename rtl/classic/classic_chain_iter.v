@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotations in a chain on one engine: L2 exp(j j2), plus L1, times exp(j j1); with three joints the real part times
-// exp(j j3). No handshake.
-// A rotation is that of cordic_turn_iter: C micro-rotations i = 1 .. C, then T digits of the residual angle.
-// Quarter turns are signs of the start words, and the gain of the plane is in these words. That of the third rotation
-// is taken out by five factors: rho stands on the diagonal, so that the crosswise shifter serves them.
-// Formats: in_s1, in_s2, out_x, out_y have 5 guard bits. out_lifted: out_y is the height.
-// The result stands from the clock after out_done on, 2 (C+T) + 3 or 3 (C+T) + 13 clocks after in_start.
+// This engine chains rotations on one CORDIC: L2 exp(j j2), plus L1, times exp(j j1); with three joints the real part
+// times exp(j j3). It has no handshake.
+// A rotation is that of cordic_turn_iter: C micro-rotations i = 1 .. C, then T digits of the residual angle. Quarter
+// turns are signs of the start words, which also contain the gain of the plane. Five factors remove that of the third
+// rotation; rho lies on the diagonal then, so the crosswise shifter serves them.
+// Formats: in_s1, in_s2, out_x and out_y have 5 guard bits. With out_lifted out_y is the height.
+// Error of a coordinate at W = A = 16, rounded: 2 LSB with two joints, 2.9 with three, up to L1 + L2 = 2^(W-2).
+// The result is valid from the clock after out_done on, 2 (C+T) + 3 or 3 (C+T) + 13 clocks after in_start.
 // Model: classic.fk2, classic.fk3
 `default_nettype none
 module classic_chain_iter #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter A      = 16,  // bits of an angle, 5 to W + 3; 2^A to the turn, as sharp as the coordinates
-    parameter JOINTS = 2    // 2: in the plane, in_j3 is not used; 3: in space. 2, the smaller one
+    parameter W      = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter A      = 16,  // bits of an angle, a turn is 2^A, 5 to W + 3 (default 16)
+    parameter JOINTS = 2    // 2 (default): in the plane, in_j3 is not used; 3: in space
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -107,7 +108,7 @@ module classic_chain_iter #(
         if (in_start) {now, then, yaw} <= {in_j2, in_j1, in_j3};
         else if (load) {now, then} <= {then, yaw};
 
-    // made ready a clock ahead: word and sign of the next line, from the step of its loop and the digit that z shows
+    // prepared one clock ahead: word and sign of the next line, from the step of its loop and the digit of z
     reg  [3:0] step;
     reg  [5:0] shift;
     reg        move, minus_x, minus_y;
@@ -128,7 +129,7 @@ module classic_chain_iter #(
     // vector
     reg  signed [D-1:0] xf, yf;
     wire signed [D-1:0] sum_x, sum_y;
-    wire                last = JOINTS == 3 && out_done;  // rho has no need of the half LSB
+    wire                last = JOINTS == 3 && out_done;  // rho is not rounded, so it needs no half LSB
     wire        [4:0]   round_x = last ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29;
     wire        [4:0]   round_y = last ? 5'd22 : 5'd29;
     cordic_term #(.D(D)) term_x (.in_v(yf), .in_s1({2'b00, in_s1}), .in_s2({2'b00, in_s2}), .in_round(round_x),

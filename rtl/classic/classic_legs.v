@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The legs of the triangle of half the elbow, and the products that the vectorings of classic_solve_iter start from.
+// This part computes the legs of the triangle of half the elbow, and the products at which vectorings start.
 //   a^2 = far - r^2,  b^2 = r^2 - near, each 0 where it would be negative,  r^2 = x^2 + y^2 (+ z^2);  f a;  K z
-// The roots run beside the table, one after the other on one engine: a as soon as r^2 is there, then b.
-// JOINTS = 2: r^2 is there in the clock after in_start. JOINTS = 3: it is summed in three clocks, in_add, the third of
-// which is in_ask; in_height takes z to the multiplier, first to be squared (in_first), later times K.
-// Formats: in_f s1.(W+2); out_a, out_b with 4 guard bits; out_product with 5, one clock after its factors.
-// out_b stands until the next in_start.  Model: classic.ik2, classic.ik3
+// The roots are computed beside the table, one after the other on one engine: a as soon as r^2 is known, then b.
+// JOINTS = 2: r^2 is known in the clock after in_start. JOINTS = 3: three clocks with in_add sum it, the third of which
+// also has in_ask. in_height sends z to the multiplier, first to be squared (in_first), later times K.
+// Formats: in_f is s1.(W+2); out_a and out_b have 4 guard bits; out_product has 5 and follows its factors by a clock.
+// out_b is held until the next in_start.
+// Rounding: the roots and the products are truncated. Status: out_unreachable. Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_legs #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter JOINTS = 2    // 2: in the plane, in_z is not used; 3: in space. 2, the smaller one
+    parameter W      = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter JOINTS = 2    // 2 (default): in the plane, in_z is not used; 3: in space
 ) (
     input  wire                  clk,
     input  wire                  rst,

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic of classic_solve_iter, bit for bit, on parallel arrays: a vectoring or a root a clock. No handshake.
-// Clocks of JOINTS = 2: phi (that of in_start); root a; root b; h; d.
-// Clocks of JOINTS = 3: the yaw (that of in_start); K z; phi and root a; root b; h; d.
+// This engine has the arithmetic of classic_solve_iter, bit for bit, on combinational arrays: one vectoring or root a
+// clock. It has no handshake.
+// JOINTS = 2: phi (in the clock of in_start); root a; root b; h; d.
+// JOINTS = 3: the yaw (in the clock of in_start); K z; phi and root a; root b; h; d.
+// Formats: coordinates are sW, angles uA, in_f s1.(W+2); in_far and in_near are squares of LSB.
+// Status: out_unreachable, out_singular (x = y = 0).
+// Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_solve_comb #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter A      = 16,  // bits of an angle, 4 to W, 2^A to the turn; 16, as sharp as the coordinates
-    parameter JOINTS = 2    // 2: in the plane; 3: in space. 2, the smaller one
+    parameter W      = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter A      = 16,  // bits of an angle, a turn is 2^A, 4 to W (default 16)
+    parameter JOINTS = 2    // 2 (default): in the plane; 3: in space
 ) (
     input  wire                  clk,
     input  wire                  rst,

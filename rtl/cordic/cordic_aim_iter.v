@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectoring engine: turns (in_x, in_y) onto the x axis, one micro-rotation a clock. No handshake.
+// This engine rotates (in_x, in_y) onto the x axis, one micro-rotation a clock. It has no handshake.
 //   i = 0 .. L:   x += d y >> 2i (up to i = U),  y = 2 (y - d x),  angle += d atan 2^-i,  d = sign of y, -1 or 1
-// y is scaled by 2^i: it needs no shifter and loses no bit. From i = C + 1 on x stands still: this is a division, which
-// does without the low B bits of x. x < 0 is mirrored first. Minus is the one's complement.
-// With MAGNITUDE the adder of x then takes out the gain, by a Horner scheme of 1.214509 = 2 * 0.607254: seven times
-// v = x +- (v >> 2 or 3), and rounds. Without it U is smaller, as the angle needs no more.
-// in_hold with in_start: the angle is held, 0 after a reset.
-// out_done is high for one clock, STEPS clocks after in_start; the results stand from the next one on.
+// y is scaled by 2^i, so it needs no shifter and loses no bit. From i = C + 1 on x is constant, and the steps divide,
+// without the low B bits of x. A negative x is mirrored first. Minus is the one's complement.
+// With MAGNITUDE the adder of x then removes the gain by a Horner scheme of 1.214509 = 2 * 0.607254: seven times
+// v = x +- (v >> 2 or 3), then it rounds. Without MAGNITUDE U is smaller, because the angle alone needs no more.
+// If in_hold is high with in_start the angle is held; it is 0 after a reset.
+// out_done is high for one clock, STEPS clocks after in_start; the results are valid from the next clock on.
+// Error at W = A = 16: magnitude 1 LSB and angle 0.84 LSB + 0.24 rad LSB / length with MAGNITUDE and G = 4; angle
+// 0.88 LSB + 0.39 rad LSB / length without, G = 3. Model: cordic.aim
 `default_nettype none
 module cordic_aim_iter #(
-    parameter W         = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter A         = 16,  // bits of an angle, 4 to W, 2^A to the turn; 16, as sharp as the coordinates
-    parameter G         = 4,   // guard bits, 3 or more; 4 for a magnitude within 1 LSB, 3 for the angle alone
-    parameter MAGNITUDE = 1    // 1: the length too, its gain taken out; 0: the angle alone, which takes fewer steps
+    parameter W         = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter A         = 16,  // bits of an angle, a turn is 2^A, 4 to W (default 16)
+    parameter G         = 4,   // guard bits, 3 or more (default 4: a magnitude within 1 LSB; the angle alone needs 3)
+    parameter MAGNITUDE = 1    // 1 (default): also the length, its gain removed; 0: the angle alone, in fewer steps
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -34,7 +36,7 @@ module cordic_aim_iter #(
     localparam Y = D + 2;      // |y| < 2 x
     localparam Z = A + 5;
 
-    // control: what a step needs is made ready in the clock before it
+    // control: the signals of a step are prepared in the clock before it
     (* fsm_encoding = "none" *) reg [4:0] next;
     (* fsm_encoding = "none" *) reg [4:0] step;
     (* fsm_encoding = "none" *) reg [1:0] by2;
@@ -58,7 +60,7 @@ module cordic_aim_iter #(
             5'd7:    {by6, by2} <= 4'b1001;
             default: {by6, by2} <= 4'b1010;
         endcase
-        grow <= at <= U || (MAGNITUDE && at == C + 7);  // at last v, to be rounded: the last y is not looked at
+        grow <= at <= U || (MAGNITUDE && at == C + 7);  // at last x loads v for rounding; the last y is not used
         move <= at <= U || (MAGNITUDE && at <= C + 8);
         tail <= at > C;
         own  <= !MAGNITUDE || at <= C ? 2'd0 : at == C + 8 ? 2'd3
@@ -82,7 +84,7 @@ module cordic_aim_iter #(
     // angle
     always @(posedge clk)
         if (rst) z <= {Z{1'b0}};
-        else if (in_start && !in_hold) z <= {in_x[W-1], {(A-1){1'b0}}, 5'd24};  // half an LSB, 8 units for complements
+        else if (in_start && !in_hold) z <= {in_x[W-1], {(A-1){1'b0}}, 5'd24};  // half an LSB, 8 for the complements
         else if (out_busy && !hold) z <= next_z;
     assign out_angle = z[Z-1:5];
 
@@ -97,11 +99,11 @@ module cordic_aim_iter #(
             2'd3: term = round;
         endcase
     always @(posedge clk) begin
-        if (in_start) y <= {{3{in_y[W-1]}}, in_y, {(G-1){1'b0}}, 1'b1};  // the one's complements' mean, taken out
+        if (in_start) y <= {{3{in_y[W-1]}}, in_y, {(G-1){1'b0}}, 1'b1};  // removes the mean of the one's complements
         else if (out_busy) y <= next_y;
         if (in_start) x <= {1'b0, in_x ^ {W{in_x[W-1]}}, {G{in_x[W-1]}}};
         else if (grow) x <= sum;
-        if (out_busy && move) v <= sum;  // the first time in the clock after in_start
+        if (out_busy && move) v <= sum;  // for the first time in the clock after in_start
     end
     assign out_magnitude = v[D-1 -: W];
 endmodule

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Micro-rotation i of a sequential vectoring, combinational: what cordic_aim_iter and classic_solve_iter share.
+// This part is micro-rotation i of a sequential vectoring. cordic_aim_iter and classic_aim_iter use it.
 //   y' = 2 (y - d x),  z' = z + d atan 2^-i, with in_mirror z - d atan 2^-i,  d = sign of y, -1 or 1
-// Minus is the one's complement.
-// in_divide: the low B bits of x are left out. out_shifted = y >> 2 i for x, i = 3 in_by6 + in_by2, at most 8.
-// The sign is one more input of the cell of the angle ROM.
+// Combinational. Minus is the one's complement. in_divide clears the low B bits of x.
+// out_shifted = y >> 2i is the word to be added to x, i = 3 in_by6 + in_by2, at most 8.
+// The sign is one more input of the cell of the angle ROM. Model: cordic.aim
 `default_nettype none
 module cordic_aim_step #(
-    parameter D = 21,  // bits of x, guard bits included; W + 5 of the vectoring at W = 16
-    parameter Z = 21,  // bits of the angle, a turn is 2^Z; A + 5 of the vectoring at A = 16
-    parameter L = 16,  // last micro-rotation, 31 at most; C + 8 of the vectoring at W = 16
-    parameter B = 8    // low bits of x that a division can do without, below D; G + C / 2 of the vectoring at W = 16
+    parameter D = 21,  // bits of x, guard bits included (default 21 = W + 5 at W = 16)
+    parameter Z = 21,  // bits of the angle, a turn is 2^Z (default 21 = A + 5 at A = 16)
+    parameter L = 16,  // last micro-rotation, at most 31 (default 16 = C + 8 at W = 16)
+    parameter B = 8    // low bits of x that a division ignores, below D (default 8 = G + C / 2 at W = 16)
 ) (
     input  wire        [D-1:0] in_x,
     input  wire signed [D+1:0] in_y,

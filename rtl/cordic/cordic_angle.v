@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The angles of N micro-rotations from I on with their signs, summed by look-up, combinational; N = 1: a constant.
+// This part sums the signed angles of N micro-rotations from I on by look-up, combinational; N = 1: a constant.
 //   out_sum = sum over k of a_k or, where in_minus[N-1-k], ~a_k,  a_k = floor(atan 2^-(I+k) / (2 pi) * 2^Z)
-// Up to six signs are the inputs of one cell a bit: a fifth of what the adders would take.
+// Up to six signs are the inputs of one cell a bit, a fifth of the cells that adders would need. Model: cordic.angle
 `default_nettype none
 module cordic_angle #(
-    parameter I = 0,  // first micro-rotation, 0 to 31; 0, the first of all
-    parameter N = 1,  // angles that are summed, 1 to 6, the inputs of a cell; 1: a constant
-    parameter Z = 21  // bits of the sum, a turn is 2^Z, 8 to 32; 21: A + 5 at A = 16
+    parameter I = 0,  // first micro-rotation, 0 to 31 (default 0)
+    parameter N = 1,  // angles that are summed, 1 to 6 (default 1: a constant)
+    parameter Z = 21  // bits of the sum, a turn is 2^Z, 8 to 32 (default 21 = A + 5 at A = 16)
 ) (
     input  wire [N-1:0] in_minus,
     output wire [Z-1:0] out_sum

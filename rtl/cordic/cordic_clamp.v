@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clamps two words of W + 1 bits to W bits, combinational. out_overflow: at least one did not fit.
+// This part clamps two words of W + 1 bits to W bits, combinational. out_overflow is high if at least one did not fit.
 `default_nettype none
 module cordic_clamp #(
-    parameter W = 16  // bits of a coordinate, 8 to 16; 16 is the library's word
+    parameter W = 16  // bits of a coordinate, 8 to 16 (default 16)
 ) (
     input  wire signed [W:0]   in_x,
     input  wire signed [W:0]   in_y,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// One digit d in -2 .. 2 of the residual angle, combinational: z' = 4 (z - d radian); minus is the one's complement.
-// The digit reads three bits and the sign: 1 from 0.39, 2 from 1.57 radians, where -2 .. 2 leaves 1/3 to either side.
-// out_digit = {z is negative, |d| = 2, d is not 0}. The arithmetic of cordic_turn_iter, bit for bit.
+// This part finds one digit d in -2 .. 2 of the residual angle, combinational: z' = 4 (z - d radian).
+// Minus is the one's complement. Three bits and the sign give the digit: |d| = 1 from 0.39, 2 from 1.57 radians, which
+// leaves 1/3 to either side with the digit set -2 .. 2.
+// out_digit = {z is negative, |d| = 2, d is not 0}. The bits are those of cordic_turn_iter. Model: cordic.turn
 `default_nettype none
 module cordic_digit #(
-    parameter Z   = 20,  // bits of the residual angle, 8 or more; 20: W + 4 at W = 16
-    parameter LOW = 6    // low bits of the constant that are left out, below Z; 6: C - 2 at W = 16
+    parameter Z   = 20,  // bits of the residual angle, 8 or more (default 20 = W + 4 at W = 16)
+    parameter LOW = 6    // low bits of the constant that are left out, below Z (default 6 = C - 2 at W = 16)
 ) (
     input  wire signed [Z-1:0] in_z,
     output wire        [2:0]   out_digit,

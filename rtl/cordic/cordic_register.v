@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pipeline register where CLOCKED, a wire where not: one array serves the _comb and the _pipe form of a core.
+// This part is a pipeline register if CLOCKED, else a wire: one array serves the combinational and the pipelined form.
 `default_nettype none
 module cordic_register #(
-    parameter WIDTH   = 16,  // bits, 1 or more; 16 has no meaning: every user sets it
-    parameter CLOCKED = 1    // 1: a register, 0: a wire
+    parameter WIDTH   = 16,  // bits, 1 or more (default 16; every instance sets it)
+    parameter CLOCKED = 1    // 1 (default): a register; 0: a wire
 ) (
     input  wire             clk,
     input  wire             in_enable,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The angle that a sequential rotation has left, and its next digit.
+// This part holds the residual angle of a sequential rotation and finds its next digit.
 //   micro-rotation i = in_word + 1: z' = 2 (z -+ atan 2^-i);  digit d, |d| = in_word, 0 to 2: z' = 4 (z -+ d radian)
-// z is scaled so that it always has its leading bits on top: a digit is read off three bits and the sign.
+// z is scaled so that its leading bits are always on top, so three bits and the sign give a digit.
 // Minus is the one's complement, as in cordic_rotation and cordic_digit. The sign is one more input of the ROM's cell.
-// out_two, out_one: |d| = 2 and 1 of the digit that the next clock takes, from z'.
-// Format: in_z s(W+4).(W+5) turns, |z| <= 1/8. Model: cordic.turn
+// out_two and out_one say that |d| is 2 or 1 for the digit of the next clock; they come from z'.
+// Format: in_z is s(W+4).(W+5) turns, |z| <= 1/8. Model: cordic.turn
 `default_nettype none
 module cordic_residual #(
-    parameter W = 16  // bits of a coordinate, 8 to 16, which sets the number of steps; 16 is the library's word
+    parameter W = 16  // bits of a coordinate, 8 to 16 (default 16); it sets the number of steps
 ) (
     input  wire                clk,
     input  wire                in_load,
@@ -26,9 +26,9 @@ module cordic_residual #(
     genvar g;
     generate
         for (g = 0; g < 32; g = g + 1) begin : g_word
-            localparam M = g % 16;  // micro-rotation M + 1, or digit M - 8
+            localparam M = g % 16;  // table entry: micro-rotation M + 1, or digit M - 8
             localparam I = M < 8 ? M + 1 : 9;
-            localparam LOW = M < C ? (M > 2 ? M - 2 : 0) : C > 2 ? C - 2 : 0;  // bits too fine to matter then
+            localparam LOW = M < C ? (M > 2 ? M - 2 : 0) : C > 2 ? C - 2 : 0;  // bits too fine for this step
             localparam TWO = M == 10 ? 1 : 0;
             if (M < C || M == 9 || M == 10) begin : g_some
                 wire [Z+I-1:0] angle;

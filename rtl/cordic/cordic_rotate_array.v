@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Full-circle, gain-compensated rotation, unrolled: the arithmetic of cordic_rotate_comb and cordic_rotate.
-// Quarter turns by exchange and sign, the gain (0.858785) as digits of the input, then cordic_turn_array.
-// 4 + C + T + (T+1)/2 registers where CLOCKED, none otherwise. Ports and arithmetic: cordic_rotate.
+// This engine is a full-circle rotation, unrolled and gain compensated.
+//   out_x + j out_y = (in_x + j in_y) * exp(2 pi j in_angle / 2^A), nearest, saturated
+// Exchange and signs make quarter turns, digits of the input apply the gain (0.858785), and cordic_turn_array rotates.
+// If CLOCKED it has 4 + C + T + (T+1)/2 stages of registers. The bits are those of the iterative form.
+// Formats: in_angle is uA, coordinates are sW, any fraction. Error: at most 1.5 LSB a coordinate at W = A = 16.
+// Status: overflow (a coordinate was saturated). Model: cordic.rotate
 `default_nettype none
 module cordic_rotate_array #(
-    parameter W       = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter A       = 16,  // bits of an angle, 5 to W + 3, 2^A to the turn; 16, as sharp as the coordinates
-    parameter CLOCKED = 1    // 1: a register behind every stage; 0: combinational
+    parameter W       = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter A       = 16,  // bits of an angle, a turn is 2^A, 5 to W + 3 (default 16)
+    parameter CLOCKED = 1    // 1 (default): a register after every stage; 0: combinational
 ) (
     input  wire                clk,
     input  wire                in_enable,
@@ -31,7 +34,7 @@ module cordic_rotate_array #(
         .in_d({(odd ? in_y : in_x) ^ {W{half ^ odd}}, (odd ? in_x : in_y) ^ {W{half}}, half ^ odd, half, z0}),
         .out_q({vx, vy, sx, sy, z1}));
 
-    // the digits in three words, the finest added first: that keeps most of the adders narrow
+    // the digits form three words; the finest are added first, which keeps most adders narrow
     wire [D-1:0] ax, ay, ax_d, ay_d, x, y;
     wire [D-7:0] bx, by, cx, cy, bx_d, by_d, cx_d, cy_d;
     wire [D-7:0] low_x = bx + cx, low_y = by + cy;

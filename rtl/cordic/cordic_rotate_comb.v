@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotates a vector by a binary angle, full circle, gain compensated: the parallel CORDIC, combinational.
-//   out_x + j out_y = (in_x + j in_y) * exp(2 pi j in_angle / 2^A), rounded to nearest, saturated
-// Formats: in_angle uA, 2^A to the turn; in_x, in_y, out_x, out_y sW, any fraction.
-// Error: at most 1.5 LSB each (derivation on the family's page; 1.1 found over the whole circle at W = 16).
-// Status: overflow. Model: cordic.rotate
+// This core rotates a vector by a binary angle, full circle, gain compensated: a parallel CORDIC, combinational.
+//   out_x + j out_y = (in_x + j in_y) * exp(2 pi j in_angle / 2^A), nearest, saturated
+// Formats: in_angle is uA, a turn is 2^A; in_x, in_y, out_x and out_y are sW, any fraction.
+// Error: a coordinate is within 1.5 LSB at W = A = 16 (1.05 found over the whole circle).
+// Status: overflow (a coordinate was saturated). Model: cordic.rotate
 `default_nettype none
 module cordic_rotate_comb #(
-    parameter W = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter A = 16   // bits of an angle, 5 to W + 3, 2^A to the turn; 16, as sharp as the coordinates
+    parameter W = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter A = 16   // bits of an angle, a turn is 2^A, 5 to W + 3 (default 16)
 ) (
     input  wire        [A-1:0] in_angle,
     input  wire signed [W-1:0] in_x,

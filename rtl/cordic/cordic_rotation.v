@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Micro-rotation I of an unrolled CORDIC, combinational. Its second word w is y or ~y, whichever is added to x:
+// This part is micro-rotation I of an unrolled CORDIC, combinational. Its second word w is y or ~y, whichever x adds.
 //   x' = x + (w >> I),  u = w + ~(x >> I) + n,  w' = u or ~u,  z' = 2 (z -+ atan 2^-I),  n = w is ~y = z is positive
-// A bit costs three cells instead of four, since an exclusive or before an adder is a cell of its own.
-// Bit for bit the arithmetic of cordic_turn_iter. LAST: w' is y', whatever the sign of z'.
+// This costs three cells a bit instead of four, because an exclusive-or before an adder is a cell of its own.
+// The bits are those of cordic_turn_iter. Model: cordic.turn
 `default_nettype none
 module cordic_rotation #(
-    parameter I    = 1,   // number of the micro-rotation, 1 to 8; 1, the first
-    parameter D    = 22,  // bits of the vector, guard bits included; 22: W + 6 at W = 16
-    parameter Z    = 20,  // bits of the residual angle; 20: W + 4 at W = 16
-    parameter LAST = 0    // 1: the last one, which gives y whatever the sign of the angle left
+    parameter I    = 1,   // number of the micro-rotation, 1 to 8 (default 1)
+    parameter D    = 22,  // bits of the vector, guard bits included (default 22 = W + 6 at W = 16)
+    parameter Z    = 20,  // bits of the residual angle (default 20 = W + 4 at W = 16)
+    parameter LAST = 0    // 1: the last one, whose w' is y' whatever the sign of z'; 0 (default): another
 ) (
     input  wire signed [D-1:0] in_x,
     input  wire signed [D-1:0] in_w,
@@ -32,7 +32,7 @@ module cordic_rotation #(
     assign out_z = sum << 1;
     assign out_n = LAST == 0 && !out_z[Z-1];
     assign out_x = in_x + wt;
-    assign {u, unused} = {in_w, 1'b1} + {~xt, in_n};  // the carry in as one more bit of the chain
+    assign {u, unused} = {in_w, 1'b1} + {~xt, in_n};  // the carry in is one more bit of the chain
     assign out_w = u ^ {D{in_n ^ out_n}};
 endmodule
 `default_nettype wire

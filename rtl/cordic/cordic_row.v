@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one digit d of the residual angle adds to the vector, combinational.
+// This part adds to the vector what one digit d of the residual angle contributes, combinational.
 //   out_x = in_x - d (in_yf >> S),  out_y = in_y + d (in_xf >> S); minus is the one's complement
-// The sums need V bits only: above them all bits repeat the sign. in_digit: see cordic_digit.
+// The sums need V bits only, because all higher bits repeat the sign. in_digit is the out_digit of cordic_digit.
+// Model: cordic.turn
 `default_nettype none
 module cordic_row #(
-    parameter S = 2,   // the digit's shift below the vector >> C, 2 or more; 2: of the first row
-    parameter P = 15,  // bits of the vector that the row takes; 15: D - C + 1 at W = 16
-    parameter V = 15   // bits of the sums, up to P; 15, all of them
+    parameter S = 2,   // shift of the digit below the vector >> C, 2 or more (default 2: the first row)
+    parameter P = 15,  // bits of the vector that the row uses (default 15 = D - C + 1 at W = 16)
+    parameter V = 15   // bits of the sums, up to P (default 15)
 ) (
     input  wire        [2:0]   in_digit,
     input  wire signed [V-1:0] in_x,

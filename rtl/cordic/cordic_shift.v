@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adds a shifted word or its one's complement: out_sum = in_a + (in_v >> n) or in_a + ~(in_v >> n), combinational.
-//   n = 9 in_shift[4] + 3 in_shift[3:2] + in_shift[1:0], arithmetic; in_shift[1:0] = 3 puts R in the place of in_v
-// Shifts are in base 3, since a multiplexer of three words is one five-input cell: 18 shifts cost three cells a bit.
-// cordic_term with an unused start word in its place makes the rotation 2 to 5 % larger.
+// This part adds a shifted word or its one's complement, combinational.
+//   out_sum = in_a + (in_v >>> n) or in_a + ~(in_v >>> n), n = 9 in_shift[4] + 3 in_shift[3:2] + in_shift[1:0]
+//   in_shift[1:0] = 3 replaces in_v by R
+// Shifts are in base 3, because a multiplexer of three words is one five-input cell: 18 shifts cost three cells a bit.
 `default_nettype none
 module cordic_shift #(
-    parameter D       = 22,  // bits of the vector, guard bits included, 9 or more; 22: W + 6 at W = 16
-    parameter [7:0] R = 24   // constant that is added last, in guard units; 24: half an LSB and the mean of the shifts
+    parameter D       = 22,  // bits of the vector, guard bits included, 9 or more (default 22 = W + 6 at W = 16)
+    parameter [7:0] R = 24   // constant added last, in guard units (default 24: half an LSB and the mean of the shifts)
 ) (
     input  wire signed [D-1:0] in_v,
     input  wire        [4:0]   in_shift,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shift of a step of a sequential rotation, combinational: in the code of cordic_term, n = 9s, 3s and 1s.
-//   in_step = 0 .. C-1: n = in_step + 1, of the micro-rotations;  C + k: n = C + 1 + 2 k, of digit k
-//   in_two: n is one less, for a digit 2;  without in_turn 0
+// This part gives the shift of a step of a sequential rotation in the code of cordic_term (9s, 3s, 1s). Combinational.
+//   in_step = 0 .. C-1: n = in_step + 1, for the micro-rotations;  C + k: n = C + 1 + 2 k, for digit k
+//   in_two makes n one less, for a digit of 2; without in_turn n is 0
 `default_nettype none
 module cordic_step #(
-    parameter W = 16  // bits of a coordinate, 8 to 16, which sets the number of steps; 16 is the library's word
+    parameter W = 16  // bits of a coordinate, 8 to 16 (default 16); it sets the number of steps
 ) (
     input  wire       in_turn,
     input  wire [3:0] in_step,

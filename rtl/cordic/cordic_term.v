@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adds a shifted word, one of two further words or a constant, or its one's complement, combinational.
+// This part adds a shifted word, one of two other words or a constant, or its one's complement. Combinational.
 //   out_sum = in_a + (t ^ minus),  t = in_v >> n, n = 9 in_shift[4] + 3 in_shift[3:2] + in_shift[1:0], arithmetic
 //   in_shift[1:0] = 3: t = in_s1;  in_shift[3:2] = 3: t = in_s2;  in_shift[5]: t = in_round
-// Shifts are in base 3, since a multiplexer of three words is one five-input cell: 18 shifts and the sign cost three
-// cells a bit. A fourth input of each multiplexer is free: it takes what else is to be added, so that the vector
-// registers need no load multiplexer.
+// Shifts are in base 3, because a multiplexer of three words is one five-input cell: 18 shifts and the sign cost three
+// cells a bit. The free fourth input of each multiplexer serves the other words, so the vector registers need no load
+// multiplexer.
 `default_nettype none
 module cordic_term #(
-    parameter D = 23  // bits of the vector, guard bits included; 8 or more; W + 7 of two links at W = 16
+    parameter D = 23  // bits of the vector, guard bits included, 8 or more (default 23 = W + 7 at W = 16)
 ) (
     input  wire signed [D-1:0] in_v,
     input  wire signed [D-1:0] in_s1,

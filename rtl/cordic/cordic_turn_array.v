@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotation unrolled: C micro-rotations, then T digits of the residual angle. Bit for bit cordic_turn_iter.
-// C + T + (T+1)/2 + 1 stages, with registers where CLOCKED.
-// What the digits add is at most 2^-C of the vector. It is summed apart, the finest digit first, so that every adder is
-// as narrow as its sum. R, below 32, is added with the first of them.
+// This engine is the rotation of cordic_turn_iter unrolled, with the same bits: C micro-rotations, then T digits of the
+// residual angle. It has C + T + (T+1)/2 + 1 stages, registered if CLOCKED.
+// The digits add at most 2^-C of the vector. Their contributions are summed apart from it, finest first, so that every
+// adder is as narrow as its sum. R, below 32, is added with the first of them.
+// Format: in_z is s(W+4).(W+5) turns, |z| <= 1/8. The vector grows by 1.16443. Model: cordic.turn
 `default_nettype none
 module cordic_turn_array #(
-    parameter W       = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter D       = 22,  // bits of the vector, guard bits included, W + 5 or more; 22: W + 6 at W = 16
-    parameter [7:0] R = 24,  // constant that is added last, in guard units; 24: half an LSB and the mean of the shifts
-    parameter CLOCKED = 1    // 1: a register behind every stage; 0: combinational
+    parameter W       = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter D       = 22,  // bits of the vector, guard bits included, W + 5 or more (default 22 = W + 6)
+    parameter [7:0] R = 24,  // constant added last, in guard units (default 24: half an LSB and the mean of the shifts)
+    parameter CLOCKED = 1    // 1 (default): a register after every stage; 0: combinational
 ) (
     input  wire                clk,
     input  wire                in_enable,
@@ -21,7 +22,7 @@ module cordic_turn_array #(
     localparam Z = W + 4;
     localparam C = (W + 1) / 2;
     localparam T = (W - C + 1) / 2 + 1;
-    localparam P = D - C + 1;  // of a row, the vector >> C; all of them are less than twice that
+    localparam P = D - C + 1;  // bits of the vector >> C in a row; all rows together are less than twice that
 
     genvar i;
     generate
@@ -42,7 +43,7 @@ module cordic_turn_array #(
         for (i = 0; i < T; i = i + 1) begin : g_digit
             wire [D-1:0]   x0, y0, x, y;
             wire [Z-1:0]   z0, z1, z;
-            wire [3*T-1:0] d0, d;  // the digits so far, the first in the low bits
+            wire [3*T-1:0] d0, d;  // digits known so far, the first in the low bits
             wire [2:0]     d1;
             if (i == 0) begin : g_first
                 wire unused = g_rotation[C].n;

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotation engine: a micro-rotation a clock, then a digit (two bits) of the residual angle a clock. No handshake.
+// This engine rotates by one micro-rotation a clock, then by one digit (two bits) of the residual angle a clock.
 //   i = 1 .. C:   x -= d y >> i,  y += d x >> i,  z -= d atan 2^-i,  d = sign of z, -1 or 1
-//   r = C + 1, C + 3 ..:   x -= d yf >> r,  y += d xf >> r,  z -= d 2^-r,  d in -2 .. 2, xf and yf stand still
-// Below 2^-C a turn lengthens by less than 2^-(2C+1), so the second half is linear, and its digits may be 0 or 2.
-// in_z s(W+4).(W+5) turns, |z| <= 1/8. x - v is x + ~v, without a carry in: a shift is 1/2 unit low on the average,
-// whatever its sign. R, added last, takes out that mean and rounds. With GAIN the first N clocks add in_f* times
-// 0.858785, a digit a clock (in_f* crosswise, x and y 0); without it the vector is 1.16443 longer.
-// out_done is high for one clock, STEPS clocks after in_start; the result stands from the next one on.
+//   r = C + 1, C + 3 ..:   x -= d yf >> r,  y += d xf >> r,  z -= d 2^-r,  d in -2 .. 2, xf and yf are frozen
+// A rotation below 2^-C lengthens by less than 2^-(2C+1), so the second half is linear and its digits may be 0 or 2.
+// in_z is s(W+4).(W+5) turns, |z| <= 1/8. x - v is x + ~v without a carry in, so a shift is half a unit low on average,
+// whatever its sign. R, added last, removes that mean and rounds.
+// With GAIN the first N clocks add in_f* times 0.858785, one digit a clock (in_f* is crosswise, x and y start at 0).
+// Without GAIN the vector grows by 1.16443.
+// out_done is high for one clock, STEPS clocks after in_start; the result is valid from the next clock on. There is no
+// handshake. Model: cordic.turn
 `default_nettype none
 module cordic_turn_iter #(
-    parameter W       = 16,  // bits of a coordinate, 8 to 16; 16 is the library's word
-    parameter D       = 22,  // bits of the vector, guard bits included, W + 5 or more; 22: W + 6 at W = 16
-    parameter GAIN    = 1,   // 1: takes out the gain first; 0: it stays in, for a start vector that has it
-    parameter [7:0] R = 24   // constant that is added last, in guard units; 24: half an LSB and the mean of the shifts
+    parameter W       = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter D       = 22,  // bits of the vector, guard bits included, W + 5 or more (default 22 = W + 6)
+    parameter GAIN    = 1,   // 1 (default): removes the gain first; 0: leaves it, for a start vector that contains it
+    parameter [7:0] R = 24   // constant added last, in guard units (default 24: half an LSB and the mean of the shifts)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -34,7 +36,7 @@ module cordic_turn_iter #(
     localparam integer N = GAIN ? 3 + (W > 10) + (W > 12) + (W > 15) : 0;
     localparam STEPS = N + C + T + 1;
 
-    // the shift of a step as digits in base 3, {9s, 3s, 1s}; 3 in the last one stands for the constant R
+    // the shift of a step as digits in base 3, {9s, 3s, 1s}; a 3 in the last digit selects the constant R
     function [4:0] shift_digits(input integer step, input integer two);
         integer shift;
         begin
@@ -52,10 +54,10 @@ module cordic_turn_iter #(
     endfunction
     localparam [319:0] SHIFTS = all_shifts(64);
 
-    // control: what a step needs is made ready in the clock before it
+    // control: the signals of a step are prepared in the clock before it
     (* fsm_encoding = "none" *) reg [4:0] next;
     (* fsm_encoding = "none" *) reg [4:0] shift;
-    (* fsm_encoding = "none" *) reg [2:0] word;  // of cordic_residual
+    (* fsm_encoding = "none" *) reg [2:0] word;  // in_word of cordic_residual
     reg                 turning, tail, less, move, thaw, minus_x, minus_y;
     wire                minus, two, one;
     cordic_residual #(.W(W)) residual (.clk(clk), .in_load(in_start), .in_z(in_z), .in_turn(turning),
@@ -74,7 +76,7 @@ module cordic_turn_iter #(
         thaw  <= at + 1 >= N && at < N + C;
         out_busy <= !rst && (in_start || (out_busy && !out_done));
         if (in_start) {minus_x, minus_y} <= {in_minus_x, in_minus_y};
-        else if (turning) {minus_x, minus_y} <= 2'b00;  // R is added as it is
+        else if (turning) {minus_x, minus_y} <= 2'b00;  // R is added without a complement
     end
 
     // vector
