@@ -4,7 +4,7 @@ from collections import Counter
 
 from quadrance.cores import find
 
-from ci import coverage
+from ci import checks, coverage
 
 
 def record(file: str, line: int, kind: str, what: str, count: int) -> str:
@@ -20,9 +20,19 @@ def test_points_of_two_instances_add_up() -> None:
 
 def test_what_one_core_reaches_is_no_hole_of_the_other() -> None:
     one, two = ("arith/a.v", 7, "branch", "if"), ("arith/a.v", 9, "line", "block")
-    page = coverage.page({"a": Counter({one: 0, two: 0}), "b": Counter({one: 5, two: 0})})
-    assert "| a | 0 of 2 | 0 of 0 |" in page and "| b | 1 of 2 | 0 of 0 |" in page
-    assert "- `arith/a.v:9 block`: **open**" in page and "a.v:7" not in page
+    found = {"a": Counter({one: 0, two: 0}), "b": Counter({one: 5, two: 0})}
+    assert coverage.table(found) == ["a: 0 of 2 lines and branches, 0 of 0 toggles",
+                                     "b: 1 of 2 lines and branches, 0 of 0 toggles"]
+    text = "\n".join(coverage.section(found))
+    assert "- `arith/a.v:9 block`: **open**" in text and "a.v:7" not in text and "It ran 2 sets; 0 of them" in text
+
+
+def test_a_section_of_the_page_replaces_itself_alone(tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr(checks, "PAGE", tmp_path / "checks.md")
+    checks.put("Coverage", ["one"])
+    checks.put("Netlists", ["two"])
+    checks.put("Coverage", ["three"])
+    assert checks.PAGE.read_text() == "# What the long runs found\n\n## Coverage\n\nthree\n\n## Netlists\n\ntwo\n"
 
 
 def test_reasons_belong_to_lines_that_exist() -> None:
