@@ -1,9 +1,9 @@
 """`make coverage`: the lines and bits of every core that its cocotb bench and its bulk run reach under Verilator.
 
-Prints a line for each parameter set. Writes into reports/checks.md every line and branch that none of them reaches: what
-one set leaves out (the third joint of a kernel, a table's last range) another must reach. ci/unreached.toml says why
-nothing can reach one. Left out are constant functions, which run when a core is elaborated, and status bits that a core
-does not have.
+It prints a line for each parameter set, and writes into reports/checks.md every line and branch that no set reaches.
+What one set leaves out (the third joint of a kernel, a table's last range) another must reach. ci/unreached.toml says
+why nothing can reach a line. Constant functions, which run when a core is elaborated, and status bits that a core does
+not have are not counted.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def section(found: dict[str, Counter[Point]]) -> list[str]:
     every = sum(found.values(), Counter())
     every.update(dict.fromkeys((point for total in found.values() for point in total), 0))
     whole = sum(not holes(total, "line", "branch") for total in found.values())
-    return ["`make coverage` counts the lines and branches that the bench and the bulk run of each parameter set reach.",
+    return ["`make coverage` counts the lines and branches that the bench and the bulk run of each set reach.",
             f"It ran {len(found)} sets; {whole} of them reach every line and branch of their Verilog.",
             "No set reaches these:", "", *map(explained, holes(every, "line", "branch"))]
 
