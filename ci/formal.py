@@ -1,4 +1,4 @@
-"""`make formal`: every proof of tb/*/formal, the contract and the reset of every sequential core, with sby and z3.
+"""`make formal`: every proof of tb/formal, the contract and the reset of every sequential core, with sby and z3.
 
     python -m ci.formal                all proofs that do not stand already
     python -m ci.formal --fresh        all proofs
@@ -11,7 +11,7 @@ again when one of them changes: a change costs the proofs that it touches.
 
 A property file lists its own proofs in comments, one a line, so that the list is beside what it is a list of::
 
-    // rtl: arith/isqrt_comb.v arith/isqrt_digits.v            sources below rtl/
+    // rtl: isqrt_comb isqrt_digits                            modules of rtl/
     // with: stream_token.sv                                   further property files of the same folder
     // proof W16 mode=prove depth=1 W=16 F=0                   name, sby mode and depth, parameters of <file>_props
 """
@@ -31,7 +31,7 @@ from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
-from quadrance.cores import Core, all_cores
+from quadrance.cores import Core, all_cores, module
 
 from ci import cache, cone, contract, reset
 from tb.lib import tools
@@ -61,10 +61,10 @@ def proofs_of(path: Path) -> list[Proof]:
     """The proofs that a property file lists in its comments."""
     text = path.read_text()
 
-    def listed(key: str, folder: Path) -> list[Path]:
-        return [folder / name for line in re.findall(rf"^// {key}: (.+)$", text, re.M) for name in line.split()]
+    def listed(key: str) -> list[str]:
+        return [name for line in re.findall(rf"^// {key}: (.+)$", text, re.M) for name in line.split()]
 
-    sources = (path, *listed("with", path.parent), *listed("rtl", tools.ROOT / "rtl"))
+    sources = (path, *(path.parent / name for name in listed("with")), *map(module, listed("rtl")))
     found = []
     for name, options in re.findall(r"^// proof (\S+) (.+)$", text, re.M):
         words = dict(word.split("=") for word in options.split())
@@ -75,8 +75,8 @@ def proofs_of(path: Path) -> list[Proof]:
 
 
 def all_proofs() -> list[Proof]:
-    """Every proof in the house."""
-    return [proof for path in sorted((tools.ROOT / "tb").glob("*/formal/*.sv")) for proof in proofs_of(path)]
+    """Every proof that a property file lists."""
+    return [proof for path in sorted(contract.HERE.glob("*.sv")) for proof in proofs_of(path)]
 
 
 def job(proof: Proof) -> str:
@@ -170,7 +170,7 @@ def contracted() -> list[Core]:
 
     One of varying latency, or whose samples do not move together, has a proof of its own: "The contract ..." in tb.
     """
-    own = {path.stem for path in (tools.ROOT / "tb").glob("*/formal/*.sv")
+    own = {path.stem for path in contract.HERE.glob("*.sv")
            if path.read_text().startswith("// The contract")}
     return [core for core in all_cores() if core.clocked and core.latency is not None and core.name not in own
             and core.function != "skid_buffer"]  # it holds two samples, and has a proof of its own
@@ -208,7 +208,7 @@ def _texts(*paths: Path) -> list[str]:
 def digests() -> dict[str, str]:
     """Of every proof, by name: the content of all that its verdict follows from."""
     used = [{name: metadata.version(name) for name in TOOLS}, ENGINE]
-    rules = _texts(Path(contract.__file__), *sorted(contract.HERE.iterdir()))
+    rules = _texts(Path(contract.__file__), *(contract.HERE / name for name in ("contract.sv", "cut.v")))
     found = {f"contract-{core.id}": cache.digest([used, rules, core.params, core.latency, core.ii,
                                                   _texts(*core.sources)]) for core in contracted()}
     rules = _texts(Path(reset.__file__))

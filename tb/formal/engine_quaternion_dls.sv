@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside is always at one line of the
 // table, and every pass but the first counts, up to cfg_limit. The last step is in its registers before a result
 // comes. One clock of reset is enough, from any state.
-// rtl: engine/gradient/engine_quaternion_dls.v engine/newton/engine_newton_3r.v engine/newton/engine_newton_program.v arith/schedule.v
+// rtl: engine_quaternion_dls engine_newton_3r engine_newton_program schedule
 // with: one_inside.sv newton_parts.sv
 // proof W16A24 mode=prove depth=2 W=16 F=8 A=24
 // proof W12A20 mode=prove depth=2 W=12 F=6 A=20

@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside is always at one line of the
 // table, at most cfg_limit passes count, and no two in a row do not. So a result comes after at most 2 cfg_limit + 2
 // passes. One clock of reset is enough, from any state.
-// rtl: engine/gradient/engine_quaternion_gd.v engine/gradient/engine_gd_judge.v arith/schedule.v
+// rtl: engine_quaternion_gd engine_gd_judge schedule
 // with: one_inside.sv gradient_parts.sv
 // proof W16A24 mode=prove depth=2 W=16 F=8 A=24
 // proof W14A20 mode=prove depth=2 W=14 F=6 A=20

@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside is always at one line of the
 // table, and every pass but the first counts, up to cfg_limit. So a result comes after at most cfg_limit + 1 passes.
 // One clock of reset is enough, from any state.
-// rtl: engine/newton/engine_newton_3r.v engine/newton/engine_newton_program.v arith/schedule.v
+// rtl: engine_newton_3r engine_newton_program schedule
 // with: one_inside.sv newton_parts.sv
 // proof W16A20 mode=prove depth=2 W=16 F=8 A=20
 // proof W12A24 mode=prove depth=2 W=12 F=6 A=24

@@ -1,5 +1,5 @@
 // Every word arrives unchanged, in order, once each; in_ready is a register; a word never waits without need.
-// rtl: arith/skid_buffer.v
+// rtl: skid_buffer
 // with: stream_token.sv
 // proof W16 mode=prove depth=2 W=16
 module skid_buffer_props #(parameter W = 16) (input clk, rst, in_valid, out_ready, input [W-1:0] in_d);

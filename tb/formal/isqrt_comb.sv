@@ -1,5 +1,5 @@
 // root^2 <= d * 4^F < (root + 1)^2 and the remainder is exact, by multiplication, nothing assumed.
-// rtl: arith/isqrt_comb.v arith/isqrt_digits.v
+// rtl: isqrt_comb isqrt_digits
 // proof W16 mode=prove depth=1 W=16 F=0
 // proof W15F1 mode=prove depth=1 W=15 F=1
 module isqrt_comb_props #(parameter W = 16, F = 0) (input clk, input [W-1:0] in_d);

@@ -1,7 +1,7 @@
 // One digit keeps 0 <= rem < d and takes exactly the divisor: 2 rem + bit = out_rem + (q ? d : 0), q the new digit.
 // So n = quotient d + rem follows for any number of digits: by induction, and as (2 Q + q) d = 2 Q d + q d.
 // d = 0 yields q = 1 and the low WD bits of 2 rem + bit.
-// rtl: arith/divide_digits.v
+// rtl: divide_digits
 // proof 0_to_20_by_16 mode=prove depth=1 N=20 WD=16
 // proof 0_to_38_by_36 mode=prove depth=1 N=38 WD=36
 // proof 0_to_4_by_1 mode=prove depth=1 N=4 WD=1

@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside that solves is at a line of the
 // program, its legs, rows and scalings are counted, and so are its steps, up to cfg_limit. No line writes behind the
 // word of a sample that comes after it. One clock of reset is enough, from any state.
-// rtl: engine/rus/engine_rus_fk.v engine/rus/engine_rus_fk_steps.v
+// rtl: engine_rus_fk engine_rus_fk_steps
 // with: one_inside.sv rus_fk_parts.sv
 // proof W27 mode=prove depth=2 W=27
 // proof W18 mode=prove depth=2 W=18

@@ -1,7 +1,7 @@
 // One digit keeps 0 <= rem <= 2 root and adds exactly what the square grows by:
 //   4 rem + pair = out_rem + ((2 root + q)^2 - 4 root^2), q the new digit, the bracket being q (4 root + 1).
 // So radicand = root^2 + rem follows for any number of digits: by induction, and by the identity asserted last.
-// rtl: arith/isqrt_digits.v
+// rtl: isqrt_digits
 // proof digits_1_to_32 mode=prove depth=1 N=32
 module isqrt_digits_props #(parameter N = 16) (input clk);
     genvar k;

@@ -1,6 +1,6 @@
 // n * 2^F = q d + r, 0 <= r < d, in order, once for each word, whatever the stalls.
 // Invariant: the followed word, wherever it is, carries the quotient of the leading K bits of its own numerator.
-// rtl: arith/divide.v arith/divide_digits.v
+// rtl: divide divide_digits
 // with: stream_token.sv grow_product.sv
 // proof 12by12 mode=prove depth=2 WN=12 WD=12 F=0 R=1
 // proof 8by8R3 mode=prove depth=2 WN=8 WD=8 F=0 R=3

@@ -1,7 +1,7 @@
 // What the gradient engines rest on, whatever the squares are: no answer is called converged but in the fine range and
 // below the tolerance; steps never exceed the limit; two passes in a row are never both for nothing; an answer waits
 // unchanged; one clock of reset ends it.
-// rtl: engine/gradient/engine_gd_judge.v
+// rtl: engine_gd_judge
 // proof W16 mode=prove depth=2 W=16
 // proof W14 mode=prove depth=2 W=14
 module engine_gd_judge_props #(parameter W = 16) (

@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside that solves is at one place of a
 // loop over its links, which are counted up to n, and its tail; at most cfg_limit passes count, and no two in a row do
 // not. One clock of reset is enough, from any state.
-// rtl: engine/gradient/engine_quaternion_gd_plane.v engine/gradient/engine_gd_plane_program.v arith/schedule.v
+// rtl: engine_quaternion_gd_plane engine_gd_plane_program schedule
 // with: one_inside.sv plane_parts.sv
 // proof W16N8 mode=prove depth=2 W=16 F=8 A=24 N=8
 // proof W14N3 mode=prove depth=2 W=14 F=6 A=20 N=3

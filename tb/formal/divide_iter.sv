@@ -1,6 +1,6 @@
 // n * 2^F = q d + r, 0 <= r < d, in order, once for each word, after exactly ceil((WN + F) / R) clocks.
 // Invariant: after `age` clocks the same holds of the leading K numerator bits, and `todo` has the next bits.
-// rtl: arith/divide.v arith/divide_digits.v
+// rtl: divide divide_digits
 // with: stream_token.sv grow_product.sv
 // proof 16by16 mode=prove depth=2 WN=16 WD=16 F=0 R=1
 // proof 16by16R2 mode=prove depth=2 WN=16 WD=16 F=0 R=2

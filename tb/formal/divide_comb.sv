@@ -1,5 +1,5 @@
 // n * 2^F = q d + r, 0 <= r < d, by multiplication, nothing assumed; d = 0 as documented.
-// rtl: arith/divide_comb.v arith/divide_digits.v
+// rtl: divide_comb divide_digits
 // proof 8by8 mode=prove depth=1 WN=8 WD=8 F=0
 // proof 6by4F2 mode=prove depth=1 WN=6 WD=4 F=2
 module divide_comb_props #(parameter WN = 8, WD = 8, F = 0) (input clk, input [WN-1:0] in_n, input [WD-1:0] in_d);

@@ -1,6 +1,6 @@
 // Nearest with ties upward: -half <= x - y 2^SHIFT < half; clamped exactly when that y does not fit, and then to the
 // end on its side.
-// rtl: arith/round_saturate.v
+// rtl: round_saturate
 // proof 24to16by4 mode=prove depth=1 WI=24 WO=16 SHIFT=4
 // proof 16to8by6 mode=prove depth=1 WI=16 WO=8 SHIFT=6
 // proof 12to16by3 mode=prove depth=1 WI=12 WO=16 SHIFT=3

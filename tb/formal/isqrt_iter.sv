@@ -1,6 +1,6 @@
 // d * 4^F = root^2 + rem, rem <= 2 root, in order, once for each word, after exactly ceil(N / R) clocks.
 // Invariant: after `age` clocks the same holds of the leading 2 K radicand bits, and `todo` has the next pairs.
-// rtl: arith/isqrt.v arith/isqrt_comb.v arith/isqrt_digits.v
+// rtl: isqrt isqrt_comb isqrt_digits
 // with: stream_token.sv grow_square.sv
 // proof W16 mode=prove depth=2 W=16 F=0 R=1
 // proof W16R2 mode=prove depth=2 W=16 F=0 R=2

@@ -1,7 +1,7 @@
 // The contract where the latency varies (one_inside.sv), and an end: a sample inside that solves is at a line of the
 // program, its joints are counted from the first to the last, and every pass but the one that judges the start counts.
 // One clock of reset is enough, from any state.
-// rtl: engine/gradient/engine_quaternion_gd_n.v
+// rtl: engine_quaternion_gd_n
 // with: one_inside.sv space_parts.sv
 // proof N8 mode=prove depth=4 N=8
 // proof N100 mode=prove depth=4 N=100

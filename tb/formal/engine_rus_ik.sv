@@ -1,6 +1,6 @@
 // The contract where samples overlap and results wait behind others: engine_rus_rules in engine_rus_parts.sv.
-// rtl: engine/rus/engine_rus_ik.v engine/rus/engine_rus_poses.v
-// rtl: engine/rus/engine_rus_leg.v engine/rus/engine_rus_results.v arith/schedule.v
+// rtl: engine_rus_ik engine_rus_poses
+// rtl: engine_rus_leg engine_rus_results schedule
 // with: engine_rus_parts.sv
 // proof W18 mode=prove depth=2 W=18
 module engine_rus_ik_props #(parameter W = 18) (
