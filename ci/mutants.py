@@ -235,7 +235,7 @@ def judged(core: str, count: int, seed: int, step: str = "") -> dict:
     if not step:
         return cache.cached([digest(one, count), cocotb(), seed], lambda: asdict(judge(one, count, seed)))
     standing, work = known()[core], {"benched": benched, "proved": proved}[step]
-    return cache.cached([step, asdict(standing), cocotb(), Path(equivalence.__file__).read_text()],
+    return cache.cached([step, asdict(standing), cocotb(), cache.meaning(Path(equivalence.__file__))],
                         lambda: asdict(work(one, count, standing)))
 
 

@@ -30,7 +30,7 @@ def source(design: Design, arm_name: str) -> str:
                for name in names for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
     rules = {key: rule for key, rule in designs.RULES.items() if key != "price"}
     return cache.digest([entries, code.digests(code.closure([*CODE, *sorted(models)])), design.word,
-                         arms.path_of(arm_name).read_text(), rules, tools.versions()["numpy"]])[:16]
+                         cache.meaning(arms.path_of(arm_name)), rules, tools.versions()["numpy"]])[:16]
 
 
 def named(name: str, params: dict[str, int]) -> str:
