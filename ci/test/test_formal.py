@@ -77,3 +77,31 @@ def test_broken_contract_is_refuted(sound: str, broken: str, tmp_path: Path) -> 
 @pytest.mark.full
 def test_sound_contract_is_proved(tmp_path: Path) -> None:
     assert _contract(tmp_path, "// SPDX", "// SPDX") == "PASS"
+
+
+def test_a_circuit_that_was_proved_passes_under_other_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    one = proof("round_saturate-16to8by6")
+
+    def changed(old: str, new: str) -> formal.Proof:
+        sources = []
+        for source in one.sources:
+            sources.append(tmp_path / source.name)
+            text = source.read_text()
+            sources[-1].write_text(text.replace(old, new) if source.name == "round_saturate.v" else text)
+        assert any(old in source.read_text() for source in one.sources)
+        return dataclasses.replace(one, sources=tuple(sources))
+
+    monkeypatch.setattr(formal, "run", lambda name, text: "FAIL")
+    verdict, found = formal.judge(one, frozenset())
+    assert verdict == "FAIL"
+    assert formal.judge(changed("rounded", "closest"), frozenset({found})) == ("PASS", found)
+    assert formal.judge(changed("in_x[SHIFT-1]}", "1'b0}"), frozenset({found}))[0] == "FAIL"
+    assert formal.judge(dataclasses.replace(one, depth=one.depth + 1), frozenset({found}))[0] == "FAIL"
+
+
+def test_proofs_of_before_stand_without_a_circuit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(formal, "STORE", tmp_path / "proofs.json")
+    monkeypatch.setattr(formal, "digests", lambda: {"a": "1", "b": "2"})
+    formal.STORE.write_text('{"a": "1", "gone": "3"}')
+    formal.keep({"b": ("2", "circuit")}, formal.standing())
+    assert formal.standing() == {"a": ("1", ""), "b": ("2", "circuit")}

@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 from quadrance import cores
 
+from ci.cache import bare
 from ci.report import PLOTS, __main__, code, figures, freshness, run
 from tb.lib import tools
 
@@ -62,7 +63,9 @@ def test_a_written_report_is_fresh(committed):
 
 
 def test_a_changed_source_is_found(committed, tmp_path):
-    edit(tmp_path / "rtl" / "rational" / "a.v", "module a;", "module a; // faster")
+    edit(tmp_path / "rtl" / "rational" / "a.v", "module a;", "module a; /* text */")
+    assert committed() == []
+    edit(tmp_path / "rtl" / "rational" / "a.v", "module a;", "module a; wire b;")
     assert committed() == ["core a-S24 changed", "core a-S8 changed"]
 
 
@@ -147,11 +150,11 @@ def test_a_broken_report_is_a_problem_not_a_crash(committed, tmp_path):
 def test_comments_and_docstrings_mean_nothing():
     text = '"""What."""\n\nimport os  # why\n\n\nclass A:\n    """That."""\n    b = "# not a comment"\n\n\n' \
            'def f():\n    """How.\n\n    Long.\n    """\n    return """kept\n    too"""\n'
-    assert code.bare(text) == 'import os\nclass A:\n    b = "# not a comment"\n' \
+    assert bare(text, ".py") == 'import os\nclass A:\n    b = "# not a comment"\n' \
                               'def f():\n    return """kept\n    too"""'
-    assert code.bare(text.replace("Long", "Longer").replace("why", "whyever")) == code.bare(text)
-    assert code.bare(text.replace("kept", "held")) != code.bare(text)
-    assert code.bare('def f():\n    "Größe"  # ü\n    return "ü"\n') == 'def f():\n    return "ü"'
+    assert bare(text.replace("Long", "Longer").replace("why", "whyever"), ".py") == bare(text, ".py")
+    assert bare(text.replace("kept", "held"), ".py") != bare(text, ".py")
+    assert bare('def f():\n    "Größe"  # ü\n    return "ü"\n', ".py") == 'def f():\n    return "ü"'
 
 
 def test_what_judges_the_cores_is_all_reached():

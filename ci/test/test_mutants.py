@@ -223,3 +223,25 @@ def test_a_mutant_has_the_number_of_its_command():
 def test_memory_words_are_flipped_one_by_one():
     text = "  initial begin\n    \\a.rom [0] = 4'h3;\n    \\a.rom [1] = 4'hc;\n  end\n"
     assert mutate.flipped(text, {1: "4'h8"}) == text.replace("4'hc;", "4'hc ^ (4'h8);")
+
+
+def test_the_page_says_which_verdicts_are_stale_and_does_not_count_them(monkeypatch):
+    one, two, three = (find(name) for name in ("isqrt_comb", "isqrt_iter", "divide_comb"))
+    monkeypatch.setattr(mutants, "digest", lambda core, count: f"now {core.id}")
+    verdicts = {one.id: mutants.Verdict(one.id, f"now {one.id}", mutants.cocotb(), 1, 99, survivors=["mutate x"]),
+                two.id: mutants.Verdict(two.id, "before", mutants.cocotb(), 1, 77, survivors=["mutate y"])}
+    old = mutants.stale(verdicts, [one, two, three])
+    assert old == {two.id}
+    text = mutants.page([*verdicts.values()], [one, two, three], old)
+    assert "1 of 3 cores: 99 killed, 0 equal in function, 1 survived" in text
+    assert f"Changed since they were broken, and left out above: {two.id}." in text and "mutate y" not in text
+    assert f"Never broken: {three.id}." in text
+
+
+def test_survivors_whose_lines_have_moved_are_judged_anew(monkeypatch):
+    core = find("isqrt_comb")
+    made = mutate.Mutants(core, None, 1, (mutate.Mutant(1, "mutate -cell a.v:9"),))
+    standing = mutants.Verdict(core.id, seed=7, killed=1, survivors=["mutate -cell a.v:8"])
+    monkeypatch.setattr(mutate, "make", lambda *_: made)
+    monkeypatch.setattr(mutants, "judge", lambda *given: given)
+    assert mutants.benched(core, 4, standing) == mutants.proved(core, 4, standing) == (core, 4, 7)
