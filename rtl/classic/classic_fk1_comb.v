@@ -2,7 +2,7 @@
 // Forward kinematics of one joint by the parallel CORDIC: x = L1 cos j1, y = L1 sin j1, in one long clock.
 // Formats: in_j1 uA, 2^A to the turn; out_x, out_y s(W-F).F, nearest, saturated;
 //   cfg_c1 = floor(L1 * 0.607252935 * 2^4), L1 u(W-F).F. The arithmetic of classic_fk1_iter, bit for bit.
-// Error: at most 1 LSB each up to L1 = 2^(W-2), 1.6 at any length (page). Latency and II 1.
+// Error: at most 1.6 LSB at the tip up to L1 = 2^(W-2), 2.01 at any length (page). Latency and II 1.
 // Status: overflow. Paper: the parallel CORDIC of its tables III and IV. Model: classic.fk1
 `default_nettype none
 module classic_fk1_comb #(

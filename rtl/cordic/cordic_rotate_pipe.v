@@ -2,7 +2,7 @@
 // Rotates a vector by a binary angle, full circle, gain compensated: a rotation a clock.
 //   out_x + j out_y = (in_x + j in_y) * exp(2 pi j in_angle / 2^A), rounded to nearest, saturated
 // Formats: in_angle uA, 2^A to the turn; in_x, in_y, out_x, out_y sW, any fraction.
-// Error: at most 1.5 LSB each (derivation on the family's page; 1.1 found over the whole circle at W = 16).
+// Error: at most 1.55 LSB each at every W and A (derivation on the family's page; 1.1 found at W = 16).
 // Latency 20 at W = 16, II 1; the pipeline moves as a whole.
 // Status: overflow. Model: cordic.rotate
 `default_nettype none

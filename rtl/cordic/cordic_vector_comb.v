@@ -2,7 +2,7 @@
 // Length and direction of a vector, full circle, gain compensated: the parallel CORDIC, combinational.
 //   out_magnitude = sqrt(in_x^2 + in_y^2), out_angle = atan2(in_y, in_x) / (2 pi) * 2^A, both to nearest
 // Formats: in_x, in_y sW, any fraction; out_magnitude uW, the same; out_angle uA, 2^A to the turn.
-// Error at W = A = 16: magnitude at most 1 LSB; angle at most 0.85 LSB + 0.13 rad LSB / length, so 1 LSB from a
+// Error at W = A = 16: magnitude at most 1 LSB; angle at most 0.84 LSB + 0.24 rad LSB / length, so 1 LSB from a
 // length of 9000 LSB on, and 0.13 LSB across the vector for short ones (derivation on the family's page).
 // Status: singular (x = y = 0: magnitude 0, the angle means nothing). Model: cordic.vector
 `default_nettype none
