@@ -56,10 +56,9 @@ def words(p: Params, arm: Arm, inverse: bool) -> dict[str, int]:
                            f"{high if found > high else low}; raise mm_per_unit")
         return found
 
-    forearm = math.sqrt(arm.l2 * arm.l2 - arm.elbow * arm.elbow)
     unsigned, half = (0, (1 << w) - 1), 1 << w - 1
     found = {"cfg_l1": word("links.l1", arm.l1, *unsigned),
-             "cfg_l2": word("links.l2", arm.l2 if inverse else forearm, *unsigned),
+             "cfg_l2": word("links.l2", arm.l2 if inverse else arm.forearm, *unsigned),
              "cfg_base": word("constants.base", arm.base, -half, half - 1),
              "cfg_shoulder": word("constants.shoulder", arm.shoulder, -half // 4, half // 4 - 1),
              "cfg_lateral": word("constants.lateral", arm.lateral, 1 - half, half - 1)}

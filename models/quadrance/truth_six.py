@@ -8,17 +8,15 @@ are in radians, lengths share one unit; a robot's own zeros and signs are added 
 from __future__ import annotations
 
 import math
-import tomllib
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quadrance import arms
 from quadrance.fixed import ints
 from quadrance.truth import Floats, floats
 
-HERE = Path(__file__).resolve().parent / "arms" / "six"
 BACK, DOWN, FLIP = 1, 2, 4  # bits of a branch: shoulder, elbow, wrist
 
 
@@ -45,14 +43,14 @@ class Six(NamedTuple):
 
 
 def known() -> list[str]:
-    """Names of the six-axis robots that come with the library."""
-    return sorted(path.stem for path in HERE.glob("*.toml"))
+    """Names of the arms of the library that have a spherical wrist."""
+    return [name for name in arms.known() if arms.load(name).flange is not None]
 
 
 def load(name: str) -> tuple[Six, float]:
-    """The seven parameters (mm) of a robot of `arms/six`, and the millimetres in one coordinate unit."""
-    data = tomllib.loads((HERE / f"{name}.toml").read_text(encoding="utf-8"))
-    return Six(**{key: float(value) for key, value in data["six"].items()}), float(data["mm_per_unit"])
+    """The seven parameters (mm) of an arm with a spherical wrist, and the millimetres in one coordinate unit."""
+    arm = arms.load(name)
+    return Six(**arm.six), arm.mm_per_unit
 
 
 def fk6(q: ArrayLike, arm: Six) -> tuple[Floats, Floats]:

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from quadrance import arms, truth
+from quadrance import arms, truth, truth_arm, truth_six
 from quadrance.arms import ArmError
 from quadrance.trajectory import limits, smooth, trajectory
 
@@ -14,6 +14,7 @@ MATHS = {  # L1, L2 (mm) of the table of real arms
     "uarm_swift_pro": (142.07, 158.81), "dobot_magician": (135, 147), "geomagic_touch": (135, 135),
     "phantomx_leg": (66.2, 132.7)}
 
+SHOULDER = "shoulder = { name = 'J1', sign = 1, zero = 0 }\n"
 GOOD = """
 name = "Test"
 source = "here"
@@ -36,7 +37,7 @@ def test_known_arms(name):
     arm = arms.load(name)
     assert (arm.l1, arm.l2) == pytest.approx(MATHS[name])
     assert arm.source and arm.id == name
-    assert arm.links == pytest.approx((arm.l1 / 10, arm.l2 / 10))
+    assert arm.links == pytest.approx((arm.l1 / arm.mm_per_unit, arm.l2 / arm.mm_per_unit))
     assert arm.absolute_elbow == (name in ("uarm_swift_pro", "dobot_magician", "geomagic_touch"))
 
 
@@ -85,6 +86,28 @@ def test_load_by_path(tmp_path):
     ("[-105, 105]", "[-400, 105]", "limits.shoulder", "within -360 and 360"),
     ("[-105, 105]", "105", "limits.shoulder", "must be a list"),
     ("[-105, 105]", "[-105, 105", "not TOML", "line"),
+    ("base = 1", "base = 1\n[six]\na1 = 3", "six", "is not a key of an arm file"),
+    ("[constants]", "[wrist]\nspherical = true\n[constants]", "wrist.flange", "is missing"),
+    ("[constants]", "[wrist]\nflange = -1\n[constants]", "wrist.flange", "must not be negative"),
+    ("[constants]", "[wrist]\nflange = 1\n[constants]", "limits.yaw", "is missing: an arm with a wrist yaws"),
+    ("[constants]", "[wrist]\nspherical = false\nflange = 1\n[constants]", "wrist.flange", "spherical is false"),
+    ("[constants]", "[singular]\nelbow = 90\n[constants]", "singular.elbow", "between 0 and 90 degrees, not 90"),
+    ("[constants]", "[singular]\naxis = 0\n[constants]", "singular.axis", "must be positive"),
+    ("true\n[limits]", "false\n[limits]\nforearm = [0, 9]", "limits.forearm", "is of an absolute elbow"),
+    ("l2 = 275.0", "l2 = 275.0\nl3 = 0", "links.l3", "must be positive"),
+    *[("[constants]", f"[joints]\n{SHOULDER}{wrong}\n[constants]", key, reason) for wrong, key, reason in (
+        ("", "joints.elbow", "is missing"),
+        ("elbow = 5", "joints.elbow", "must be a table"),
+        ("elbow = { sign = 1, zero = 0 }", "joints.elbow.name", "is missing"),
+        ("elbow = { name = ' ', sign = 1, zero = 0 }", "joints.elbow.name", "must not be empty"),
+        ("elbow = { name = 'J1', sign = 1, zero = 0 }", "joints.elbow.name", "'J1' is the name of another joint"),
+        ("elbow = { name = 'J2', sign = 2, zero = 0 }", "joints.elbow.sign", "must be 1 or -1, not 2"),
+        ("elbow = { name = 'J2', sign = true, zero = 0 }", "joints.elbow.sign", "must be 1 or -1, not True"),
+        ("elbow = { name = 'J2', sign = 1.0, zero = 0 }", "joints.elbow.sign", "must be 1 or -1, not 1.0"),
+        ("elbow = { name = 'J2', sign = 1 }", "joints.elbow.zero", "is missing"),
+        ("elbow = { name = 'J2', sign = 1, zero = 361 }", "joints.elbow.zero", "within -360 and 360"),
+        ("elbow = { name = 'J2', sign = 1, zero = 0, limit = 3 }", "joints.elbow.limit", "is not a key"),
+        ("yaw = { name = 'J0', sign = 1, zero = 0 }", "joints.yaw", "is not a key"))],
 ])
 def test_a_wrong_file_names_file_key_and_reason(tmp_path, old, new, key, reason):
     assert GOOD.count(old) == 1
@@ -103,6 +126,144 @@ def test_unknown_and_absent_arms(tmp_path):
     with pytest.raises(ArmError, match="cannot be read: Is a directory"):
         (tmp_path / "folder.toml").mkdir()
         arms.load(tmp_path / "folder.toml")
+
+
+# The machines as their makers or others describe them, angles in degrees, lengths in mm
+
+
+def _move(x=0.0, y=0.0, z=0.0):
+    found = np.eye(4)
+    found[:3, 3] = x, y, z
+    return found
+
+
+def _turn(axis, degrees):
+    """Rotation about an axis of any direction, right-handed (Rodrigues)."""
+    x, y, z = np.array(axis, dtype=float)
+    cross, found = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]), np.eye(4)
+    angle = math.radians(degrees)
+    found[:3, :3] += math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+    return found
+
+
+X, Y, Z = np.eye(3)
+
+
+def _dh(*rows):
+    """Standard Denavit-Hartenberg rows (d, a, alpha) of joints q."""
+    def pose(*q):
+        found = np.eye(4)
+        for (d, a, alpha), angle in zip(rows, q):
+            found = found @ _turn(Z, angle) @ _move(a, 0, d) @ _turn(X, alpha)
+        return found
+    return pose
+
+
+def _modified(*rows):
+    """Modified Denavit-Hartenberg rows (alpha, a, theta, d)."""
+    def pose(*q):
+        found = np.eye(4)
+        for (alpha, a, theta, d), angle in zip(rows, q):
+            found = found @ _turn(X, alpha) @ _move(a) @ _turn(Z, theta + angle) @ _move(z=d)
+        return found
+    return pose
+
+
+def _kuka(*q):
+    """Joint origins and axes of kr6r700sixx.urdf of ROS-Industrial's kuka_experimental."""
+    found = np.eye(4)
+    for origin, axis, angle in zip([(0, 0, 400), (25, 0, 0), (315, 0, 0), (0, 0, 35), (365, 0, 0), (80, 0, 0)],
+                                   (-Z, Y, Y, -X, Y, -X), q):
+        found = found @ _move(*origin) @ _turn(axis, angle)
+    return found
+
+
+def _scara(a, b, c):
+    """LinuxCNC, scarakins.c, forward: D2 = 340, D4 = 250, D6 = 50; joints 0, 1 and 3."""
+    angles = np.radians([a, a + b, a + b + c])
+    return _move(*(sum(length * part(angle) for length, angle in zip((340, 250, 50), angles)) for part in
+                   (np.cos, np.sin)))
+
+
+def _uarm(rot, left, right):
+    """Firmware of the uArm Swift Pro, getXYZFromAngle without its end effector."""
+    rot, left, right = np.radians([rot, left, right])
+    stretch = 142.07 * math.cos(left) + 158.81 * math.cos(right) + 13.2
+    return _move(stretch * math.sin(rot), -stretch * math.cos(rot), 142.07 * math.sin(left) - 158.81 * math.sin(right)
+                 + 106.6)
+
+
+def _dobot(j1, j2, j3):
+    """Dobot Magician's manual: rear arm from the vertical, forearm below the horizontal."""
+    return _turn(Z, j1) @ _move(z=139) @ (_move(*_polar(135, 90 - j2)) @ _move(*_polar(147, -j3)))
+
+
+def _touch(j1, j2, j3):
+    """Geomagic Touch: upper arm from the horizontal, forearm from the vertical, hanging down at 0."""
+    return _turn(Z, j1) @ _move(*_polar(135, j2)) @ _move(*_polar(135, j3 - 90))
+
+
+def _polar(length, degrees):
+    return length * math.cos(math.radians(degrees)), 0, length * math.sin(math.radians(degrees))
+
+
+def _leg(coxa, femur, tibia):
+    """The drawings of the PhantomX leg, each servo straight at 0."""
+    return _turn(Z, coxa) @ _move(53) @ _turn(-Y, femur) @ _move(66.2) @ _turn(-Y, tibia) @ _move(132.7)
+
+
+UPRIGHT = _turn(Y, 90)  # a URDF's flange looks along x, that of rtl/six along z
+CITED = {  # the joints' names in the order of the chain, the chain, what is behind it
+    "cobra600": (("J1", "J2"), _dh((0, 325, 0), (0, 275, 180)), None),  # Corke, Robotics Toolbox, mdl_cobra600
+    "linuxcnc_scara": (("J0", "J1", "J3"), _scara, None),
+    "puma560": (("q1", "q2", "q3", "q4", "q5", "q6"), _dh(  # Corke, Robotics Toolbox, Puma560: d1 = 26.45 inch
+        (671.83, 0, 90), (0, 431.8, 0), (150.05, 20.3, -90), (431.8, 0, 90), (0, 0, -90), (0, 0, 0)), np.eye(4)),
+    "staubli_tx40": (("J1", "J2", "J3", "J4", "J5", "J6"), _modified(  # robotkinematicscatalogue, Staubli_TX40
+        (0, 0, 0, 320), (-90, 0, -90, 35), (0, 225, -90, 0), (-90, 0, 0, 225), (90, 0, 0, 0), (-90, 0, 180, 65)),
+        np.eye(4)),
+    "kr6_r700": (("A1", "A2", "A3", "A4", "A5", "A6"), _kuka, UPRIGHT),
+    "ur5": (("base", "shoulder", "elbow"), _dh(  # Universal Robots, UR5 series 3, wrist 1 at 0: it moves no place
+        (89.159, 0, 90), (0, -425, 0), (0, -392.25, 0), (109.15, 0, 90)), None),
+    "uarm_swift_pro": (("rot", "left", "right"), _uarm, None),
+    "dobot_magician": (("J1", "J2", "J3"), _dobot, None),
+    "geomagic_touch": (("J1", "J2", "J3"), _touch, None),
+    "phantomx_leg": (("coxa", "femur", "tibia"), _leg, None)}
+
+
+def _cores_joints(arm, q):
+    """The cores' joints by key, radians, of the machine's by name; the elbow against link 1, to the line of L2."""
+    seen = {one.key: math.radians(one.sign * q[one.name] + one.zero) for one in arm.joints}
+    if arm.absolute_elbow:
+        seen["elbow"] -= seen["shoulder"]
+    return seen | {"elbow": seen["elbow"] + math.radians(arm.elbow_angle)}
+
+
+@pytest.mark.parametrize("name", arms.known())
+def test_every_arm_is_the_machine_of_its_source(name):
+    """The truths of the library, at the joints that the file makes of the machine's, against the cited chain."""
+    arm, (names, pose, flange) = arms.load(name), CITED[name]
+    assert {one.name for one in arm.joints} == set(names)
+    for q in np.random.default_rng(3).uniform(-150, 150, (20, len(names))):
+        seen = _cores_joints(arm, dict(zip(names, q)))
+        want = pose(*q, *[0.0] * (name == "ur5"))
+        if flange is not None:
+            six, _ = truth_six.load(name)
+            rotation, tip = truth_six.fk6([seen["yaw"], math.pi / 2 - seen["shoulder"],
+                                           math.radians(arm.elbow_angle) - seen["elbow"], *(
+                                               seen[key] for key in arms.WRIST)], six)
+            want = want @ flange
+            assert tip == pytest.approx(want[:3, 3], abs=1e-6) and np.allclose(rotation, want[:3, :3], atol=1e-9)
+            want = want @ _move(z=-arm.flange)
+        if not arm.yaws:
+            tip = list(truth.fk2(seen["shoulder"], seen["elbow"], arm.l1, arm.l2))
+            if arm.l3:
+                last = seen["shoulder"] + seen["elbow"] + seen["tool"]
+                tip = [one + arm.l3 * part(last) for one, part in zip(tip, (math.cos, math.sin))]
+            assert tip == pytest.approx(want[:2, 3], abs=1e-6)
+            continue
+        frame = truth_arm.Frame(arm.base, arm.shoulder, arm.lateral)
+        tip = truth_arm.fk3(seen["shoulder"], seen["elbow"], seen["yaw"], arm.l1, arm.l2, frame)
+        assert tip == pytest.approx(want[:3, 3], abs=1e-6)
 
 
 @pytest.mark.parametrize("joints", (1, 2, 3))

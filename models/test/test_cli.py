@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 import pytest
-from quadrance import accuracy, arms, codecs, cores
+from quadrance import accuracy, arms, codecs, cores, truth_arm
 from quadrance.cli import catalogue, check, main, tables, verilog
 from quadrance.cli.catalogue import Refused
 
@@ -193,6 +193,7 @@ def test_encoder_counts_are_exact(quadrance):
     (("encode", "coordinate", "1", "--mm-per-unit", "-1"), "must be positive"),
     (("encode", "table_ik2.w", "1"), "no port of table_ik2 'w'; there are l1"),
     (("encode", "table_ik2.elbow", "1"), "neither a joint word nor a coordinate"),
+    (("encode", "vector_ik6.c1", "1"), "vector_ik6.c1 is cfg_c1 and out_c1: give the port's whole name"),
     (("decode", "vector", "1"), "a vector is 2 words (c, n), not 1"),
     (("decode", "vector", "0,0"), "is no direction"),
     (("decode", "angle:8", "256"), "256 does not fit the 8 bits"),
@@ -211,11 +212,85 @@ def test_an_arm_is_checked_and_its_scale_judged(quadrance, tmp_path):
     assert "advice" not in quadrance("check", str(file))
     file.write_text(file.read_text().replace("5.0", "4.0"))
     assert "raise mm_per_unit above 4.6" in quadrance("check", str(file), code=2)
-    for name in arms.known():
-        arm = arms.load(name)
-        best = check.scale(arm)
-        assert (arm.l1 + arm.l2) / best <= arms.REACH < 2 * (arm.l1 + arm.l2) / best
     assert [one["arm"] for one in json.loads(quadrance("arms", "--json"))] == arms.known()
+
+
+@pytest.mark.parametrize("name", arms.known())
+def test_the_scale_holds_every_coordinate_of_the_arm(quadrance, name):
+    """Tips all over, the arm stretched among them: none beyond the spans, each span reached, a shipped scale holds."""
+    arm = arms.load(name)
+    theta = np.random.default_rng(2).uniform(-np.pi, np.pi, (3, 20_000))
+    theta[1, ::2] = 0
+    frame = truth_arm.Frame(arm.base, arm.shoulder, arm.lateral)
+    reach = np.abs(truth_arm.fk3(*theta, arm.l1, arm.l2, frame)).max(axis=1) + (arm.flange or 0)
+    spans = check.spans(arm)
+    if arm.l3 is None:
+        flat = reach[:2].max() if arm.yaws else arm.l1 + arm.l2
+        for found, span in zip((flat, reach[2]), spans.values()):
+            assert found <= span + 1e-9 and found > 0.98 * span
+    best = check.scale(arm)
+    assert max(spans.values()) / best <= arms.REACH and arm.mm_per_unit >= best
+    assert "raise" not in quadrance("check", name) and f"joints   {arm.axes};" in quadrance("check", name)
+
+
+def test_a_scale_at_which_base_and_shoulder_overflow_is_not_advised(quadrance, tmp_path):
+    file = tmp_path / "kr6.toml"
+    file.write_text(arms.path_of("kr6_r700").read_text().replace("mm_per_unit = 10.0", "mm_per_unit = 8.0"))
+    assert "raise mm_per_unit to 10: at 8 the arm takes z to 145.2 of 128 units" in quadrance("check", str(file))
+    assert "advice" not in quadrance("check", "kr6_r700")
+
+
+def test_a_wrist_that_is_not_spherical_is_no_six_axes(quadrance):
+    text = quadrance("check", "ur5")
+    assert re.search(r"^  not +fk6, ik6, ik6_all.*: wrist.spherical: is false", text, re.M)
+    assert "fk6" in json.loads(quadrance("check", "puma560", "--json"))["functions"]
+    assert [one["axes"] for one in json.loads(quadrance("arms", "--json"))].count(6) == 3
+    assert "wrist.spherical: is false" in quadrance("instance", "vector_ik6", "--arm", "ur5", code=2)
+
+
+@pytest.mark.parametrize(("word", "value", "found"), [
+    ("vector_fk6.r11", "0.5", "32768 (18'h08000)  =  0.500000"), ("vector_ik6.r23", "-1", "-65536 (18'h30000)"),
+    ("vector_ik6.cfg_c1", "400", "163840 (20'h28000)  =  40.000000 units, 400.0000 mm"),
+    ("table_ik6.j6", "90", "65536 (18'h10000)"), ("vector_fk6.x", "400", "10240 (16'h2800)"),
+    ("arm_ik3.base", "400", "10240 (16'h2800)"), ("arm_rates3.w1", "1.5", "6144 (16'h1800)  =  1.500000 rad")])
+def test_words_of_six_axes_and_of_built_arms(quadrance, word, value, found):
+    assert found in quadrance("encode", word, value, "--arm", "kr6_r700")
+
+
+def test_show_says_what_encode_takes(quadrance):
+    text = quadrance("show", "vector_ik6")
+    assert re.search(r"^in_r11 .*1\.0 is 2\^16", text, re.M) and re.search(r"^cfg_c1 .*Q7\.12, coordinate", text, re.M)
+
+
+@pytest.mark.parametrize(("arguments", "reason"), [
+    (("arm_ik3", "kr6_r700", "BASE=0"), "-p BASE=0 contradicts constants.base = 400.0 of kr6_r700"),
+    (("arm_fk3", "kr6_r700", "ABSOLUTE=1"), "-p ABSOLUTE=1 contradicts constants.absolute_elbow = false"),
+    (("arm_keep3", "uarm_swift_pro", "ABSOLUTE=0"), "contradicts constants.absolute_elbow = true"),
+    (("arm_keep3", "geomagic_touch"), "arm_keep3 on arm geomagic_touch: limits.forearm: is missing"),
+    (("arm_ik3", "cobra600"), "arm_ik3 on arm cobra600: limits.yaw: is missing"),
+    (("vector_ik6", "uarm_swift_pro"), "vector_ik6 on arm uarm_swift_pro: wrist: is missing"),
+    (("table_ik3r", "ur5"), "table_ik3r on arm ur5: links.l3: is missing"),
+    (("vector_chain", "ur5"), "vector_chain takes no arm: its link lengths come with the samples"),
+    (("isqrt_iter", "ur5"), "isqrt_iter takes no arm"), (("angle_to_vector", "ur5"), "takes no arm"),
+    (("arm_ik3-W12", "puma560"), "constants.base: 671.83 mm is 3440 LSB and the word ends at 2047")])
+def test_an_instance_is_the_arm_or_refused(quadrance, arguments, reason):
+    core, arm, *params = arguments
+    given = [one for param in params for one in ("-p", param)]
+    assert reason in quadrance("instance", core, "--arm", arm, *given, code=2)
+
+
+def test_a_switch_that_the_arm_does_not_need_may_be_built(quadrance):
+    text = quadrance("instance", "arm_ik3", "--arm", "kr6_r700", "-p", "LATERAL=1", "-p", "U=14")
+    assert ".U(14), .BASE(1), .SHOULDER(1), .LATERAL(1), .ELBOW(1), .ABSOLUTE(0)" in text
+    assert re.search(r"\.cfg_lateral\(16'sd0\), +// 0 mm, constants.lateral", text)
+
+
+def test_rates_want_their_thresholds(quadrance, tmp_path):
+    file = tmp_path / "mine.toml"
+    file.write_text(re.sub(r"\[singular\]\nelbow = .*\n", "", arms.path_of("cobra600").read_text()))
+    refusal = quadrance("instance", "arm_rates2", "--arm", str(file), code=2)
+    assert "arm_rates2 on arm mine: singular.elbow: is missing" in refusal
+    assert "not      rates2: singular.elbow: is missing" in quadrance("check", str(file))
 
 
 def test_the_circle_of_an_engine(quadrance):

@@ -5,10 +5,10 @@ Everything is vectorised over the samples, and nothing knows which family comput
 of their port (`quadrance.codecs`).
 """
 
-from quadrance.accuracy.arm import AXES, JOINTS, config, configure, mm_per_lsb
+from quadrance.accuracy.arm import AXES, JOINTS, config, configure, limits, mm_per_lsb
 from quadrance.accuracy.cases import Case, map_case, sweep_case, trajectory_case, workspace_case
 from quadrance.accuracy.primitives import PRIMITIVES
 from quadrance.accuracy.tip import Errors, errors, summary
 
-__all__ = ["AXES", "JOINTS", "PRIMITIVES", "Case", "Errors", "config", "configure", "errors", "map_case", "mm_per_lsb",
-           "summary", "sweep_case", "trajectory_case", "workspace_case"]
+__all__ = ["AXES", "JOINTS", "PRIMITIVES", "Case", "Errors", "config", "configure", "errors", "limits", "map_case",
+           "mm_per_lsb", "summary", "sweep_case", "trajectory_case", "workspace_case"]

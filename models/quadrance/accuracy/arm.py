@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import importlib
 import inspect
+import math
 
-from quadrance.arms import Arm
+from quadrance import arm as arm_model
+from quadrance import arm_keep, six
+from quadrance.arms import Arm, ArmError
 from quadrance.cores import Core, Joint, joints
 from quadrance.fixed import to_fixed, to_float
 
@@ -38,8 +41,8 @@ def configure(core: Core, **lengths: int) -> dict[str, int]:
     ----------
     core : Core
     **lengths : int
-        ``cfg_l1`` and ``cfg_l2``. A family whose cores need more has ``config(p, *, cfg_l1, cfg_l2) -> dict`` beside
-        its models.
+        ``cfg_l1``, ``cfg_l2`` and what else of its words is given. A family whose cores need more has
+        ``config(p, *, cfg_l1, cfg_l2) -> dict`` beside its models.
 
     Returns
     -------
@@ -52,20 +55,71 @@ def configure(core: Core, **lengths: int) -> dict[str, int]:
         derive = getattr(importlib.import_module(f"quadrance.{module}"), "config", None)
         if derive is None:
             raise ValueError(f"{core.id}: quadrance.{module} has no config() for {missing}")
+        links = {name: word for name, word in lengths.items() if name in ("cfg_l1", "cfg_l2")}
         try:
-            inspect.signature(derive).bind(core.params, **lengths)
+            inspect.signature(derive).bind(core.params, **links)
         except TypeError:
             raise ValueError(f"{core.id}: {missing} follow from more than two links; see quadrance.{module}.config"
                              ) from None
-        words |= {name: int(word) for name, word in derive(core.params, **lengths).items()}
+        words = {name: int(word) for name, word in derive(core.params, **links).items()} | words
     if missing := sorted(set(names) - set(words)):
         raise ValueError(f"{core.id}: no arm of two links says what {missing} are")
     return {name: words[name] for name in names}
 
 
 def config(core: Core, arm: Arm) -> dict[str, int]:
-    """Configuration words of `core` for `arm`, its links rounded to LSB."""
-    if "F" not in core.params:
+    """Configuration words of `core` for `arm`, its lengths rounded to LSB.
+
+    The switches of a core of rtl/arm are to be those of the arm (`quadrance.arm.switches`).
+
+    Raises
+    ------
+    ArmError
+        Naming the key of the arm file that is missing, or whose word does not fit.
+    ValueError
+        For a core with words that no arm file says.
+    """
+    p, function = core.params, core.function
+    if core.family == "six":
+        derive = six.forward_config if function.startswith("fk6") else six.config
+        return derive(p, **{name: length / arm.mm_per_unit for name, length in arm.six.items()})
+    if function in ("arm_fk3", "arm_ik3"):
+        return arm_model.words(p, arm, inverse=function == "arm_ik3")
+    if function == "keep3":
+        return arm_model.words(p, arm, inverse=True) | _limits(core, arm)
+    if "F" not in p:
         return configure(core)
-    lengths = to_fixed(arm.links, core.params["F"])
-    return configure(core, **{f"cfg_l{i}": int(length) for i, length in enumerate(lengths, 1)})
+    lengths = {f"cfg_l{i}": int(length) for i, length in enumerate(to_fixed(arm.links, p["F"]), 1)}
+    names = [port.name for port in core.cfg]
+    if "cfg_l3" in names:
+        lengths["cfg_l3"] = int(to_fixed(_said(arm, "links.l3", arm.l3) / arm.mm_per_unit, p["F"]))
+    if "cfg_sine" in names:
+        sine = math.sin(math.radians(_said(arm, "singular.elbow", arm.singular[0])))
+        lengths["cfg_sine"] = int(to_fixed(sine, p["U"]))
+    if "cfg_radius" in names:
+        lengths["cfg_radius"] = int(to_fixed(_said(arm, "singular.axis", arm.singular[1]) / arm.mm_per_unit, p["F"]))
+    return configure(core, **lengths, **(_limits(core, arm) if function == "keep2" else {}))
+
+
+def _said(arm: Arm, key: str, value):
+    if value is None:
+        raise ArmError(f"{arm.id}: {key}: is missing")
+    return value
+
+
+def limits(core: Core, arm: Arm) -> list[tuple[str, float, float]]:
+    """(key, low, high), degrees, of the joints of arm_keep2 and arm_keep3 as these measure them."""
+    shoulder, elbow, *yaw = arm.limits
+    joints = [("shoulder", *shoulder), ("elbow", *elbow)]
+    if core.function == "keep2":
+        return joints
+    if arm.absolute_elbow:
+        joints[1] = ("forearm", *_said(arm, "limits.forearm", arm.forearm_limit))
+    else:
+        joints[1] = ("elbow", elbow[0] - arm.elbow_angle, elbow[1] - arm.elbow_angle)
+    return [*joints, ("yaw", *_said(arm, "limits.yaw", yaw[0] if yaw else None))]
+
+
+def _limits(core: Core, arm: Arm) -> dict[str, int]:
+    return {name: word for i, (_, *ends) in enumerate(limits(core, arm), 1)
+            for name, word in arm_keep.limit(core.params, i, *map(math.radians, ends)).items()}

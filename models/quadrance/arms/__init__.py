@@ -1,4 +1,4 @@
-"""Real arms: link lengths, constants and joint limits, one TOML file each.
+"""Real arms: link lengths, constants, joints and limits, one TOML file each.
 
     name = "..."            what it is called
     source = "..."          where the figures come from
@@ -6,16 +6,31 @@
     [links]                 mm, between the joint axes
     l1 = 325.0
     l2 = 275.0
-    [constants]             all optional: what a driver adds around the cores, mm
-    base = 0.0              height of the shoulder axis: subtract from z
-    shoulder = 0.0          radial offset of the shoulder: subtract from the radius
-    lateral = 0.0           offset b of the arm's plane: r' = sqrt(r^2 - b^2), yaw -= atan2(b, r')
-    elbow = 0.0             offset across link 2: L2 = hypot(l2, elbow), joint 2 turned by atan2(elbow, l2)
-    absolute_elbow = false  the machine measures joint 2 from the base (parallelogram): subtract joint 1
+    l3 = 50.0               optional: from the third parallel axis of a planar arm to its tip (the 3R cores)
+    [constants]             all optional, mm; rtl/arm has cores with these inside, around others a driver adds them
+    base = 0.0              height of the shoulder axis
+    shoulder = 0.0          radial offset of the shoulder axis from the yaw axis
+    lateral = 0.0           offset of the arm's plane from the yaw axis, positive to the left of the arm
+    elbow = 0.0             offset e across link 2, positive to its left: L2 = hypot(l2, e), turned by atan2(e, l2)
+    absolute_elbow = false  the machine measures joint 2 from the horizontal (parallelogram), not from link 1
+    [wrist]                 optional: what the forearm carries
+    spherical = true        three axes that meet in one point, the first along the forearm
+    flange = 80.0           mm, from that point to the flange; wanted where the wrist is spherical
     [limits]                degrees, in the sense of the cores: joint 1 from the horizontal (or the x axis of a
     shoulder = [-105, 105]  SCARA), joint 2 from link 1 to the line of L2, counter-clockwise
     elbow = [-150, 150]
     yaw = [-180, 180]       left out for a SCARA, whose two links move in the horizontal plane
+    forearm = [-100, 0]     optional, of an absolute elbow alone: the forearm from the horizontal
+    [singular]              optional: where the velocity cores limit the rates
+    elbow = 5.0             degrees from the stretched and the folded arm
+    axis = 20.0             mm from the yaw axis; a SCARA has none
+    [joints]                optional: the machine's own joints
+    shoulder = { name = "A2", sign = -1, zero = 0 }
+
+A joint of the machine is sign * (its own angle) + zero, in degrees, as seen by the cores: `yaw` from the x axis,
+counter-clockwise from above; `shoulder` from the horizontal upwards; `elbow` from link 1 to the forearm itself, without
+the turn of the elbow's offset (of an absolute elbow: from the horizontal); `tool` of the link l3, from link 2; `j4`,
+`j5`, `j6` of a spherical wrist as rtl/six has them. Without the table the machine's joints are the cores' own.
 """
 
 from __future__ import annotations
@@ -27,7 +42,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 REACH = 128 - 2**-8  # units: the largest coordinate of Q7.8
-TOP = {"name": str, "source": str, "mm_per_unit": float, "links": dict, "constants": dict, "limits": dict}
+TOP = ("name", "source", "mm_per_unit", "links", "constants", "wrist", "limits", "singular", "joints")
+WRIST = ("j4", "j5", "j6")
 
 
 class ArmError(ValueError):
@@ -35,8 +51,22 @@ class ArmError(ValueError):
 
 
 @dataclass(frozen=True)
+class Joint:
+    """A joint of the machine: sign * (its own angle) + zero is what the cores have, degrees."""
+
+    key: str
+    name: str
+    sign: int = 1
+    zero: float = 0.0
+
+
+@dataclass(frozen=True)
 class Arm:
-    """One arm. Lengths in millimetres, limits in degrees; `l1`, `l2` are what the cores see."""
+    """One arm. Lengths in millimetres, limits in degrees; `l1`, `l2` are what the cores see.
+
+    limits : of shoulder, elbow and, but of a SCARA, yaw. forearm_limit : of an absolute elbow, from the horizontal.
+    l3, flange, spherical, singular : None where the file does not say it.
+    """
 
     id: str
     name: str
@@ -51,11 +81,52 @@ class Arm:
     elbow_angle: float
     absolute_elbow: bool
     limits: tuple[tuple[float, float], ...]
+    forearm_limit: tuple[float, float] | None = None
+    l3: float | None = None
+    spherical: bool | None = None
+    flange: float | None = None
+    singular: tuple[float | None, float | None] = (None, None)
+    joints: tuple[Joint, ...] = ()
 
     @property
     def links(self) -> tuple[float, float]:
         """(L1, L2) in coordinate units."""
         return self.l1 / self.mm_per_unit, self.l2 / self.mm_per_unit
+
+    @property
+    def forearm(self) -> float:
+        """Link 2 as the file has it, along the forearm."""
+        return math.sqrt(self.l2 * self.l2 - self.elbow * self.elbow)
+
+    @property
+    def yaws(self) -> bool:
+        """Whether the arm's plane stands upright and yaws; False for a SCARA."""
+        return len(self.limits) > 2
+
+    @property
+    def axes(self) -> int:
+        """Joints that the cores serve: two of a SCARA, three, or six with a spherical wrist."""
+        return 6 if self.flange is not None else len(self.limits)
+
+    @property
+    def six(self) -> dict[str, float]:
+        """The seven parameters of rtl/six, mm.
+
+        Raises
+        ------
+        ArmError
+            For an arm that has no spherical wrist.
+        """
+        if self.flange is None:
+            raise ArmError(f"{self.id}: " + (
+                "wrist: is missing, and six axes want a spherical one" if self.spherical is None else
+                "wrist.spherical: is false, and six axes want a spherical wrist; cores of three joints place it alone"))
+        return {"a1": self.shoulder, "a2": -self.elbow, "b": self.lateral, "c1": self.base, "c2": self.l1,
+                "c3": self.forearm, "c4": self.flange}
+
+    def joint(self, key: str) -> Joint:
+        """A joint of the machine; where the file has none, the core's own by the name of its key."""
+        return next((one for one in self.joints if one.key == key), Joint(key, key.replace("j", "axis")))
 
 
 def known() -> list[str]:
@@ -105,7 +176,8 @@ def _arm(path: Path, data: dict) -> Arm:
         if kind is float and isinstance(value, int) and not isinstance(value, bool):
             value = float(value)
         if not isinstance(value, kind):
-            wanted = {float: "a number", str: "a string", bool: "true or false", dict: "a table", list: "a list"}
+            wanted = {float: "a number", str: "a string", bool: "true or false", dict: "a table", list: "a list",
+                      int: "1 or -1"}
             fail(prefix + key, f"must be {wanted[kind]}, not {value!r}")
         if kind is float and not math.isfinite(value):
             fail(prefix + key, f"must be finite, not {value}")
@@ -132,23 +204,63 @@ def _arm(path: Path, data: dict) -> Arm:
             fail(f"limits.{key}", f"must lie within -360 and 360 degrees, not {pair!r}")
         return low, high
 
+    def joint(key: str) -> Joint:
+        table = take(joints, "joints.", key, dict)
+        only(table, f"joints.{key}.", {"name", "sign", "zero"})
+        given, sign = take(table, f"joints.{key}.", "name", str), take(table, f"joints.{key}.", "sign", int)
+        if not given.strip():
+            fail(f"joints.{key}.name", "must not be empty")
+        if type(sign) is not int or abs(sign) != 1:
+            fail(f"joints.{key}.sign", f"must be 1 or -1, not {sign!r}")
+        zero = take(table, f"joints.{key}.", "zero", float)
+        if abs(zero) > 360:
+            fail(f"joints.{key}.zero", f"must lie within -360 and 360 degrees, not {zero:g}")
+        return Joint(key, given, sign, zero)
+
     only(data, "", set(TOP))
     name, source = take(data, "", "name", str), take(data, "", "source", str)
     unit = length(data, "", "mm_per_unit")
     links, limits = take(data, "", "links", dict), take(data, "", "limits", dict)
-    constants = take(data, "", "constants", dict, {})
-    only(links, "links.", {"l1", "l2"})
+    constants, wrist, singular, joints = (take(data, "", key, dict, {}) for key in
+                                          ("constants", "wrist", "singular", "joints"))
+    only(links, "links.", {"l1", "l2", "l3"})
     only(constants, "constants.", {"base", "shoulder", "lateral", "elbow", "absolute_elbow"})
-    only(limits, "limits.", {"shoulder", "elbow", "yaw"})
+    only(wrist, "wrist.", {"spherical", "flange"})
+    only(limits, "limits.", {"shoulder", "elbow", "yaw", "forearm"})
+    only(singular, "singular.", {"elbow", "axis"})
     l1, forearm = length(links, "links.", "l1"), length(links, "links.", "l2")
+    l3 = length(links, "links.", "l3") if "l3" in links else None
     offset = {key: take(constants, "constants.", key, float, 0.0) for key in ("base", "shoulder", "lateral", "elbow")}
+    absolute = take(constants, "constants.", "absolute_elbow", bool, False)
     l2 = math.hypot(forearm, offset["elbow"])
     if (l1 + l2) / unit > REACH:
         fail("links", f"the reach of {l1 + l2:g} mm is {(l1 + l2) / unit:g} units and Q7.8 ends at {REACH:g}; "
              f"raise mm_per_unit above {(l1 + l2) / REACH:.4g}")
     if min(l1, l2) / unit < 2**-8:
         fail("links", f"a link of {min(l1, l2):g} mm is less than one LSB of Q7.8; lower mm_per_unit")
+    spherical = take(wrist, "wrist.", "spherical", bool, True) if wrist else None
+    if spherical is False and "flange" in wrist:
+        fail("wrist.flange", "is of a spherical wrist, and spherical is false")
+    flange = take(wrist, "wrist.", "flange", float) if spherical else None
+    if flange is not None and flange < 0:
+        fail("wrist.flange", f"must not be negative, not {flange:g}")
+    if "forearm" in limits and not absolute:
+        fail("limits.forearm", "is of an absolute elbow, and constants.absolute_elbow is not true")
+    if flange is not None and "yaw" not in limits:
+        fail("limits.yaw", "is missing: an arm with a wrist yaws")
+    room = tuple(limit(key) for key in ("shoulder", "elbow", *(["yaw"] if "yaw" in limits else [])))
+    if "elbow" in singular and not 0 < take(singular, "singular.", "elbow", float) < 90:
+        fail("singular.elbow", f"must lie between 0 and 90 degrees, not {singular['elbow']:g}")
+    near = (float(singular["elbow"]) if "elbow" in singular else None,
+            length(singular, "singular.", "axis") if "axis" in singular else None)
+    wanted = ["yaw"] * ("yaw" in limits) + ["shoulder", "elbow"] + ["tool"] * (l3 is not None) \
+        + [*WRIST] * (flange is not None)
+    only(joints, "joints.", set(wanted))
+    machine = tuple(joint(key) for key in wanted) if joints else ()
+    for i, one in enumerate(machine):
+        if one.name in [other.name for other in machine[:i]]:
+            fail(f"joints.{one.key}.name", f"'{one.name}' is the name of another joint")
     return Arm(id=path.stem, name=name, source=source, mm_per_unit=unit, l1=l1, l2=l2, **offset,
-               elbow_angle=math.degrees(math.atan2(offset["elbow"], forearm)),
-               absolute_elbow=take(constants, "constants.", "absolute_elbow", bool, False),
-               limits=tuple(limit(key) for key in ("shoulder", "elbow", *(["yaw"] if "yaw" in limits else []))))
+               elbow_angle=math.degrees(math.atan2(offset["elbow"], forearm)), absolute_elbow=absolute, limits=room,
+               forearm_limit=limit("forearm") if "forearm" in limits else None, l3=l3, spherical=spherical,
+               flange=flange, singular=near, joints=machine)

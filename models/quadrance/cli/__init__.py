@@ -118,8 +118,10 @@ def _show(args: argparse.Namespace) -> None:
 
 
 def _instance(args: argparse.Namespace) -> None:
-    core = catalogue.find(args.core, _params(args.param))
+    params = _params(args.param)
+    core = catalogue.find(args.core, params)
     arm = check.load(args.arm) if args.arm else None
+    core = verilog.fitted(core, arm, params) if arm else core
     text = verilog.instance(core, arm, args.name, args.declare)
     if args.json:
         return _json({"core": core.id, "params": core.params, "arm": arm and arm.id,
@@ -179,7 +181,8 @@ def _scale(args: argparse.Namespace) -> float | None:
 
 
 def _say(found: dict, means: dict[str, float]) -> str:
-    unit = {"degrees": "{:.6f} degrees", "count": "count {:d}", "units": "{:.6f} units", "mm": "{:.4f} mm"}
+    unit = {"degrees": "{:.6f} degrees", "count": "count {:d}", "units": "{:.6f} units", "mm": "{:.4f} mm",
+            "rad": "{:.6f} rad", "number": "{:.6f}"}
     named = len(found["words"]) > 1
     return "  ".join([*(f"{one['port']} = " * named + f"{one['value']} ({one['hex']})" for one in found["words"]), "=",
                       ", ".join(unit[key].format(value) for key, value in means.items())])
@@ -217,13 +220,16 @@ def _check(args: argparse.Namespace) -> None:
     if args.json:
         return _json(about)
     low, high = about["reach_mm"]
-    joints = ", ".join(f"{a:g} to {b:g}" for a, b in about["limits_degrees"])
+    room = [f"{key} {a:g} to {b:g}" for key, (a, b) in zip(("shoulder", "elbow", "yaw"), about["limits_degrees"])]
+    takes = ", ".join(f"{axis} to {units:.4g}" for axis, units in about["units"].items() if axis in ("x and y", "z"))
     print(f"{about['name']}: right\n"
           f"  links    {about['l1_mm']:g} and {about['l2_mm']:g} mm, reach {low:g} to {high:g} mm\n"
-          f"  joints   {about['joints']}: {joints} degrees\n"
-          f"  scale    {about['mm_per_unit']:g} mm a unit: reach {about['units']['reach']:g} of "
-          f"{about['units']['largest']:g} units, one LSB of Q7.8 is {about['lsb_mm'] * 1000:.4g} um\n"
-          f"  cores    {' and '.join(about['functions'])}: quadrance cores --function {about['functions'][0]}")
+          f"  joints   {about['axes']}; {', '.join(room)} degrees\n"
+          f"  scale    {about['mm_per_unit']:g} mm a unit: {takes} of {about['units']['largest']:g} units, "
+          f"one LSB of Q7.8 is {about['lsb_mm'] * 1000:.4g} um\n"
+          f"  cores    {', '.join(about['functions'])}: quadrance cores --function {about['functions'][0]}")
+    for reason, names in about["refused"].items():
+        print(f"  not      {', '.join(names)}: {reason}")
     for line in about["advice"]:
         print(f"  advice   {line}")
 
@@ -233,9 +239,9 @@ def _arms(args: argparse.Namespace) -> None:
     if args.json:
         return _json(found)
     out = tables.console()
-    out.print(tables.grid([Column("arm", True), Column("name", True, 3), Column("joints"), Column("l1 mm"),
+    out.print(tables.grid([Column("arm", True), Column("name", True, 3), Column("axes"), Column("l1 mm"),
                            Column("l2 mm"), Column("mm a unit", rank=1), Column("LSB um", rank=2)],
-                          [(one["arm"], one["name"], one["joints"], f"{one['l1_mm']:g}", f"{one['l2_mm']:.5g}",
+                          [(one["arm"], one["name"], one["axes"], f"{one['l1_mm']:g}", f"{one['l2_mm']:.5g}",
                             f"{one['mm_per_unit']:g}", f"{one['lsb_mm'] * 1000:.4g}") for one in found], out.width))
 
 

@@ -9,12 +9,11 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
-from quadrance import cores
+from quadrance import cores, six
 from quadrance.cores import STATUS_BITS, Core, Port
 
 WORDS = {"spread": "turn-spread", "angle": "binary angle", "vector": "unit vector", "half_tangent": "half-tangent"}
 FRACTION = {"spread": 2, "vector": 2, "half_tangent": 2}  # bits before the point of a joint word
-KINEMATIC = ("fk", "ik")
 
 
 class Refused(ValueError):
@@ -166,18 +165,32 @@ def format_of(core: Core, port: Port) -> str:
         return f"{what}, signed, {port.width - 2} fraction bits"
     if port.type:
         return f"{WORDS[port.type]}, 2 + {port.width - 2} bits"
+    if port.name == "in_phi":
+        return f"binary angle of the last link: a full turn is 2^{port.width}"
     if port.name == "in_elbow":
         return "0: theta2 >= 0, 1: theta2 <= 0"
-    if fraction_of(core, port) is not None:
-        return f"{sign} Q{port.width - core.params['F'] - port.signed}.{core.params['F']}, coordinate units"
+    if (scale := scale_of(core, port)) is not None:
+        fraction, unit = scale
+        more = {"units": "coordinate units", "rad": "radians", "1": f"1.0 is 2^{fraction}"}[unit]
+        return f"{sign} Q{port.width - fraction - port.signed}.{fraction}, {more}"
     return f"{sign} integer" if not port.name.startswith("cfg_") else f"{sign}, from `quadrance instance`"
 
 
-def fraction_of(core: Core, port: Port) -> int | None:
-    """Fraction bits of a coordinate or length, None for any other word."""
-    plain = port.name.partition("_")[2]
-    if "F" in core.params and core.function[:2] in KINEMATIC and plain in ("x", "y", "z", "l1", "l2"):
-        return core.params["F"]
+def scale_of(core: Core, port: Port) -> tuple[int, str] | None:
+    """Fraction bits and unit of a word that is no joint: "units" (a coordinate or length), "rad" (a rate), "1" (an
+    element of a matrix); None for any other word."""
+    side, _, plain = port.name.partition("_")
+    p = core.params
+    if "F" in p and re.fullmatch(r"[xyz][45]?|l[123]?|d[45]", plain):
+        return p["F"], "units"
+    if core.family == "six" and side == "cfg" and re.fullmatch(r"[abc]\d?|k", plain):
+        return p["F"] + six.MORE, "units"
+    if core.family == "arm" and side == "cfg" and plain in ("base", "shoulder", "lateral", "elbow", "radius"):
+        return p["F"], "units"
+    if "V" in p and re.fullmatch(r"w\d", plain):
+        return p["V"], "rad"
+    if "U" in p and re.fullmatch(r"r\d\d", plain):
+        return p["U"], "1"
     return None
 
 

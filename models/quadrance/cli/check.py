@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 
 from quadrance import arms
 from quadrance.arms import REACH, Arm, ArmError
+from quadrance.cli.around import PLANE
 from quadrance.cli.catalogue import Refused, choose
+from quadrance.cli.verilog import config, fitted, takes_an_arm
+from quadrance.cores import all_cores
 
 STEPS = (1.0, 1.25, 2.0, 2.5, 4.0, 5.0, 8.0, 10.0)
 F = 8  # fraction bits of the cores' first sets
+STRUCTURE = ("limits.yaw", "links.l3", "wrist")  # keys that an arm does not have because it is built otherwise
 
 
 def load(name_or_path: str) -> Arm:
@@ -22,26 +27,64 @@ def load(name_or_path: str) -> Arm:
         raise Refused(str(error)) from None
 
 
+def spans(arm: Arm) -> dict[str, float]:
+    """Greatest magnitude of every coordinate, mm: of the tip with all that the file says, joint limits left aside."""
+    far = arm.l1 + arm.l2 + (arm.l3 or 0)
+    if not arm.yaws:
+        return {"x and y": far}
+    return {"x and y": math.hypot(far + abs(arm.shoulder), arm.lateral) + (arm.flange or 0),
+            "z": abs(arm.base) + far + (arm.flange or 0)}
+
+
 def scale(arm: Arm) -> float:
-    """The smallest plain mm_per_unit at which the whole reach fits Q7.8: the finest LSB of the first sets."""
-    least = (arm.l1 + arm.l2) / REACH
+    """The smallest plain mm_per_unit at which all coordinates and constants fit Q7.8: the finest LSB of the first sets.
+    """
+    least = max(*spans(arm).values(), 4 * abs(arm.shoulder)) / REACH  # a shoulder's word has a quarter of the range
     tens = 10.0 ** math.floor(math.log10(least))
     return next(round(tens * step, 12) for step in STEPS if tens * step >= least)
 
 
+def functions(arm: Arm) -> tuple[list[str], dict[str, list[str]]]:
+    """Functions whose cores serve the arm, those of all its joints first; those that could but do not, by the reason.
+    """
+    found, refused = [], {}
+    listed = {core.function: core for core in all_cores() if core.first_set and takes_an_arm(core)}
+    for function, core in sorted(listed.items(), key=lambda one: (one[1].family != "six", one[0] in PLANE,
+                                                                  one[0] in ("fk1", "ik1"))):
+        try:
+            config(fitted(core, arm, {}), arm)
+            found.append(function)
+        except Refused as error:
+            reason = str(error).partition(f"{arm.id}: ")[2]
+            if reason.partition(":")[0] not in STRUCTURE:
+                refused.setdefault(reason, []).append(function)
+    return found, refused
+
+
 def check(arm: Arm) -> dict:
     """What an arm file says, in the words of the cores."""
-    best = scale(arm)
-    advice = [] if arm.mm_per_unit <= best else [
-        f"mm_per_unit = {best:g} would do: an LSB of {best / 2**F * 1000:.4g} um in place of "
-        f"{arm.mm_per_unit / 2**F * 1000:.4g} um"]
-    if len(arm.limits) == 2 and arm.base:
+    best, found, advice = scale(arm), spans(arm), []
+    over = {axis: length / arm.mm_per_unit for axis, length in found.items() if length / arm.mm_per_unit > REACH}
+    if over:
+        needs = " and ".join(f"{axis} to {length:.4g}" for axis, length in over.items())
+        advice.append(f"raise mm_per_unit to {best:g}: at {arm.mm_per_unit:g} the arm takes {needs} of "
+                      f"{REACH + 2**-F:g} units, and a core saturates there and flags overflow")
+    elif arm.mm_per_unit > best:
+        advice.append(f"mm_per_unit = {best:g} would do: an LSB of {best / 2**F * 1000:.4g} um in place of "
+                      f"{arm.mm_per_unit / 2**F * 1000:.4g} um")
+    if not arm.yaws and arm.base:
         advice.append("base is given and limits.yaw is not: a SCARA has no use for the shoulder's height")
     if any(high - low > 360 for low, high in arm.limits):
         advice.append("a joint turns by more than 360 degrees: its words are modulo a turn, count the turns outside")
+    if not arm.joints:
+        advice.append("joints is not given: the machine's joints are taken for the cores' own")
+    serving, refused = functions(arm)
     return {"arm": arm.id, "name": arm.name, "source": arm.source, "joints": len(arm.limits),
+            "axes": arm.axes,
             "l1_mm": arm.l1, "l2_mm": arm.l2, "reach_mm": [abs(arm.l1 - arm.l2), arm.l1 + arm.l2],
             "limits_degrees": [list(pair) for pair in arm.limits], "mm_per_unit": arm.mm_per_unit,
-            "units": {"l1": arm.links[0], "l2": arm.links[1], "reach": sum(arm.links), "largest": REACH},
+            "machine": [asdict(one) for one in arm.joints],
+            "units": {"l1": arm.links[0], "l2": arm.links[1], "reach": sum(arm.links), "largest": REACH}
+            | {axis: length / arm.mm_per_unit for axis, length in found.items()},
             "lsb_mm": arm.mm_per_unit / 2**F, "best_mm_per_unit": best,
-            "functions": ["fk2", "ik2"] if len(arm.limits) == 2 else ["fk3", "ik3"], "advice": advice}
+            "functions": serving, "refused": refused, "advice": advice}

@@ -6,10 +6,12 @@ import os
 import re
 from pathlib import Path
 
-from quadrance import accuracy
-from quadrance.arms import Arm
-from quadrance.cli.catalogue import Refused, compile_order, fraction_of, timing
-from quadrance.cores import Core, Port
+from quadrance import accuracy, six
+from quadrance import arm as arm_model
+from quadrance.arms import Arm, ArmError
+from quadrance.cli.around import INSIDE, PLANE, SPACE, around, plus
+from quadrance.cli.catalogue import Refused, at, compile_order, timing
+from quadrance.cores import Core, Port, all_cores
 
 STREAM = (("in_valid", "in"), ("in_ready", "out"), ("out_valid", "out"), ("out_ready", "in"))
 
@@ -25,12 +27,53 @@ def literal(port: Port, value: int) -> str:
     return f"{'-' * (value < 0)}{port.width}'sd{abs(value)}"
 
 
+STREAMED = "its link lengths come with the samples (in_l), not as configuration words"
+NO_ARM = {"chain": STREAMED, "mff": STREAMED,
+          "fk5": "no key of an arm file says where its joints four and five are (cfg_d4, cfg_d5)"}
+
+
+def takes_an_arm(core: Core) -> bool:
+    """Whether an arm file can say the core's configuration words."""
+    return core.function in (*PLANE, *SPACE, *INSIDE) or core.family == "six"
+
+
+def _refuse(core: Core, arm: Arm) -> None:
+    if not takes_an_arm(core):
+        other = "its configuration is a solver's or a parallel robot's, which no arm file says" \
+            if core.family == "engine" and core.cfg else "it is no kinematics of an arm"
+        raise Refused(f"{core.name} takes no arm: {NO_ARM.get(core.function, other)}")
+    if core.function not in PLANE and not arm.yaws:
+        raise Refused(f"{core.name} on arm {arm.id}: limits.yaw: is missing, and a joint of the core yaws; fk2, ik2 "
+                      "and other cores of a plane take this arm")
+
+
+def fitted(core: Core, arm: Arm, given: dict[str, int]) -> Core:
+    """The core with the switches that the arm wants.
+
+    A switch that the user gave as 1 stays where the arm has nothing for it: its word is 0. Refused for any other that
+    contradicts the arm, for the core would then be another arm's.
+    """
+    _refuse(core, arm)
+    wanted = {key: value for key, value in arm_model.switches(arm).items() if key in core.params}
+    for key, value in given.items():
+        if key not in wanted or value == wanted[key]:
+            continue
+        if key == "ABSOLUTE" or not value:
+            name = "absolute_elbow" if key == "ABSOLUTE" else key.lower()
+            said = str(getattr(arm, name)).lower()
+            raise Refused(f"{core.name}: -p {key}={value} contradicts constants.{name} = {said} of {arm.id}: leave it "
+                          "out, or change the arm file")
+        wanted[key] = value
+    return at(core, wanted) if any(core.params[key] != value for key, value in wanted.items()) else core
+
+
 def config(core: Core, arm: Arm) -> dict[str, int]:
     """Configuration words of a core for an arm; Refused where the arm does not fit the core's words."""
+    _refuse(core, arm)
     try:
         words = accuracy.config(core, arm)
-    except (ValueError, KeyError) as error:
-        raise Refused(f"{core.id}: no configuration words of arm {arm.id}: {error}") from None
+    except ArmError as error:
+        raise Refused(f"{core.name} on arm {error}") from None
     for port in core.cfg:
         if not port.low <= words[port.name] <= port.high:
             raise Refused(f"{core.id} on arm {arm.id}: {port.name} would be {words[port.name]}, its {port.width} bits "
@@ -38,13 +81,43 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
     return words
 
 
+def _lengths(core: Core, arm: Arm) -> dict[str, tuple[float, str]]:
+    """Millimetres of the words that are a length, and the key of the arm file that says them."""
+    line = (arm.l2, "sqrt(links.l2^2 + constants.elbow^2)" if arm.elbow else "links.l2")
+    found = {f"cfg_{name}": (getattr(arm, name), f"constants.{name}")
+             for name in ("base", "shoulder", "lateral", "elbow")}
+    fore = (arm.forearm, "links.l2") if core.function == "arm_fk3" else line
+    found |= {"cfg_l1": (arm.l1, "links.l1"), "cfg_l2": fore, "cfg_l3": (arm.l3, "links.l3"),
+              "cfg_radius": (arm.singular[1], "singular.axis")}
+    if core.family == "six":
+        found = {f"cfg_{name}": (length, key) for (name, length), key in zip(arm.six.items(), (
+            "constants.shoulder", "minus constants.elbow", "constants.lateral", "constants.base", "links.l1",
+            "links.l2", "wrist.flange"))} | {"cfg_k": line}
+    return found
+
+
 def _note(core: Core, port: Port, arm: Arm, value: int) -> str:
-    fraction = fraction_of(core, port)
-    if fraction is None:
-        return "from the link lengths"
-    link = {"cfg_l1": arm.l1, "cfg_l2": arm.l2}.get(port.name)
-    held = value * 2.0**-fraction * arm.mm_per_unit
-    return f"{link:.6g} mm" + ("" if abs(held - link) < 1e-6 else f", held as {held:.6g} mm")
+    """Where a configuration word comes from."""
+    switch = {"cfg_bb": "LATERAL", "cfg_ce": "ELBOW", "cfg_ne": "ELBOW"}.get(port.name, port.name[4:].upper())
+    if switch in arm_model.SWITCHES and core.params.get(switch) == 0:
+        return f"not built: {switch} is 0"
+    if known := _lengths(core, arm).get(port.name):
+        length, key = known
+        held = value * 2.0 ** -(core.params["F"] + (six.MORE if core.family == "six" else 0)) * arm.mm_per_unit
+        return f"{length:.6g} mm, {key}" + ("" if abs(held - length) < 1e-6 else f", held as {held:.6g} mm")
+    angle = -arm.elbow_angle if core.family == "six" else arm.elbow_angle
+    turn = f"{angle:.6g} degrees, atan2(constants.elbow, links.l2)"
+    if limited := re.fullmatch(r"cfg_(mc|mn|h)(\d)", port.name):
+        key, low, high = accuracy.limits(core, arm)[int(limited[2]) - 1]
+        less = plus(-arm.elbow_angle, 6) if key == "elbow" and core.function == "keep3" else ""
+        what = {"mc": "cosine of the middle", "mn": "sine of the middle",
+                "h": "cosine of half the room" if high - low < 360 else "no limit"}[limited[1]]
+        return f"limits.{key}{less}, {low:.6g} to {high:.6g} degrees: {what}"
+    return {"cfg_ce": f"cosine of {turn}", "cfg_ne": f"minus sine of {turn}", "cfg_cp": f"cosine of {turn}",
+            "cfg_np": f"sine of {turn}", "cfg_bb": "minus the square of cfg_lateral",
+            "cfg_sine": f"sine of {arm.singular[0] or 0:g} degrees, singular.elbow",
+            "cfg_c1": "from links.l1", "cfg_s1": "from links.l1"}.get(port.name) or (
+        "from cfg_c2 and cfg_k" if core.family == "six" else "from both links")
 
 
 def instance(core: Core, arm: Arm | None = None, name: str | None = None, declare: bool = False) -> str:
@@ -80,7 +153,7 @@ def instance(core: Core, arm: Arm | None = None, name: str | None = None, declar
         for port in group:
             signal(port.name, port.width, port.signed)
     params = ", ".join(f".{key}({value})" for key, value in core.params.items())
-    lines = [f"// {line}" for line in notes(core, arm)] + (wires if declare else [])
+    lines = [f"// {line}".rstrip() for line in notes(core, arm)] + (wires if declare else [])
     lines.append(f"{core.name} {f'#({params}) ' if params else ''}{name} (")
     width = max(len(f".{port}({value}),") for port, value, _ in ports)
     for i, (port, value, note) in enumerate(ports):
@@ -90,19 +163,21 @@ def instance(core: Core, arm: Arm | None = None, name: str | None = None, declar
 
 
 def notes(core: Core, arm: Arm | None) -> list[str]:
-    """What a reader of the instance has to know: the timing, the scale, what a driver adds around the core."""
-    lines = [f"{core.id}: {timing(core)}"]
-    if arm is None or "F" not in core.params:
+    """What a reader of the instance has to know: the timing, the scale, what a driver computes around the core."""
+    listed = core.id in {one.id for one in all_cores()}
+    lines = [f"{core.id if listed else core.name}: {timing(core)}"]
+    if arm is None:
         return lines
-    lines[0] += f"; {arm.name}: one LSB of a coordinate is {accuracy.mm_per_lsb(core, arm):.6g} mm"
-    for value, text in ((arm.base, "subtract {:g} mm from z first"), (arm.shoulder, "subtract {:g} mm from the radius"),
-                        (arm.lateral, "the arm's plane is {:g} mm off the yaw axis: see the arm file"),
-                        (arm.elbow_angle, "joint 2 is turned by {:.6g} degrees (elbow offset)")):
-        if value:
-            lines.append("around the core: " + text.format(value))
-    if arm.absolute_elbow:
-        lines.append("around the core: the machine's joint 2 is measured from the base, the core's from link 1")
-    return lines
+    lines.append(f"{arm.name}: one LSB of a coordinate is {accuracy.mm_per_lsb(core, arm):.6g} mm")
+    found = around(core, arm)
+    what = ["in mm and degrees", "j1 ... are its joints"]
+    what += ["w1 ... their rates in radians"] * core.function.startswith(("velocity", "rates"))
+    what += ["rho the distance from the yaw axis"] * (core.function in PLANE and arm.yaws)
+    lines.append(f"Around the core, {', '.join(what)}:")
+    for where, steps in (("before", found.before), ("after", found.after)):
+        for i in range(0, len(steps), 4):
+            lines.append(f"  {where:6} {';  '.join(steps[i:i + 4])}")
+    return lines + [f"  note   {one}" for one in found.remarks]
 
 
 def file_list(core: Core, relative_to: Path | None = None) -> list[str]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from quadrance import codecs
-from quadrance.cli.catalogue import Refused, choose, find, fraction_of
+from quadrance.cli.catalogue import Refused, choose, find, scale_of
 from quadrance.cores import TYPES, Joint, Port, joints
 
 PLAIN = {"coordinate": True, "length": False}  # whether it is two's complement
@@ -22,10 +22,11 @@ MOST = {"angle": 40, "spread": 40, "vector": 40, "half_tangent": 40}  # float64 
 
 @dataclass(frozen=True)
 class Word:
-    """A word: the ports of a joint, or one port with its fraction bits."""
+    """A word: the ports of a joint, or one port with its fraction bits and its unit (`catalogue.scale_of`)."""
 
     ports: Joint
     fraction: int | None = None
+    unit: str = "units"
 
     @property
     def joint(self) -> bool:
@@ -60,11 +61,14 @@ def _of_port(name: str, port: str, params: dict[str, int] | None) -> Word:
         return Word(ports[port[1]])
     found = known[choose(f"port of {core.name}", port, [key for key in known if "_" in key] if "_" in port else
                          [key for key in known if "_" not in key])]
+    for other in (*core.cfg, *core.inputs, *core.outputs):
+        if other.name.endswith(f"_{port}") and (other.type, other.width) != (found.type, found.width):
+            raise Refused(f"{core.name}.{port} is {other.name} and {found.name}: give the port's whole name")
     if found.type:
         return Word(next(joint for joint in joints(core.inputs) + joints(core.outputs) if found in joint))
-    if (fraction := fraction_of(core, found)) is None:
+    if (scale := scale_of(core, found)) is None:
         raise Refused(f"{core.name}.{found.name} is neither a joint word nor a coordinate: nothing to convert")
-    return Word((found,), fraction)
+    return Word((found,), *scale)
 
 
 def _entry(port: Port, value: int) -> dict:
@@ -85,12 +89,12 @@ def encode(one: Word, value: float, counts: int | None = None, mm_per_unit: floa
         raise Refused(f"{value} is no finite number")
     if not one.joint:
         _no_counts(one, counts)
-        port = one.ports[0]
+        port, mm_per_unit = one.ports[0], mm_per_unit if one.unit == "units" else None
         found = int(np.floor(value / (mm_per_unit or 1.0) * 2.0**one.fraction + 0.5))
         if not port.low <= found <= port.high:
             low, high = (edge * 2.0**-one.fraction * (mm_per_unit or 1.0) for edge in (port.low, port.high))
-            raise Refused(f"{value:g}: {port.name} of {port.width} bits holds {low:g} to {high:g} "
-                          + ("mm" if mm_per_unit else "units"))
+            unit = " mm" if mm_per_unit else {"1": ""}.get(one.unit, f" {one.unit}")
+            raise Refused(f"{value:g}: {port.name} of {port.width} bits holds {low:g} to {high:g}{unit}")
         return {"given": value, "words": [_entry(port, found)]} | decode(one, (found,), None, mm_per_unit)["means"]
     if counts is not None:
         if value != int(value):
@@ -135,8 +139,8 @@ def decode(one: Word, words: tuple[int, ...], counts: int | None = None, mm_per_
             means["count"] = int(np.floor(theta * (counts / (2 * np.pi)) + 0.5)) % counts
     else:
         _no_counts(one, counts)
-        means["units"] = signed[0] * 2.0**-one.fraction
-        if mm_per_unit:
+        means["number" if one.unit == "1" else one.unit] = signed[0] * 2.0**-one.fraction
+        if mm_per_unit and one.unit == "units":
             means["mm"] = means["units"] * mm_per_unit
     return {"words": [_entry(port, value) for port, value in zip(one.ports, signed)], "means": means}
 

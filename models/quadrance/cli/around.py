@@ -1,0 +1,157 @@
+"""What a driver computes around a core so that an arm is served: formulas in millimetres and degrees.
+
+In them x, y, z are what the core has in front of it or behind it, j1, j2 ... its joints, w1 ... their rates (radians),
+rho and r the distance from the yaw axis; the machine's joints have the names of the arm file, and rate(...) is that of
+one of them. Only what the core leaves out is said.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+
+from quadrance.arms import WRIST, Arm, Joint
+from quadrance.cores import Core
+
+PLANE = ("fk1", "fk2", "ik1", "ik2", "ik3r", "keep2", "velocity2", "rates2")  # in a plane: of a yawing arm its own
+INSIDE = ("arm_fk3", "arm_ik3", "keep3")  # cores that have the constants inside
+SPACE = ("fk3", "ik3", "velocity3", "rates3")
+
+
+@dataclass(frozen=True)
+class Around:
+    """Assignments in front of the core and behind it, in their order, and sentences about them."""
+
+    before: tuple[str, ...]
+    after: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
+
+
+def forward(core: Core) -> bool:
+    """Whether the core takes joints and gives a place (or a velocity)."""
+    return re.match(r"(arm_)?fk|velocity", core.function) is not None
+
+
+def number(value: float, digits: int = 9) -> str:
+    """A constant as it stands in a formula."""
+    return f"{value:.{digits}g}"
+
+
+def plus(value: float, digits: int = 9) -> str:
+    """A constant term of a sum, its sign in front; nothing where it is 0."""
+    return f" {'-' if value < 0 else '+'} {number(abs(value), digits)}" if value else ""
+
+
+def _times(value: float, factor: str) -> str:
+    """A term of a sum, its sign in front; nothing where the value is 0."""
+    return f" {'-' if value < 0 else '+'} {number(abs(value))}*{factor}" if value else ""
+
+
+def joints(core: Core, arm: Arm) -> list[tuple[Joint, str]]:
+    """The machine's joint of every joint of the core, its zero that of the core; and what else is to be subtracted.
+
+    The latter is "" or another joint of the core: an elbow that is measured from the horizontal has joint 1 in it.
+    """
+    yaw, shoulder, elbow = (arm.joint(key) for key in ("yaw", "shoulder", "elbow"))
+    if core.family == "six":  # from the vertical, downwards
+        second = replace(shoulder, sign=-shoulder.sign, zero=90 - shoulder.zero)
+        third = replace(elbow, sign=-elbow.sign, zero=(90 if arm.absolute_elbow else 0) - elbow.zero)
+        wrist = [(arm.joint(key), "") for key in WRIST]
+        return [(yaw, ""), (second, ""), (third, "j2" if arm.absolute_elbow else ""), *wrist]
+    if core.function in ("fk1", "ik1"):
+        return [(shoulder, "")]
+    found = [(shoulder, "")]
+    if core.function in INSIDE:
+        found.append((elbow, ""))
+    else:
+        found.append((replace(elbow, zero=elbow.zero + arm.elbow_angle), "j1" if arm.absolute_elbow else ""))
+    if core.function == "ik3r":
+        return [*found, (arm.joint("tool"), "")]
+    return found if core.function in PLANE else [*found, (yaw, "")]
+
+
+def _taken(i: int, joint: Joint, less: str) -> str:
+    """Joint i of the core from the machine's."""
+    zero = joint.zero
+    name = joint.name if joint.sign > 0 else f"-{joint.name}"
+    return f"j{i} = {name}{plus(zero)}" + (f" - {less}" if less else "")
+
+
+def _given(joint: Joint, less: str, core: str) -> str:
+    """The machine's joint from the core's (`core`: what it is in the formula)."""
+    core = f"{core} + {less}" if less else core
+    if joint.sign > 0:
+        return f"{joint.name} = {core}{plus(-joint.zero)}"
+    core = f"({core})" if " " in core else core
+    return f"{joint.name} = {number(joint.zero)} - {core}" if joint.zero else f"{joint.name} = -{core}"
+
+
+def around(core: Core, arm: Arm) -> Around:
+    """The formulas of a core that takes `arm`."""
+    machine = joints(core, arm)
+    if core.function.startswith(("velocity", "rates")):
+        return _velocity(core, arm, machine)
+    if forward(core):
+        return Around(tuple(_taken(i, *one) for i, one in enumerate(machine, 1)), _place(core, arm))
+    before, yaw, remarks = _target(core, arm)
+    names = [f"j{i}" for i in range(1, len(machine) + 1)]
+    if core.function == "ik3" and yaw:
+        names[2] = f"j3 - {yaw}"
+    if core.function == "ik6_all":
+        remarks = (*remarks, "j1 to j6 are those of each of the eight branches")
+    return Around(before, tuple(_given(*one, name) for one, name in zip(machine, names)), remarks)
+
+
+def _place(core: Core, arm: Arm) -> tuple[str, ...]:
+    """Behind a forward core: what the arm's constants add to its tip."""
+    a, b, base = arm.shoulder, arm.lateral, arm.base
+    if core.function == "fk3":
+        found = [f"x = x{_times(a, 'cos(j3)')}{_times(-b, 'sin(j3)')}",
+                 f"y = y{_times(a, 'sin(j3)')}{_times(b, 'cos(j3)')}", f"z = z{plus(base)}"]
+        return tuple(one for one in found if " = " + one[0] != one[1:])
+    return (f"rho = x{plus(a)}", f"z = y{plus(base)}") if core.function in PLANE and arm.yaws else ()
+
+
+def _target(core: Core, arm: Arm) -> tuple[tuple[str, ...], str, tuple[str, ...]]:
+    """In front of an inverse core: the target without the arm's constants; what they turn the yaw by; remarks."""
+    a, b, base = arm.shoulder, arm.lateral, arm.base
+    if core.function in PLANE and arm.yaws:
+        return (f"x = rho{plus(-a)}", f"y = z{plus(-base)}"), "", ()
+    if core.function != "ik3":
+        return (), "", ()
+    height = (f"z = z{plus(-base)}",) if base else ()
+    if not (a or b):
+        return height, "", ()
+    flat = f"sqrt(r*r{plus(-b * b)})" if b else "r"
+    scaled = f"({flat}{plus(-a)})/r" if a else f"{flat}/r"
+    yaw = f"atan2({number(b)}, {flat})" if b else ""
+    return (("r = hypot(x, y)", f"k = {scaled}", "x = k*x", "y = k*y", *height), yaw,
+            ("the formulas hold where k is positive; arm_ik3 has the offsets inside",))
+
+
+def _velocity(core: Core, arm: Arm, machine: list[tuple[Joint, str]]) -> Around:
+    """Rates of the machine's joints, and what the offsets add to the velocity of a plane that yaws."""
+    a, b = arm.shoulder, arm.lateral
+    angles = tuple(_taken(i, *one) for i, one in enumerate(machine, 1))
+    plain = [(replace(joint, zero=0.0), less.replace("j", "w")) for joint, less in machine]
+    named = [(replace(joint, name=f"rate({joint.name})"), less) for joint, less in plain]
+    remarks = ("the core has no offsets; base height needs none",)
+    if core.function in PLANE and arm.yaws:
+        remarks = ("x and y of the core are the rates of rho and z in the arm's plane; offsets change neither",)
+    yawing = core.function in SPACE and bool(a or b)
+    if core.function.startswith("velocity"):
+        taken = tuple(_taken(i, *one).replace("j", "w", 1) for i, one in enumerate(named, 1))
+        more = ()
+        if yawing:
+            across = f"{_times(a, 'sin(j3)')}{_times(b, 'cos(j3)')}".lstrip(" +")
+            along = f"{_times(a, 'cos(j3)')}{_times(-b, 'sin(j3)')}".lstrip(" +")
+            more = f"x = x - w3*({across})", f"y = y + w3*({along})"
+        return Around((*angles, *taken), more, remarks)
+    before, names = [*angles], [f"w{i}" for i in range(1, len(machine) + 1)]
+    if yawing:
+        before += [f"rho = {number(arm.l1)}*cos(j1) + {number(arm.l2)}*cos(j1 + j2)",
+                   f"w = (y*cos(j3) - x*sin(j3))/(rho{plus(a)})"]
+        before += [f"x = x + w*{number(b)}*cos(j3)", f"y = y + w*{number(b)}*sin(j3)"] if b else []
+        names[2] = "w"
+        remarks = ("the core has no offsets: w is the rate of joint 3, its own w3 is not used",)
+    return Around(tuple(before), tuple(_given(*one, name) for one, name in zip(named, names)), remarks)
