@@ -4,7 +4,7 @@
 // Formats: in_used is the OR over the words w of w[14:0] ^ w[15:1]; out_k is u4.0, 15 where every word is 0 or -1.
 // in_x has B bits and any fraction; a word that was counted keeps its sign. Combinational; exact.
 // The two halves are independent: the count may be registered, and one shifter may serve several words in turn.
-// Model: rational._zeros
+// Model: rational.ik1
 `default_nettype none
 module normalise #(
     parameter B = 16  // bits of the shifted word, 16 or more (default 16)

@@ -6,7 +6,7 @@
 // Range: 1/4 <= q <= 2. The word of q = 2 is in segment 0, which no other q of the range needs.
 // Relative error: at most 0.8 * 2^-16. At q = 1/4 the tangent loses 0.19 * 2^-16; at q = 2 half a unit of the slope is
 // 0.71 * 2^-16.
-// Model: vector.reciprocal_root
+// Model: arith.reciprocal_root
 `default_nettype none
 module reciprocal_root (
     input  wire        clk,

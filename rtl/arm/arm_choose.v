@@ -6,7 +6,7 @@
 // An answer out of the limits is not remembered. After reset the last answer is the arm at its zeros.
 // Formats: c, n, mc, mn, h s2.U, joint 1 in the lowest bits; products are truncated. Error: 2 LSB of a cosine.
 // out_go, out_number: a branch starts, after out_take; in_done: it has ended, held until out_next.
-// Latency, II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1). Model: arm_keep._choose
+// Latency, II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1). Model: arm_keep.keep2, arm_keep.keep3
 `default_nettype none
 module arm_choose #(
     parameter JOINTS = 3,   // 2 or 3

@@ -2,7 +2,7 @@
 // Datapath of arm_inverse, whose table says what happens when: in_op is one line of it.
 // Ports, formats and models as in arm_inverse; in_start: in_c1 ... in_z are taken at the end of the clock. out_q,
 // out_zero: the quotient and whether its divisor was 0; out_near: |n2| is below cfg_sine, or the last divisor was
-// cfg_radius. Combinational in registers. Model: arm_velocity._rates
+// cfg_radius. Combinational in registers. Model: arm_velocity.rates2, arm_velocity.rates3
 `default_nettype none
 module arm_inverse_path #(
     parameter JOINTS = 2,  // 2 or 3: 2, in the plane

@@ -2,8 +2,8 @@
 // Inverse kinematics of two joints that chooses the elbow: within the joint limits, in reach, nearest to the answer
 // before. vector_ik2 for both elbows, and arm_choose.
 // Formats: in_x, in_y s(W-F).F; out_c*, out_n* s2.U, nearest; cfg_mc*, cfg_mn*, cfg_h* s2.U: direction in the middle of
-// a joint's limits, cosine of half the room (arm_keep.limit); other cfg_*: vector_solve.config. out_elbow: the branch.
-// Error of the tip: vector_ik2. Latency, II: 32.
+// a joint's limits, cosine of half the room (arm_keep.limit); other cfg_*: kernel_vector_solve.config. out_elbow: the
+// branch. Error of the tip: vector_ik2. Latency, II: 32.
 // Status: unreachable (nearest point answered), singular (x = y = 0: joint 1 has that of the last answer); out_beyond:
 // no branch is within the limits, and the answer is not remembered. Model: arm_keep.keep2
 `default_nettype none

@@ -8,7 +8,7 @@
 //   in_turn: (k1, k2) is (-k2, k1)
 // Formats: in_x, in_y, in_z, in_lateral s16.0; in_shoulder s14.0; in_total s17.4; in_sum, in_product, in_length s18.4;
 // in_addend s34.0; out_sum s34.3. A constant 1 stands behind k1 and k2 as in kernel_vector_turn. Combinational in the
-// registers. Models: vector_solve._turn, arm._radius
+// registers. Models: kernel_vector_solve.turned, arm.ik3
 `default_nettype none
 module arm_operands #(
     parameter LATERAL = 1,  // 0 or 1: the plane of the arm passes beside the yaw axis. 1, the general arm

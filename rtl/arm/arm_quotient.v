@@ -3,7 +3,7 @@
 //   out_q = +-(2 |n| 2^V / d + 1) / 2, |n| the one's complement where n < 0; minus where n < 0 is not in_negative
 // Formats: in_n s(N), in_d u(D) of the same LSB; out_q s(W-V+2).V. out_zero: in_d = 0, and out_q is 0.
 // in_start in one clock, out_q ceil((N + V) / R) clocks later. Error: 1/2 LSB, and 1 of in_n where it is negative.
-// Model: arm_velocity._quotient
+// Model: arm_velocity.rates2
 `default_nettype none
 module arm_quotient #(
     parameter W = 16,  // bits of a rate: 16

@@ -5,7 +5,8 @@
 //   in_load: joints 1 and 3 are in_last_*, what they hold where they have no direction
 // Formats: in_word s4.20, rounded to U fraction bits; cfg_ce, cfg_ne, out_c, out_n s2.U, joint 1 in the lowest bits.
 // Error of a turn: less than 1 LSB of U by truncation, and 1 LSB times the sine, for ~n stands for -n. After reset
-// (1, 0), but of joint 2, whose words are never held. Latency 1, and 2 for a turn. Models: vector_solve._word, arm.turn
+// (1, 0), but of joint 2, whose words are never held. Latency 1, and 2 for a turn.
+// Models: kernel_vector_solve.unit_word, arm.turn
 `default_nettype none
 module arm_vectors #(
     parameter U = 16,       // fraction bits of cosine and sine, 8 to 16: 16, 0.0009 degrees

@@ -4,7 +4,7 @@
 // Formats: in_axis u2.0 quarter turns; in_square u1.40; out_j turn-spread u2.S, joint 1 in the low S + 2 bits.
 // Error: 1/2 LSB. Ties round away from the axis, so both sides of an axis meet in the same word. Timing: bit i of
 // in_take writes the word of joint i + 1 at the end of the clock. A word is held until the next write. Reset sets every
-// word of HELD to 0. Source: paper eq. 3. Model: rational._about_axis
+// word of HELD to 0. Source: paper eq. 3. Model: rational.ik2
 `default_nettype none
 module spread_about_axis #(
     parameter JOINTS = 1,  // joints, 1 or more (default 1)

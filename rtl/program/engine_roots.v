@@ -4,7 +4,7 @@
 //   out_power = 2^s brings the leading one of them to bit 25; out_four = 2^(2 j), out_twice = 2^(j + 1),
 //   j = (s - 1) / 2 to zero, bring a word to [1/4, 1), and its root back; 0 for no bit at all, out_empty
 //   in_read: 1 / sqrt(in_q) = out_w out_slope / 2^36 one clock later, held; in_q u2.18 from 1/4 to 2
-// Latency of the powers: two clocks behind in_fold. Model: six._power, six._reciprocal
+// Latency of the powers: two clocks behind in_fold. Model: product_engine.power_of, product_engine.reciprocal
 `default_nettype none
 module engine_roots #(
     parameter WRIST = 12  // lowest bit that counts with in_wrist, 0 to 25: 12, 8 units of 2^-16

@@ -8,7 +8,7 @@
 //   in_run: not idle, or nothing is done but writing to registers
 //   out_word, out_dest: the word of the line before, and its register, 0 for none. out_status: unreachable and singular
 //   as the last ABOVE, FAR and HOLD lines found it; bit 3 a failed CHECK since in_start
-// The register file is stored four times, for four reads a clock. Model: six._dot, six._unit, six._root
+// The register file is stored four times, for four reads a clock. Models: product_engine.dot, .unit, .root
 `default_nettype none
 module product_engine #(
     parameter ROOTS = 1,   // 0: sums alone: no ACT, no ALIGN, no tables; 1

@@ -4,7 +4,7 @@
 //   next one's, in the order 1, 3, 2, 4, 5, 6; none of a joint that has no direction and had one before
 // Formats: as six_pose; in_signs: in_branch of vector_ik6; out_word s2.25.
 // Latency: out_done in the 93rd clock behind in_start, with the last word, n6 or c6. Status: as vector_ik6, from there
-// on. in_start in a clock with rst is not taken; the user starts it only when out_idle. Model: six._branch
+// on. in_start in a clock with rst is not taken; the user starts it only when out_idle. Model: six.ik6
 `default_nettype none
 module six_inverse_path #(
     parameter W = 16,  // bits of a coordinate, 4 to 16: 16, as the cores

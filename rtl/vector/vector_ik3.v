@@ -3,11 +3,11 @@
 // vector_ik2 for (rho, z).
 //   (c3, n3) = (x, y) / sqrt(x^2 + y^2), rho = c3 x + n3 y
 // Formats: in_* s(W-F).F; out_c*, out_n* cosine and sine of a joint, s2.U, rounded to nearest; cfg_q, cfg_r, cfg_e by
-// vector_solve.config.
+// kernel_vector_solve.config.
 // Error of the tip, rounding included: bounds.vector_ik3, 1.04 LSB at L1 = L2 = 2^13 from a quarter of the reach on.
 // Latency 19, II 19.
 // Status: unreachable (the nearest point is answered), singular (x = y = 0: c3, n3 are held; z = 0 too: c1, n1).
-// Source: rational trigonometry paper, eqs. 32-40, in vector form. Model: vector_solve.ik3
+// Source: rational trigonometry paper, eqs. 32-40, in vector form. Model: vector.ik3
 `default_nettype none
 module vector_ik3 #(
     parameter W = 16,  // bits of a coordinate and of a length, 4 to 16 (default 16)
