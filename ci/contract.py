@@ -15,7 +15,7 @@ from quadrance.cores import Core, all_cores
 
 from tb.lib import tools
 
-HERE = tools.ROOT / "tb" / "lib" / "formal"
+HERE = tools.ROOT / "tb" / "formal"
 CLOCKS = 6000  # of the random run
 WIDEST = 128  # bits of a register that may be control
 

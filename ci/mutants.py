@@ -10,7 +10,8 @@ survivor has its argument. The seed is the day's, or SEED.
 Writes reports/mutants.json and, from it, reports/mutants.md; a core whose sources, bench and tools are still those of
 its verdict there is not broken again (--fresh: it is; --again: what proofs have learned since is tried on its
 survivors). Where the cocotb bench alone has changed, those that the bulk run killed and those proved equal stay so, and
-the others go through it again.
+the others go through it again. Verdicts that no longer follow from their sources stay in the file; the page names them
+and counts none of their mutants (--page writes it as of today and breaks nothing).
 """
 
 from __future__ import annotations
@@ -186,12 +187,17 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
 
 
 def benched(core: Core, count: int, standing: Verdict) -> Verdict:
-    """A verdict under a cocotb bench that has changed since: what the bulk run and the proofs left goes through it."""
+    """A verdict under a cocotb bench that has changed since: what the bulk run and the proofs left goes through it.
+
+    A mutation has the line of its source in its name. Where a comment has moved that line, the core is judged anew.
+    """
     verdict = replace(standing, cocotb=cocotb(), bench=[], long=[], survivors=[])
     left = {one: name for name in ("bench", "long", "survivors") for one in getattr(standing, name)}
     if not left:
         return verdict
     mutants = mutate.make(core, count, standing.seed)
+    if left.keys() - set(map(str, mutants.every)):
+        return judge(core, count, standing.seed)
     check_unmutated(mutants, standing.seed)
     prover = equivalence.Prover(mutants)
     for mutant in mutants.every:
@@ -209,6 +215,8 @@ def benched(core: Core, count: int, standing: Verdict) -> Verdict:
 def proved(core: Core, count: int, standing: Verdict) -> Verdict:
     """A verdict that stands, without those survivors that can be proved equal now."""
     mutants = mutate.make(core, count, standing.seed)
+    if set(standing.alive) - set(map(str, mutants.every)):
+        return judge(core, count, standing.seed)
     prover = equivalence.Prover(mutants, AGAIN)
     equal = {str(one) for one in mutants.every if str(one) in standing.alive and prover.equivalent(one, whole=False)}
     return replace(standing, equivalent=standing.equivalent + len(equal),
@@ -235,7 +243,7 @@ def judged(core: str, count: int, seed: int, step: str = "") -> dict:
     if not step:
         return cache.cached([digest(one, count), cocotb(), seed], lambda: asdict(judge(one, count, seed)))
     standing, work = known()[core], {"benched": benched, "proved": proved}[step]
-    return cache.cached([step, asdict(standing), cocotb(), Path(equivalence.__file__).read_text()],
+    return cache.cached([step, asdict(standing), cocotb(), cache.meaning(Path(equivalence.__file__))],
                         lambda: asdict(work(one, count, standing)))
 
 
@@ -255,8 +263,15 @@ def row(v: Verdict) -> list[str]:
             f"{v.rate:.1%}", str(v.seed)]
 
 
-def page(verdicts: list[Verdict], every: list[Core]) -> str:
-    """The committed result; which of `every` core has none is said."""
+def stale(verdicts: dict[str, Verdict], every: list[Core], count: int = MUTANTS) -> set[str]:
+    """Cores that have a verdict which no longer follows from their sources, bench and tools."""
+    return {core.id for core in every if core.id in verdicts and verdicts[core.id].digest != digest(core, count)}
+
+
+def page(committed: list[Verdict], every: list[Core], old: set[str]) -> str:
+    """The committed result; it says which of `every` core has none, and whose verdict is `old` and counts for nothing.
+    """
+    verdicts = [one for one in committed if one.core not in old]
     def listed(name: str) -> list[str]:
         return [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in getattr(v, name)] or ["none"]
 
@@ -274,8 +289,9 @@ def page(verdicts: list[Verdict], every: list[Core]) -> str:
              f"{len(alive)} survived; {killed / max(killed + len(alive), 1):.2%} killed of those that differ.", "",
              f"| {' | '.join(COLUMNS)} |", "|---|" + "---:|" * (len(COLUMNS) - 1)]
     lines += [f"| {' | '.join(row(v))} |" for v in verdicts]
-    missing = [core.id for core in every if core.id not in {v.core for v in verdicts}]
-    lines += ["", f"Not broken since they last changed: {', '.join(missing)}."] if missing else []
+    missing = [core.id for core in every if core.id not in {v.core for v in committed}]
+    lines += ["", f"Never broken: {', '.join(missing)}."] if missing else []
+    lines += ["", f"Changed since they were broken, and left out above: {', '.join(sorted(old))}."] if old else []
     older = [v.core for v in verdicts if v.cocotb != cocotb()]
     lines += ["", f"The cocotb bench has changed since: {', '.join(older)}."] if older else []
     reasons = dict.fromkeys(reason(mutation) for v in verdicts for mutation in v.unread)
@@ -290,13 +306,18 @@ def main() -> int:
     parser.add_argument("core", nargs="*", help="cores to break; all by default")
     parser.add_argument("--count", type=int, default=MUTANTS)
     parser.add_argument("--fresh", action="store_true", help="break those again whose verdict still stands")
+    parser.add_argument("--page", action="store_true", help="break nothing; write the page, with what is stale today")
     parser.add_argument("--again", action="store_true", help="try proofs on the survivors of verdicts that stand")
     args = parser.parse_args()
     seed = int(os.environ.get("SEED") or today())
     every = [core for core in all_cores() if core.first_set]
     cores = [find(name) for name in args.core] or every
     verdicts = known()
-    stands = {core.id for core in every if core.id in verdicts and verdicts[core.id].digest == digest(core, args.count)}
+    old = stale(verdicts, every, args.count)
+    if args.page:
+        PAGE.write_text(page([verdicts[core.id] for core in every if core.id in verdicts], every, old))
+        return 0
+    stands = verdicts.keys() - old
     jobs = []
     for core in cores:
         if args.fresh or core.id not in stands:
@@ -312,9 +333,9 @@ def main() -> int:
         found, failure = {}, error
     if failure is None:
         verdicts |= {core: Verdict(**one) for (core, *_), one in found.items()}
-        standing = [verdicts[core.id] for core in every if core.id in stands | {job[0] for job in jobs}]
-        STORE.write_text(json.dumps([asdict(one) for one in standing], indent=1) + "\n")
-        PAGE.write_text(page(standing, every))
+        kept = [verdicts[core.id] for core in every if core.id in verdicts]
+        STORE.write_text(json.dumps([asdict(one) for one in kept], indent=1) + "\n")
+        PAGE.write_text(page(kept, every, stale(verdicts, every, args.count)))
     shown = [verdicts[core.id] for core in cores if core.id in verdicts]
     table = Table(*COLUMNS)
     for v in shown:

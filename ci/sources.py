@@ -1,4 +1,4 @@
-"""What the result of a bench follows from, as texts: of a core, of the bulk run, of the cocotb bench."""
+"""What the result of a bench follows from, by its meaning: a core, the bulk run, the cocotb bench."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from types import FunctionType, ModuleType
 
 from quadrance.cores import Core
 
+from ci import cache
 from tb.lib import tools
 
 BULK = ("tb/lib/stimulus.py", "tb/lib/suite.py", "tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py",
@@ -29,9 +30,9 @@ def stimulus(core: Core) -> list[Path]:
 
 def bulk(core: Core) -> list[str]:
     """Of a bulk run of `core`: its RTL, its samples, the run."""
-    return [path.read_text() for path in (*core.sources, *stimulus(core), *(tools.ROOT / name for name in BULK))]
+    return cache.meanings((*core.sources, *stimulus(core), *(tools.ROOT / name for name in BULK)))
 
 
 def cocotb() -> list[str]:
     """Of the cocotb bench, beside those of the bulk run."""
-    return [(tools.ROOT / name).read_text() for name in COCOTB]
+    return cache.meanings(tools.ROOT / name for name in COCOTB)

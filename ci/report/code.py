@@ -1,37 +1,17 @@
-"""What a Python file means and reaches: digests that a comment or a docstring does not change."""
+"""What a Python file reaches, and the digests of files."""
 
 from __future__ import annotations
 
 import ast
-import io
-import tokenize
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
-from ci.cache import digest
+from ci.cache import digest, meaning
 from tb.lib import tools
 
 ROOT = tools.ROOT
 PLACES = {"quadrance": ROOT / "models", "ci": ROOT, "tb": ROOT}  # top-level package -> its folder
-DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
-
-
-@cache
-def bare(text: str) -> str:
-    """Python source without comments, docstrings and empty lines."""
-    lines = text.splitlines()
-    for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        if token.type == tokenize.COMMENT:
-            row, column = token.start
-            lines[row - 1] = lines[row - 1][:column]
-    for node in ast.walk(ast.parse(text)):
-        if isinstance(node, DOCUMENTED) and ast.get_docstring(node, clean=False) is not None:
-            doc = node.body[0]
-            rest = lines[doc.end_lineno - 1].encode()[doc.end_col_offset:].decode()
-            before = lines[doc.lineno - 1].encode()[:doc.col_offset].decode()
-            lines[doc.lineno - 1:doc.end_lineno] = [before + rest, *[""] * (doc.end_lineno - doc.lineno)]
-    return "\n".join(line.rstrip() for line in lines if line.strip())
 
 
 def _file(module: str) -> Path | None:
@@ -64,6 +44,5 @@ def closure(starts: Iterable[Path]) -> list[Path]:
 
 
 def digests(files: Iterable[Path]) -> dict[str, str]:
-    """Path in the repository -> digest of what the file means (Python), or of its text (any other)."""
-    texts = {str(path.relative_to(ROOT)): path.read_text() for path in files}
-    return {file: digest(bare(text) if file.endswith(".py") else text)[:16] for file, text in texts.items()}
+    """Path in the repository -> digest of what the file means."""
+    return {str(path.relative_to(ROOT)): digest(meaning(path))[:16] for path in files}

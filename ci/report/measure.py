@@ -25,7 +25,7 @@ MAP = 121  # points a side of the map of the workspace
 def stream(core: Core, inputs: dict, cfg: dict[str, int]) -> dict:
     """Outputs, latency and interval of the Verilog for these words, cached by everything they depend on."""
     words = {port: [int(word) for word in column] for port, column in inputs.items()}
-    texts = [path.read_text() for path in (*core.sources, *program.SOURCES)]
+    texts = cache.meanings((*core.sources, *program.SOURCES))
     ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
 
     def compute() -> dict:

@@ -38,7 +38,7 @@ def source(design: Design, arm_name: str) -> str:
                for name in names for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
     rules = {key: rule for key, rule in designs.RULES.items() if key != "price"}
     own = [path for path in code.closure(sorted(models)) if path not in code.closure(CODE)]
-    return cache.digest([entries, code.digests(own), design.word, arms.path_of(arm_name).read_text(), rules])[:16]
+    return cache.digest([entries, code.digests(own), design.word, cache.meaning(arms.path_of(arm_name)), rules])[:16]
 
 
 def named(name: str, params: dict[str, int]) -> str:

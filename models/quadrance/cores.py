@@ -276,13 +276,18 @@ def _by_mode(name: str, own: dict) -> list[dict]:
 
 @cache
 def _modules() -> dict[str, Path]:
-    """Every Verilog file of the house by the name of its module."""
+    """Every Verilog file by the name of its module."""
     return {path.stem: path for path in sorted(RTL.rglob("*.v"))}
+
+
+def module(name: str) -> Path:
+    """The Verilog file of that module."""
+    return _modules()[name]
 
 
 @cache
 def _instances(name: str) -> tuple[str, ...]:
-    """Modules of the house that module `name` instantiates, in the order of the text."""
+    """Modules of rtl/ that module `name` instantiates, in the order of the text."""
     text = re.sub(r"//[^\n]*|/\*.*?\*/", "", _modules()[name].read_text(), flags=re.S)
     found = re.findall(r"^\s*(\w+)\s+(?:#\s*\(|\w+\s*\()", text, re.M)
     return tuple(dict.fromkeys(module for module in found if module in _modules() and module != name))

@@ -12,9 +12,33 @@ from quadrance.fixed import ints, wrap
 P = {"W": 16, "F": 8, "A": 16}
 
 
+def test_the_law_of_fk1_is_the_promise_at_every_parameter():
+    """The figures of the page, over all that the cores accept; fewer angles are some of these."""
+    for length, promise in ((lambda w: 1 << w - 2, 1.6), (lambda w: (1 << w) - 3, 2.01)):
+        laws = [bounds.classic_fk1({"W": w, "A": w + 3}, length(w)) for w in range(8, 17)]
+        assert promise - 0.03 < max(laws) <= promise
+
+
+@pytest.mark.parametrize("w", range(8, 17))
+def test_fk1_at_every_width(w):
+    """The tip and each coordinate within the law, angles of W and of W + 3 bits, links about both ends of its range."""
+    half = 1 << w - 1
+    for a in (w, w + 3):
+        p = {"W": w, "F": 0, "A": a}
+        words = np.arange(1 << a)[::max(1 << a - 14, 1) if a > 14 else 1]
+        for length in ((1 << w - 2) - 9, 1 << w - 2, (1 << w) - 12, (1 << w) - 3):
+            out = classic.fk1(p, in_j1=words, cfg_c1=classic.config(p, cfg_l1=length)["cfg_c1"])
+            tip = length * np.exp(2j * math.pi * words / (1 << a))
+            off = np.maximum(np.abs(out["out_x"] - np.clip(tip.real, -half, half - 1)),
+                             np.abs(out["out_y"] - np.clip(tip.imag, -half, half - 1)))
+            inside = np.maximum(np.abs(tip.real), np.abs(tip.imag)) < half - 1
+            apart = np.abs(out["out_x"] + 1j * out["out_y"] - tip)[inside].max(initial=0)
+            assert 0.5 < max(off.max(), apart) <= bounds.classic_fk1(p, length)
+
+
 @pytest.mark.parametrize("length", [0, 1, 77, 1000, 8191, 16384, 32767, 65532])
 def test_fk1_at_every_angle(length):
-    """At most 1 LSB a coordinate and at the tip up to 64 units, 1.6 at any length."""
+    """Tip and coordinates within the law."""
     words = np.arange(65536)
     theta = 2 * math.pi * words / 65536
     out = classic.fk1(P, in_j1=words, cfg_c1=classic.config(P, cfg_l1=length)["cfg_c1"])

@@ -47,6 +47,26 @@ def test_tip_and_reach_keep_their_bounds(core, name, below):
     assert np.all(flag[clear & (over > law + 0.5)]) and not np.any(flag[clear & (over < -law - 0.5)])
 
 
+@EVERY
+@ROBOTS
+@pytest.mark.parametrize("rod", [1, 0.4])
+def test_the_law_out_of_reach(core, name, rod):
+    """LB from elbow 1 towards the middle of the circle through the elbows, cranks anywhere; with shorter rods, too."""
+    p, rng = core.params, np.random.default_rng(6)
+    columns = words(core, np.concatenate([rng.uniform(-np.pi, np.pi, (20_000, 3)),
+                                          np.pi / 2 * rng.integers(0, 4, (2000, 3)) + rng.normal(size=(2000, 3)) / 50]))
+    cfg = engine_delta.config(p, geometry.load(name), scale(core, name))
+    cfg["cfg_lb"] = round(cfg["cfg_lb"] * rod)
+    answer, exact = core.model(p, **columns, **cfg), engine_delta.exact(p, columns, cfg)
+    lb = cfg["cfg_lb"] * 2.0**-engine_delta.MORE
+    _, band = bounds.delta_tip(p, exact["elbows"], np.nan_to_num(exact["tip"]), lb)
+    far = (exact["gap"] < -band) & (answer["out_status"] & 6 == 0)
+    assert far.sum() > 100 and np.all(answer["out_status"][far] == 1)
+    off = np.abs(np.stack([answer[f"out_{axis}"] for axis in "xyz"], axis=-1) - exact["tip"])[far].max(axis=-1) - 0.5
+    law = bounds.delta_nearest(p, exact["elbows"][far], lb)
+    assert np.all(off <= law) and np.any(off > 0.25 * law)
+
+
 @ROBOTS
 def test_it_is_the_robot(name):
     """Millimetres in the robot's frame against `delta.forward`, whose spheres are worked out another way."""

@@ -105,7 +105,8 @@ def grown(first: int) -> mpmath.mpf:
     return mpmath.nprod(lambda i: mpmath.sqrt(1 + mpmath.mpf(4) ** -i), [first, 60])
 
 
-@oracle(*(f"classic.{name}" for name in ("fk1", "fk2", "fk3", "ik2", "ik3")), cfg=("c1", "s1", "s2", "far", "near", "f"))
+@oracle(*(f"classic.{name}" for name in ("fk1", "fk2", "fk3", "ik2", "ik3")),
+        cfg=("c1", "s1", "s2", "far", "near", "f"))
 def test_words_of_classic(core):
     """Start vectors floor(L 0.607252935 2^4 or 2^5), of the second link 0.521499916; the longest words as 2^W - 3."""
     w = core.params["W"]

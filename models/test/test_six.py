@@ -165,6 +165,76 @@ def test_inverse(core, robot, branch):
     assert (out != (status & 1 > 0)).mean() < 0.01
 
 
+def _near_axes(arm: Six, count: int, area: float, axis: int, rng: np.random.Generator) -> np.ndarray:
+    """(N, 3) wrist centres within three roots of the area unit of axis 1, or of axis 2 in front of axis 1."""
+    off, turn, yaw = rng.uniform(0, 3 * np.sqrt(area), count), *rng.uniform(-np.pi, np.pi, (2, count))
+    if axis == 1:
+        return np.stack([off * np.cos(yaw), off * np.sin(yaw), arm.c1 + rng.uniform(-1, 1, count) * arm.c2], axis=-1)
+    far = np.hypot(arm.a1 + off * np.cos(turn), arm.b)
+    return np.stack([far * np.cos(yaw), far * np.sin(yaw), arm.c1 + off * np.sin(turn)], axis=-1)
+
+
+@cores(INVERSE)
+def test_the_zones_in_which_joints_1_and_2_are_held(core):
+    """A held joint 1 or 2 has the wrist within its zone, and the tip within its law."""
+    p, rng, area = core.params, np.random.default_rng(11), 2.0 ** (2 * core.params["W"] - six.H)
+    half, found, tips = 1 << p["W"] - 1, {1: [0.0], 2: [0.0]}, {1: [0.0], 2: [0.0]}
+    for trial in range(24):
+        link = rng.uniform(0.15, 0.4) * half
+        b = rng.uniform(-1.7, 1.7) * np.sqrt(area) * (trial % 2)
+        arm = Six(rng.uniform(-0.1, 0.1) * half * (trial % 3 > 0), 0, b, rng.uniform(-0.2, 0.2) * half, link,
+                  link * (1 if trial % 4 < 3 else 0.7), rng.uniform(0, 0.1) * half)
+        cfg = six.config(p, **{name: length / 2.0 ** p["F"] for name, length in arm._asdict().items()})
+        matrix, _ = truth_six.fk6(rng.uniform(-np.pi, np.pi, (3000, 6)), arm)
+        matrix = np.rint(matrix * 2.0 ** p["U"]) / 2.0 ** p["U"]
+        axis = 1 + trial // 2 % 2
+        words, rotation, tip = _words(core, matrix, _near_axes(arm, 3000, area, axis, rng) + arm.c4 * matrix[..., 2])
+        px, py, square, x, z = bounds._wrist(arm, rotation, tip, False)
+        rho, r, x1 = np.hypot(px, py), np.hypot(x, z), np.sqrt(np.maximum(square, 1e-9))
+        for branch in (0, 2):
+            answer = core.model(p, **words, in_branch=np.int64(branch), **cfg)
+            _, _, none, _ = six._branch(p, **six._alike(words | cfg | {"in_branch": np.int64(branch)}))
+            for joint, distance in ((1, rho), (2, r)):
+                held = none >> joint - 1 & 1 > 0
+                assert np.all(distance[held] <= bounds.zone(p, joint, x1[held]))
+                found[joint].append(distance[held].max(initial=0))
+            ok = (answer["out_status"] & 1 == 0) & (square > 0) & (none & 3 > 0)
+            off = np.linalg.norm(truth_six.fk6(_angles(answer), arm)[1] - tip, axis=-1)
+            law = bounds.position(p, arm, rotation, tip, False, none)
+            assert np.all(off[ok] <= law[ok])
+            for joint in (1, 2):
+                tips[joint].append(off[ok & (none & 3 == joint)].max(initial=0))
+    for joint, share in ((1, 0.9), (2, 0.65)):
+        assert max(found[joint]) > share * bounds.zone(p, joint, half / 4)
+        assert max(tips[joint]) > 0.5 * bounds.held(p, joint)
+
+
+@ROBOTS
+@cores(INVERSE)
+@pytest.mark.parametrize("branch", [0, 1])
+def test_the_law_out_of_reach(core, robot, branch):
+    """Anywhere out of reach of axis 2, next to axis 1 too: the tip is within its law of the nearest one."""
+    unit, arm = _arm(robot, core)
+    p, rng = core.params, np.random.default_rng(12)
+    rotation, _ = truth_six.fk6(rng.uniform(-np.pi, np.pi, (6000, 6)), arm)
+    tip = rng.uniform(-1, 1, (6000, 3)) * (1 << p["W"] - 1)
+    near = rng.random(6000) < 0.5  # of axis 1, log-uniform
+    aside = 2.0 ** rng.uniform(-1, p["W"] - 3, (6000, 1)) * rng.normal(size=(6000, 2))
+    tip[near, :2] = (arm.c4 * rotation[:, :2, 2] + aside)[near]
+    words, rotation, tip = _words(core, rotation, tip)
+    answer = core.model(p, **words, in_branch=np.int64(branch), **six.config(p, **unit._asdict()))
+    _, _, none, _ = six._branch(p, **six._alike(words | six.config(p, **unit._asdict()) | {
+        "in_branch": np.int64(branch)}))
+    _, _, square, x, z = bounds._wrist(arm, rotation, tip, branch)
+    r = np.hypot(x, z)
+    out = ((r > arm.c2 + arm.k + 2) | (r < abs(arm.c2 - arm.k) - 2)) & (none & 3 == 0) & (square > 0)
+    assert out.sum() > 800 and np.all(answer["out_status"][out] & 1)
+    off = np.linalg.norm(truth_six.fk6(_angles(answer), arm)[1]
+                         - bounds.nearest(arm, rotation, tip, branch), axis=-1)[out]
+    law = bounds.beyond(p, arm, rotation, tip, branch)[out]
+    assert np.all(off <= law) and np.any(off > 0.06 * law)
+
+
 @ROBOTS
 @cores(INVERSE)
 def test_unreachable_answers_the_nearest_point(core, robot):

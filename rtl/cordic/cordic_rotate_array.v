@@ -3,7 +3,7 @@
 //   out_x + j out_y = (in_x + j in_y) * exp(2 pi j in_angle / 2^A), nearest, saturated
 // Exchange and signs make quarter turns, digits of the input apply the gain (0.858785), and cordic_turn_array rotates.
 // If CLOCKED it has 4 + C + T + (T+1)/2 stages of registers. The bits are those of the iterative form.
-// Formats: in_angle is uA, coordinates are sW, any fraction. Error: at most 1.5 LSB a coordinate at W = A = 16.
+// Formats: in_angle is uA, coordinates are sW, any fraction. Error: at most 1.55 LSB a coordinate.
 // Status: overflow (a coordinate was saturated). Model: cordic.rotate
 `default_nettype none
 module cordic_rotate_array #(

@@ -23,7 +23,7 @@ ODD = {  # every port kind of the library at 8 k + 1 bits, by `test_every_port_k
     "arm_fk3": {"W": 9, "F": 1, "U": 15}, "table_ik3r": {"W": 9, "F": 4, "A": 17},
     "rational_ik2": {"W": 9, "F": 4, "S": 15}, "rational_fk2": {"W": 17, "S": 15},
     "half_tangent_to_vector": {"T": 15, "U": 15}, "vector_to_half_tangent": {"T": 15, "U": 15},
-    "divide_iter": {"WN": 17, "WD": 9}, "rotation_check": {"U": 15}, "angle_to_vector": {"A": 17, "U": 15}}
+    "divide": {"WN": 17, "WD": 9}, "rotation_check": {"U": 15}, "angle_to_vector": {"A": 17, "U": 15}}
 SETS = [at(cores.find(name), params) for name, params in ODD.items()]
 
 

@@ -19,6 +19,12 @@ BULK_SAMPLES = 50_000
 BULK_CLOCKS = 1_000_000  # a core of many clocks gets fewer samples; the long run has a million of every core
 LONG_SAMPLES = 1_000_000
 STALLED, FEW = 8, 2000  # one sample in so many goes through again with idle cycles and stalls, and that many at least
+RESETS = 300  # at most, and each at another clock of a sample: at every clock of all but the longest
+ROUNDS = 120  # at least, where a sample is short
+VARYING = 1000  # clocks of a sample that meet a reset, where their number varies
+MEMORY = 6  # samples looked at behind a reset: more than any core takes to answer from what it holds
+CONFIGS = 4  # beside the first one that meet resets; fewer of a core of many clocks
+STARTS = 16  # different ones, for each is a run of the model
 
 
 def simulators() -> list[str]:
@@ -43,6 +49,63 @@ def _again(rng: np.random.Generator, result: bulk.Result, few: int) -> np.ndarra
     for place in np.flatnonzero(rng.random(pick.size) < 0.5):
         pick[place] = rng.choice(kinds[rng.integers(len(kinds))])
     return pick
+
+
+def _rounds(core: Core, rng: np.random.Generator) -> np.ndarray:
+    """Clocks and flags of resets as `bulk.resets` takes them, in any order: at each clock of a sample, from the one
+    that would accept it to two behind its result, with and without a word at the input and a result that waits.
+    """
+    span = (core.latency or VARYING) + 3
+    clocks = np.arange(span) if span <= RESETS else rng.choice(span, RESETS, replace=False)
+    clocks = np.tile(clocks, -(-ROUNDS // clocks.size))
+    flags = rng.integers(0, 4, clocks.size) + 4 * (rng.random(clocks.size) < 0.25)
+    idle = [[0, 1]] * 4  # a word offered to the idle core
+    return rng.permutation(np.concatenate([np.stack([clocks, flags], axis=1), idle]))
+
+
+def _starts(core: Core, cfg: dict[str, int], corners: stimulus.Vectors, rng: np.random.Generator) -> np.ndarray:
+    """(STARTS, MEMORY) corners to follow a reset: the first one and half of the others without a direction, where
+    there are such, so that they show what is held. Where samples build on each other, half of the starts are in order.
+    """
+    size = next(iter(corners.values())).size
+    picks = rng.integers(0, size, (STARTS, MEMORY))
+    if core.status and "singular" in core.status:
+        none = np.flatnonzero(bulk.expected(core, corners, cfg)["out_status"] & 2)
+        if none.size:
+            held = rng.random(picks.shape) < 0.5
+            held[:, 0] = True
+            picks = np.where(held, rng.choice(none, picks.shape), picks)
+    if core.latency is None:
+        picks[::2] = np.minimum(picks[::2, :1] + np.arange(MEMORY), size - 1)
+    return picks
+
+
+def reset_run(core: Core, cfg: dict[str, int], seed: int, *, built: Core | None = None, label: str = "",
+              plusargs: Sequence[str] = ()) -> int:
+    """Resets at every clock of a sample, each followed by samples that must answer as those of a core just started."""
+    rng = np.random.default_rng(seed)
+    rounds, corners = _rounds(core, rng), stimulus.corners(core, cfg)
+    starts = [{name: words[pick] for name, words in corners.items()} for pick in _starts(core, cfg, corners, rng)]
+    answers = [bulk.expected(core, start, cfg) for start in starts]
+    which = rng.integers(0, STARTS, len(rounds))
+
+    def follow(parts: list[stimulus.Vectors]) -> stimulus.Vectors:
+        return {name: np.concatenate([parts[i][name] for i in which]) for name in parts[0]}
+
+    later = {name: words[:400] for name, words in corners.items()}  # in order: they may build on each other
+    if core.latency is not None:
+        later = stimulus.joined(stimulus.uniform(core, rng, 200), later)
+        order = rng.permutation(next(iter(later.values())).size)
+        later = {name: words[order] for name, words in later.items()}
+
+    def about(i: int) -> str:
+        clock, flags = rounds[i // MEMORY - 1]
+        return (f"sample {i % MEMORY + 1} behind reset {i // MEMORY} (at clock {clock} of a sample, flags {flags})" if
+                i >= MEMORY else f"sample {i + 1} of the run")
+
+    result = bulk.resets(built or core, follow(starts), later, rounds, cfg, seed=seed, label=label, plusargs=plusargs)
+    bulk.compare(core, follow(starts), cfg, result, follow(answers), about)
+    return result.latency.size
 
 
 def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, label: str = "",
@@ -76,6 +139,10 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
         if core.ii == core.latency > 1:  # one sample at a time: a stall delays the next one, never the one inside
             bulk.timing(core, result, stalled=True)
         total += result.latency.size
+    if core.clocked:
+        some = max(1, min(CONFIGS, BULK_CLOCKS // (RESETS * MEMORY * (core.ii or 1))))
+        for cfg in [configs[0], *rng.permutation(configs[1:])[:some]]:
+            total += reset_run(core, cfg, seed, built=built, label=label, plusargs=plusargs)
     return total
 
 

@@ -647,7 +647,7 @@ def _micro_rotations(p: Params) -> tuple[Floats, Floats, Floats]:
 
 
 def cordic_rotate(p: Params) -> float:
-    """A coordinate of cordic_rotate, the greatest over every angle word and every input; 1.47 at W = A = 16.
+    """A coordinate of cordic_rotate, the greatest over every angle word and every input: 1.55 at every W and A.
 
     For each word the digits are found, and with them the factor it really multiplies with; its distance from
     exp(j theta), along and across, times a full-scale output is the first part. The second: every shift and every
@@ -665,9 +665,21 @@ def cordic_rotate(p: Params) -> float:
     return float(np.max(0.5 + (spread + drift) / 2**cordic.GUARD + linear))
 
 
-CORDIC_MAGNITUDE = 1.0
-"""Length by cordic_vector: rounding 1/2; growth of the residual angle 2^-C and the constant 1.214509, 5e-6 of 46341;
-nine shifts and the mirror, 7 units of 32."""
+def cordic_magnitude(p: Params) -> float:
+    """Length by cordic_vector; 0.97 LSB at W = 16, 1.13 at every W.
+
+    Rounding 1/2. The constant 1.214509 against the growth of C + 1 micro-rotations, k, less the growth of the residual
+    angle 2^-C, which is not made. In units of 2^-5 LSB: C shifts and the mirror are 0 to 1 low, times the constant, and
+    the shifts of the constant's digits 1.36 together; 5 units make up for them.
+    """
+    half = (p["W"] + 1) // 2
+    v = 1.0
+    for shift, minus in cordic.HORNER:
+        v = 1 + (-1) ** minus * v * 2.0**-shift
+    k = v / 2 * math.prod(math.sqrt(1 + 4.0**-i) for i in range(half + 1)) - 1
+    growth = max(abs(k), abs(k - 2.0 ** -(2 * half + 1))) * math.sqrt(2) * 2 ** (p["W"] - 1)
+    low = (half + 1) * v + 1.36
+    return 0.5 + growth + max(5, low - 5) / 32
 
 
 def cordic_angle(p: Params, guard: int, magnitude: bool) -> tuple[float, float]:
@@ -695,12 +707,18 @@ def cordic_angle(p: Params, guard: int, magnitude: bool) -> tuple[float, float]:
 
 
 def classic_fk1(p: Params, l1: float) -> float:
-    """A coordinate and the distance of classic_fk1.
+    """Distance of the tip of classic_fk1, and so a coordinate; at every W and A 1.6 up to L1 = 2^(W-2), 2.01 at most.
 
-    Rounding 1/2; of L1, 0.17 * 2^-15 for the residual angle and the constants, 7.6e-6 for the tail's growth; twelve
-    shifts and complements, 6 of 16 units at most beside their mean. 1 up to L1 = 2^(W-2), 1.6 at any length.
+    Half an LSB of rounding in both coordinates; for each angle word the relative error of its rotation, of L1, and what
+    rounds down off the constant that makes up for its mean, in any direction: the start word, shifts and complements,
+    times the micro-rotations that follow.
     """
-    return 1.0 if l1 <= 1 << p["W"] - 2 else 1.6
+    theta, rest, rows = _micro_rotations(p)
+    mean = -0.5 * (1 + 1j) * (rest.sum(axis=0) + rows)
+    spread = math.sqrt(0.5) * (np.abs(rest).sum(axis=0) + rows)
+    off = np.abs(rest[0] * math.sqrt(2) * classic.SHRINK / np.exp(1j * theta) - 1)
+    units = spread + np.abs(mean + (classic.ROUND - 8) * (1 + 1j))
+    return float(math.sqrt(0.5) + np.max(off * l1 + units / 2**classic.GUARD))
 
 
 def classic_ik1(p: Params, l1: float) -> float:

@@ -104,6 +104,33 @@ def rotation_apart(p: dict[str, int]) -> float:
     return float(np.sqrt((1 - least) ** 2 + along**2 + (1 - across) ** 2 + third**2))
 
 
+def _middle(a: Floats, b: Floats) -> tuple[Floats, ...]:
+    """The longer one's square, |N|, |V|, and the errors of N and V (see `delta_tip`) of the sides a and b."""
+    one, two = np.linalg.norm(a, axis=-1), np.linalg.norm(b, axis=-1)
+    area, e = np.maximum(one, two) ** 2, 2.0**-25
+    return (area, np.linalg.norm(np.cross(a, b), axis=-1), one * two * np.linalg.norm(a - b, axis=-1),
+            0.75 * np.sqrt(3) * e, 0.875 * e * (one + two) + 0.75 * np.sqrt(3) * e * area)
+
+
+def delta_nearest(p: dict[str, int], elbows: ArrayLike, lb: float) -> Floats:
+    """Distance of the tip of `engine_delta_fk` from elbow 1 + LB V x N / |V x N|, where the spheres do not meet, LSB.
+
+    As of `delta_tip`, without the root. The direction is off by the errors of V and N, each over its length, and by
+    those of their words' product; the elbows, each off by 2 e on an axis, move a and b by twice that and so V by
+    (3 |a| + |b|)(|a| + |b|), N by |a| + |b| times that at most.
+    """
+    unit, e = 2.0 ** (p["W"] + 2), 2.0**-25
+    elbows, lb = floats(elbows) / unit, lb / unit
+    a, b = elbows[..., 1, :] - elbows[..., 0, :], elbows[..., 2, :] - elbows[..., 0, :]
+    area, n, v, off_n, off_v = _middle(a, b)
+    move, sides = 4 * np.sqrt(3) * e, np.linalg.norm(a, axis=-1) + np.linalg.norm(b, axis=-1)
+    off_n, off_v = off_n + move * sides, off_v + move * 3 * sides**2
+    n, v = np.maximum(n, 1e-300), np.maximum(v, 1e-300)
+    turned = off_v / v + off_n / n + 1.5 * np.sqrt(3) * e * area**2 / (v * n)
+    length = RECIPROCAL + 0.5 * 0.875 * e * area**4 / (v * n) ** 2
+    return (lb * (turned + length) + 4 * np.sqrt(3) * e) * unit
+
+
 def delta_tip(p: dict[str, int], elbows: ArrayLike, tip: ArrayLike, lb: float) -> tuple[Floats, Floats]:
     """Distance of the tip of `engine_delta_fk` before its rounding from the exact one, and the band of its `gap`.
 
@@ -131,14 +158,9 @@ def delta_tip(p: dict[str, int], elbows: ArrayLike, tip: ArrayLike, lb: float) -
     unit, e = 2.0 ** (p["W"] + 2), 2.0**-25
     elbows, tip, lb = floats(elbows) / unit, floats(tip) / unit, lb / unit
     a, b = elbows[..., 1, :] - elbows[..., 0, :], elbows[..., 2, :] - elbows[..., 0, :]
-    one, two = np.linalg.norm(a, axis=-1), np.linalg.norm(b, axis=-1)
-    area = np.maximum(one, two) ** 2
-    n = np.linalg.norm(np.cross(a, b), axis=-1)
-    v = one * two * np.linalg.norm(a - b, axis=-1)
+    area, n, v, off_n, off_v = _middle(a, b)
     d = 4 * lb**2 * n**2 - v**2
     word = np.sqrt(3) * e
-    off_n = 0.75 * word
-    off_v = 0.875 * e * (one + two) + 0.75 * word * area
     off_d = 2 * 2 * lb * n * (0.625 * word * area + 2 * lb * off_n) + 2 * v * off_v + 1.25 * e * area**2
     h = np.sqrt(np.maximum(d, 1e-300))
     off_h = off_d / h + MINUS * h + 0.625 * e * area

@@ -60,8 +60,90 @@ def orientation(p: Params, singular: ArrayLike = False) -> Floats:
     return (6 * ROUNDED + 1.07 + floats(singular) * 8 * math.sqrt(2)) * unit * 1.001 + roots + 2.0**-20
 
 
-def position(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: ArrayLike) -> Floats:
+ZONES = math.sqrt(2.6) * 1.01, math.sqrt(4.5) * 1.01
+"""Radii about axes 1 and 2 beyond which joint 1 and joint 2 have a direction, in roots of the area unit A.
+
+A direction is two words of area, and there is none where both are 0 or -1: each is below 1.5 A, the vector below
+2.12 A. Its length is the product of the wrist's distance and of the one that the arm makes of it, whose square is off
+by 0.875 A at axis 1 (three products and a rounding), by 3.5 A at axis 2 (the gap, 3 A, and the square of the elbow's
+sine). So the square of the distance in A, t, has t (t - 0.875) <= 4.5, t <= 2.6, and t (t - 3.5) <= 4.5, t <= 4.5; the
+words of the wrist's centre, 2^-9 LSB each, are within the 1 %.
+"""
+
+
+def zone(p: Params, joint: int, x1: ArrayLike) -> Floats:
+    """Distance of the wrist's centre from axis 1 or 2 up to which joint 1 or 2 may be held, LSB.
+
+    x1 : its distance forward of axis 1, whose error, where it is short, is one of the distance from axis 2.
+    """
+    unit = math.sqrt(_area(p))
+    return ZONES[joint - 1] * unit + (joint == 2) * _shoulder(p, floats(x1))
+
+
+def held(p: Params, joint: int) -> float:
+    """What a held joint 1 or 2 adds to the distance of the tip, LSB: the wrist may be on the other side of the axis, at
+    the distance that the arm makes of its own."""
+    t = ZONES[joint - 1] ** 2
+    return (math.sqrt(t) + math.sqrt(t + (0.875, 3.5)[joint - 1])) * math.sqrt(_area(p))
+
+
+def _area(p: Params) -> float:
+    return 2.0 ** (2 * p["W"] - six.H)
+
+
+def _shoulder(p: Params, x1: Floats) -> Floats:
+    """Error of x1: its square is off by A, its root by MINUS."""
+    area = _area(p)
+    return np.minimum(area / x1, math.sqrt(area)) + MINUS * x1
+
+
+def _wrist(arm: Six, rotation: Floats, tip: Floats, back: ArrayLike) -> tuple[Floats, ...]:
+    """(px, py, x1^2, forward of axis 2, above it) of the wrist's centre."""
+    px, py, pz = np.moveaxis(tip - arm.c4 * rotation[..., 2], -1, 0)
+    square = px * px + py * py - arm.b**2
+    x1 = np.sqrt(np.maximum(square, 0))
+    return px, py, square, np.where(back, -x1, x1) - arm.a1, pz - arm.c1
+
+
+def nearest(arm: Six, rotation: ArrayLike, tip: ArrayLike, back: ArrayLike) -> Floats:
+    """(N, 3) the nearest tip in the plane of the arm of one that is out of reach, the matrix kept."""
+    rotation, tip = floats(rotation), floats(tip)
+    px, py, square, x, z = _wrist(arm, rotation, tip, back)
+    x1 = np.where(back, -1, 1) * np.sqrt(np.maximum(square, 0))
+    r = np.maximum(np.hypot(x, z), 1e-9)
+    share = np.clip(r, abs(arm.c2 - arm.k), arm.c2 + arm.k) / r
+    turn = np.arctan2(py, px) - np.arctan2(arm.b, x1)
+    forward = arm.a1 + x * share
+    centre = np.stack([forward * np.cos(turn) - arm.b * np.sin(turn), forward * np.sin(turn) + arm.b * np.cos(turn),
+                       arm.c1 + z * share], axis=-1)
+    return centre + arm.c4 * rotation[..., 2]
+
+
+def beyond(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: ArrayLike) -> Floats:
+    """Distance of the exact tip of the joints from `nearest`, out of reach of axis 2, at any distance from axis 1.
+
+    The terms of `position` without those of the elbow, which is stretched or folded exactly. The error of x1 turns the
+    arm, which is R / r as long as the line to the target; joint 1 turns the nearest tip.
+    """
+    rotation, tip = floats(rotation), floats(tip)
+    px, py, square, x, z = _wrist(arm, rotation, tip, back)
+    area, unit = _area(p), 2.0 ** -p["U"]
+    rho, x1 = np.maximum(np.hypot(px, py), 1e-9), np.sqrt(np.maximum(square, 1e-9))
+    r = np.maximum(np.hypot(x, z), 1e-9)
+    long = np.clip(r, abs(arm.c2 - arm.k), arm.c2 + arm.k)
+    there, flange = nearest(arm, rotation, tip, back), abs(arm.c4)
+    far = np.hypot(there[..., 0], there[..., 1])
+    words = ROUNDED * 1.001 * unit * (far + long + arm.k + 4 * flange) + flange * orientation(p)
+    turn1 = far * 0.75 * math.sqrt(2) * area / (rho * np.maximum(np.hypot(x1, arm.b), 1e-9))
+    turn2 = (1 + flange / np.maximum(long, 1e-9)) * 0.75 * math.sqrt(2) * area / r
+    return words + _shoulder(p, x1) * (1 + long / r) + turn1 + turn2 + 2 * _config(arm)
+
+
+def position(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: ArrayLike,
+             none: ArrayLike = 0) -> Floats:
     """Distance of the exact tip of the joints that vector_ik6 answers from the tip asked for, in reach.
+
+    none : bit 0, bit 1: joint 1, joint 2 has no direction there and is held.
 
     With area units A, p the wrist's centre, x1 its distance forward of axis 1 (x1^2 = px^2 + py^2 - b^2), r its
     distance from axis 2, each of which has its singularity at 0:
@@ -74,16 +156,14 @@ def position(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: Arr
       elbow is off by MINUS: that changes r^2 by 2 c2 k MINUS sin^2 cos, at most 0.77 c2 k MINUS, and the direction
       of the forearm's end by MINUS of k.
     """
-    rotation, tip = floats(rotation), floats(tip)
-    area, unit = 2.0 ** (2 * p["W"] - six.H), 2.0 ** -p["U"]
-    px, py, pz = np.moveaxis(tip - arm.c4 * rotation[..., 2], -1, 0)
-    plane = px * px + py * py
-    x1 = np.sqrt(np.maximum(plane - arm.b**2, 1e-9))
-    r = np.maximum(np.hypot(np.where(back, -x1, x1) - arm.a1, pz - arm.c1), 1e-9)
+    rotation, tip, none = floats(rotation), floats(tip), np.asarray(none)
+    area, unit = _area(p), 2.0 ** -p["U"]
+    px, py, square, x, z = _wrist(arm, rotation, tip, back)
+    plane, x1, r = px * px + py * py, np.sqrt(np.maximum(square, 1e-9)), np.maximum(np.hypot(x, z), 1e-9)
     far, flange = np.hypot(tip[..., 0], tip[..., 1]), abs(arm.c4)
     words = ROUNDED * 1.001 * unit * (far + r + arm.k + 4 * flange) + flange * orientation(p)
-    shoulder = np.minimum(area / x1, np.sqrt(area)) + MINUS * x1
-    turn1 = far * 0.75 * math.sqrt(2) * area / np.maximum(plane, 1e-9)
+    shoulder = _shoulder(p, x1)
+    turn1 = np.where(none & 1 > 0, held(p, 1), far * 0.75 * math.sqrt(2) * area / np.maximum(plane, 1e-9))
     elbow = (3 * area + 0.77 * arm.c2 * arm.k * MINUS) / (2 * r) + MINUS * arm.k
-    turn2 = (r + flange) * 0.75 * math.sqrt(2) * area / r**2
+    turn2 = np.where(none & 2 > 0, held(p, 2), (r + flange) * 0.75 * math.sqrt(2) * area / r**2)
     return words + shoulder + turn1 + elbow + turn2 + 2 * _config(arm)

@@ -10,9 +10,6 @@ from quadrance import cores
 from quadrance.cli.catalogue import Refused
 from quadrance.cores import TYPES, Core
 
-# wrappers that stand in rtl/axis, one a family; `quadrance axis CORE` writes that of any other
-CHECKED_IN = ("vector_ik2", "table_ik2", "rational_ik2", "classic_fk2", "paper_fk1", "angle_to_vector",
-              "cordic_rotate", "divide")
 CALLS = {"max": ">", "min": "<"}
 OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.FloorDiv: "/", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">",
              ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}

@@ -1,0 +1,107 @@
+"""The proofs bite: each of these cores is broken in one place, and sby must say FAIL or find no induction."""
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+from quadrance import cores
+
+from ci import contract, formal
+from tb.lib import tools
+from tb.lib.simulate import available
+
+ICARUS = pytest.mark.skipif(not available("icarus"), reason="a core's states are found by simulation in Icarus")
+FAULTS = [
+    ("isqrt_comb-W15F1", "isqrt_digits.v", "~pair[0]} : {rem[D-1:0], pair}", "pair[0]} : {rem[D-1:0], pair}", "FAIL"),
+    ("divide_comb-8by8", "divide_digits.v", "= |in_d[WD-1:B+1]", "= in_d[WD-1]", "FAIL"),
+    ("isqrt_iter-W16R4", "isqrt.v", "&& (!valid || out_ready)", "", "FAIL"),
+    ("skid_buffer-W16", "skid_buffer.v", "if (in_ready) skid <= in_d;", "skid <= in_d;", "FAIL"),
+    ("round_saturate-16to8by6", "round_saturate.v", "in_x[SHIFT-1]}", "1'b0}", "FAIL"),
+]
+
+
+def proof(name: str) -> formal.Proof:
+    return next(one for one in formal.all_proofs() if one.name == name)
+
+
+@pytest.mark.full
+@pytest.mark.parametrize(("name", "file", "sound", "broken", "verdict"), FAULTS, ids=[fault[0] for fault in FAULTS])
+def test_broken_core_is_refuted(name: str, file: str, sound: str, broken: str, verdict: str) -> None:
+    one = proof(name)
+    folder = tools.BUILD / "formal" / "broken" / name
+    folder.mkdir(parents=True, exist_ok=True)
+    sources = []
+    for source in one.sources:
+        if source.name == file:
+            text = source.read_text()
+            assert text.count(sound) == 1, f"{file} has changed: '{sound}' is not in it once"
+            source = Path(folder / file)
+            source.write_text(text.replace(sound, broken))
+        sources.append(source)
+    assert formal.prove(dataclasses.replace(one, name=f"{name}-broken", sources=tuple(sources))).word == verdict
+
+
+@pytest.mark.full
+def test_sound_core_is_proved() -> None:
+    assert formal.prove(proof("skid_buffer-W16")).word == "PASS"
+
+
+CONTRACT = [  # what breaks the contract of paper_fk1, and must be found whatever its products are
+    ("takes a word in a reset", "if (rst) begin", "if (rst && !in_valid) begin"),
+    ("result changes while it waits", "if (accept || second) begin", "begin"),
+    ("survives a reset", "second    <= 1'b0;", "second    <= second;"),
+    ("drops a result that waits", "second || (out_valid && !out_ready)", "second"),
+    ("not ready while a result is taken", "!second && (!out_valid || out_ready)", "!second && !out_valid"),
+    ("takes a word too early", "= !second && (", "= ("),
+]
+
+
+def _contract(tmp_path: Path, sound: str, broken: str) -> formal.Verdict:
+    core = cores.find("paper_fk1")
+    text = core.sources[0].read_text()
+    assert text.count(sound) == 1, f"paper_fk1.v has changed: '{sound}' is not in it once"
+    (tmp_path / "paper_fk1.v").write_text(text.replace(sound, broken))
+    return formal.run(f"broken-{tmp_path.name}", contract.job(
+        dataclasses.replace(core, sources=(tmp_path / "paper_fk1.v", *core.sources[1:])), tmp_path))
+
+
+@ICARUS
+@pytest.mark.parametrize(("sound", "broken"), [
+    pytest.param(*one[1:], id=one[0], marks=pytest.mark.full if index == 0 else pytest.mark.slow)
+    for index, one in enumerate(CONTRACT)])
+def test_broken_contract_is_refuted(sound: str, broken: str, tmp_path: Path) -> None:
+    assert _contract(tmp_path, sound, broken) in ("FAIL", "UNKNOWN")
+
+
+@ICARUS
+@pytest.mark.full
+def test_sound_contract_is_proved(tmp_path: Path) -> None:
+    assert _contract(tmp_path, "// SPDX", "// SPDX") == "PASS"
+
+
+def test_a_circuit_that_was_proved_passes_under_other_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    one = proof("round_saturate-16to8by6")
+
+    def changed(old: str, new: str) -> formal.Proof:
+        sources = []
+        for source in one.sources:
+            sources.append(tmp_path / source.name)
+            text = source.read_text()
+            sources[-1].write_text(text.replace(old, new) if source.name == "round_saturate.v" else text)
+        assert any(old in source.read_text() for source in one.sources)
+        return dataclasses.replace(one, sources=tuple(sources))
+
+    monkeypatch.setattr(formal, "run", lambda name, text: "FAIL")
+    verdict, found = formal.judge(one, frozenset())
+    assert verdict == "FAIL"
+    assert formal.judge(changed("rounded", "closest"), frozenset({found})) == ("PASS", found)
+    assert formal.judge(changed("in_x[SHIFT-1]}", "1'b0}"), frozenset({found}))[0] == "FAIL"
+    assert formal.judge(dataclasses.replace(one, depth=one.depth + 1), frozenset({found}))[0] == "FAIL"
+
+
+def test_proofs_of_before_stand_without_a_circuit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(formal, "STORE", tmp_path / "proofs.json")
+    monkeypatch.setattr(formal, "digests", lambda: {"a": "1", "b": "2"})
+    formal.STORE.write_text('{"a": "1", "gone": "3"}')
+    formal.keep({"b": ("2", "circuit")}, formal.standing())
+    assert formal.standing() == {"a": ("1", ""), "b": ("2", "circuit")}

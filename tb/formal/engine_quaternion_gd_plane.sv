@@ -1,0 +1,69 @@
+// The contract where the latency varies (one_inside.sv), and an end: a sample inside that solves is at one place of a
+// loop over its links, which are counted up to n, and its tail; at most cfg_limit passes count, and no two in a row do
+// not. One clock of reset is enough, from any state.
+// rtl: engine_quaternion_gd_plane engine_gd_plane_program schedule
+// with: one_inside.sv plane_parts.sv
+// proof W16N8 mode=prove depth=2 W=16 F=8 A=24 N=8
+// proof W14N3 mode=prove depth=2 W=14 F=6 A=20 N=3
+module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8) (
+    input clk, rst, in_valid, out_ready, input [1:0] cfg_shift, in_op, input [7:0] in_n, input [W-1:0] in_x, in_y,
+    input [W:0] cfg_alpha, input [21:0] cfg_tol, input [9:0] cfg_limit, input [A-1:0] in_j
+);
+    wire in_ready, out_valid, out_coarse;
+    wire [A-1:0] out_j;
+    wire [9:0] out_iters;
+    wire [2*W-1:0] out_error;
+    wire [3:0] out_status;
+    engine_quaternion_gd_plane #(.W(W), .F(F), .A(A), .N(N)) dut (.*);
+
+    wire live, inside;
+
+    (* hierconn *) wire [6:0] \dut.program_.links.step ;
+    (* hierconn *) wire [7:0] \dut.program_.tail.step ;
+    (* hierconn *) wire \dut.check ;
+    (* hierconn *) wire \dut.answer ;
+    (* hierconn *) wire \dut.busy ;
+    (* hierconn *) wire \dut.still ;
+    (* hierconn *) wire \dut.fine ;
+    (* hierconn *) wire \dut.big ;
+    (* hierconn *) wire [5:0] \dut.link ;
+    (* hierconn *) wire [5:0] \dut.loaded ;
+    (* hierconn *) wire [7:0] \dut.n ;
+    wire [6:0] links = \dut.program_.links.step ;
+    wire [7:0] tail = \dut.program_.tail.step ;
+    wire [5:0] link = \dut.link , loaded = \dut.loaded ;
+    wire [7:0] n = \dut.n ;
+    reg  [6:0] with_tail;  // lines of links that are played beside a line of the tail
+    always @* case (tail)
+        8'h02: with_tail = 7'h10;
+        8'h04: with_tail = 7'h20;
+        8'h08: with_tail = 7'h40;
+        8'h40: with_tail = 7'h01;
+        8'h80: with_tail = 7'h02;
+        default: with_tail = 7'h00;
+    endcase
+    wire body = tail == 0 && (links == 7'h01 || links == 7'h02 || links == 7'h04 || links == 7'h09 || links == 7'h12
+                || links == 7'h24 || links == 7'h49);
+    wire turn = tail == 8'h01 && (links == 7'h08 || links == 7'h48)
+             || tail != 8'h00 && tail != 8'h01 && (tail & tail - 1) == 0 && links == with_tail;
+    wire solves = body || turn;
+    wire first = tail[7:6] != 0 || tail == 0 && links[6:3] == 0;  // link 1 is played alone
+
+    wire [A+2*W+14:0] result = {out_j, out_iters, out_error, out_coarse, out_status};
+    wire [33:0] cfg = {cfg_shift, cfg_limit, cfg_tol};
+    one_inside #(.WO(A+2*W+15), .WC(34)) rules (.*);
+    always @* if (live) begin
+        assert (\dut.busy == (inside && !out_valid));
+        assert (\dut.busy == (\dut.check || \dut.answer || solves));
+        assert (\dut.check + \dut.answer + solves < 2);
+        if (!solves) assert (links == 0 && tail == 0);
+        // links are counted from 1 to n
+        assert (loaded <= N);
+        if (solves) assert (n != 0 && n <= loaded);
+        if (solves && (body || tail[7:6] != 0)) assert (link != 0 && link <= n && (link == 1) == first);
+        if (tail[5:2] != 0) assert (link == 0);
+        // an end
+        if (inside) assert (out_iters <= cfg_limit);
+        if (tail[7:4] != 0 && \dut.still ) assert (\dut.fine && \dut.big );
+    end
+endmodule

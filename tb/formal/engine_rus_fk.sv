@@ -1,0 +1,54 @@
+// The contract where the latency varies (one_inside.sv), and an end: a sample inside that solves is at a line of the
+// program, its legs, rows and scalings are counted, and so are its steps, up to cfg_limit. No line writes behind the
+// word of a sample that comes after it. One clock of reset is enough, from any state.
+// rtl: engine_rus_fk engine_rus_fk_steps
+// with: one_inside.sv rus_fk_parts.sv
+// proof W27 mode=prove depth=2 W=27
+// proof W18 mode=prove depth=2 W=18
+module engine_rus_fk_props #(parameter W = 27) (
+    input clk, rst, in_valid, out_ready, input [1:0] in_op, input [2:0] in_n, input [3:0] in_k, input [W-1:0] in_word,
+    input [21:0] cfg_tol, input [5:0] cfg_limit
+);
+    wire in_ready, out_valid;
+    wire [W-1:0] out_word;
+    wire [5:0] out_iters;
+    wire [3:0] out_status;
+    engine_rus_fk #(.W(W)) dut (.*);
+
+    wire live, inside;
+
+    (* hierconn *) wire \dut.check ;
+    (* hierconn *) wire \dut.answer ;
+    (* hierconn *) wire \dut.run ;
+    (* hierconn *) wire \dut.busy ;
+    (* hierconn *) wire [6:0] \dut.fill ;
+    (* hierconn *) wire [7:0] \dut.steps.line ;
+    (* hierconn *) wire [2:0] \dut.i ;
+    (* hierconn *) wire [2:0] \dut.j ;
+    (* hierconn *) wire \dut.steps.loads ;
+    (* hierconn *) wire \dut.steps.multiplies ;
+    wire [7:0] line = \dut.steps.line ;
+    wire [6:0] fill = \dut.fill ;
+    wire [2:0] i = \dut.i , j = \dut.j ;
+    wire       run = \dut.run ;
+
+    wire [W+9:0] result = {out_word, out_iters, out_status};
+    wire [27:0] cfg = {cfg_tol, cfg_limit};
+    one_inside #(.WO(W+10), .WC(28)) rules (.*);
+    always @* if (live) begin
+        assert (\dut.busy == (inside && !out_valid));
+        assert (\dut.busy == (\dut.check || \dut.answer || run));
+        assert (\dut.check + \dut.answer + run < 2);
+        assert (fill[3:0] < (fill[6:4] == 0 ? 9 : fill[6:4] == 7 ? 1 : 13));
+        if (inside) assert (out_iters <= cfg_limit);
+        if (\dut.check ) assert (!\dut.steps.loads && !\dut.steps.multiplies );
+        if (\dut.check ) assert (out_iters == 0 && out_status == 0);
+        if (run) begin
+            assert (fill == 7'h70 && line < 192 && i != 0 && i != 7);
+            if (line >= 60 && line < 182) assert (out_iters < cfg_limit);
+            if (line >= 111 && line < 128) assert (i != 6 && j > i && j != 7);
+            if (line >= 135 && line < 182) assert (i == 6);
+        end
+        if (run) assert (out_status == 0);
+    end
+endmodule
