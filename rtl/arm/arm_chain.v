@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of an arm as it is built, on two multipliers: vector_chain of three joints and five constants.
+// Forward kinematics of a real arm on two multipliers: three joints and five constants.
 //   (A, B) = (L2 + i e)(c2 + i n2); rho + i z = (A + L1 + i B)(c1 + i n1) + a + i base, with ABSOLUTE
 //   A + i B + L1 (c1 + i n1) + a + i base; x + i y = (rho + i b)(c3 + i n3)
-// Formats: c, n s2.U of any length; A, B, rho s(W+3+G) with G bits below the LSB of a coordinate, to which every
-// product is truncated; outputs to nearest (ties upward), saturated.
-// Range: every sum below 2^(W+2) LSB, as it is for unit vectors and any lengths; beyond it a coordinate wraps.
-// Latency and II: lines of the table + 1. Overflow: a coordinate was saturated. Model: arm.fk3
+// Formats: c, n s2.U of any length; A, B, rho s(W+3+G) with G guard bits below the LSB of a coordinate, to which every
+// product is truncated. Outputs are rounded to nearest (ties upward) and saturated.
+// Error of a coordinate: 1/2 + (sqrt(13) + 6) / 32 = 0.80 LSB for vectors that are not longer than 1.
+// Range: every sum stays below 2^(W+2) LSB for unit vectors and any lengths; beyond that a coordinate wraps.
+// Latency and II: 8. Overflow: a coordinate was saturated.
+// Source: rational trigonometry paper, eqs. 24-31, in vector form, with the offsets of real arms. Model: arm.fk3
 `default_nettype none
 module arm_chain #(
-    parameter W = 16,       // bits of a length and of a coordinate, 8 to 20; their fraction bits do not matter here
-    parameter U = 16,       // fraction bits of cosine and sine, 8 to 18
-    parameter ABSOLUTE = 1  // 0 or 1: joint 2 is measured from the base. 1, the general arm
+    parameter W = 16,       // bits of a length and of a coordinate, 8 to 20 (default 16)
+    parameter U = 16,       // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter ABSOLUTE = 1  // 1 (default): joint 2 is measured from the base; 0: from link 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -67,14 +69,14 @@ module arm_chain #(
     reg         [N-1:0] exact, base;
     wire signed [U+1:0] c = joint3 ? c3 : joint1 ? c1 : c2, n = joint3 ? n3 : joint1 ? n1 : n2;
     wire signed [U+1:0] left1 = sine ? n : c, left2 = sine ? c : n;
-    wire                link = ABSOLUTE && joint1;  // L1 alone is turned by joint 1, not A and B
+    wire                link = ABSOLUTE && joint1;  // joint 1 turns L1 alone, not A and B
     wire signed [N-1:0] right1 = link ? {3'd0, cfg_l1, {G{1'b0}}} : a;
     wire signed [N-1:0] right2 = link ? {N{1'b0}} : b ^ {N{!sine}};
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [N+U+1:0] product1 = left1 * right1, product2 = left2 * right2;
     /* verilator lint_on UNUSEDSIGNAL */
 
-    // What is added to a sum one clock later; the half that rounds is in it where the sum is a coordinate
+    // This is added to a sum one clock later. It includes the half that rounds where the sum is a coordinate
     localparam [G-1:0]  HALF = 1 << G - 1;
     wire        [N-1:0] shoulder = {{3{cfg_shoulder[W-1]}}, cfg_shoulder, {G{1'b0}}};
     wire        [N-1:0] height = {{3{cfg_base[W-1]}}, cfg_base, HALF};

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs an inverse kernel once for every branch of a target and keeps the best answer: within the limits of all joints,
-// in reach, nearest to the answer before, in this order; of equals the first.
-//   within: c mc + n mn > h for every joint, (mc, mn) the direction in the middle of its limits, h the cosine of half
-//   the room; nearest: the greatest sum over the joints of c c' + n n', the cosines of the steps from the last answer
-// An answer out of the limits is not remembered. After reset the last answer is the arm at its zeros.
-// Formats: c, n, mc, mn, h s2.U, joint 1 in the lowest bits; products are truncated. Error: 2 LSB of a cosine.
-// out_go, out_number: a branch starts, after out_take; in_done: it has ended, held until out_next.
-// Latency, II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1). Model: arm_keep.keep2, arm_keep.keep3
+// Runs an inverse kernel once for every branch of a target and keeps the best answer. It prefers, in this order, a
+// branch within the limits of all joints, one in reach, and the one nearest to the last answer; among equals the first.
+//   within: c mc + n mn > h for every joint, (mc, mn) being the middle of its range and h the cosine of half of it
+//   nearest: the greatest sum over the joints of c c' + n n', the cosines of the steps from the last answer (c', n')
+// An answer beyond the limits is not remembered. Reset sets the last answer to all joints at 0. out_go starts branch
+// out_number, the first one a clock after out_take. in_done says that it has ended; in_c, in_n and in_status hold until
+// out_next.
+// Formats: c, n, mc, mn, h s2.U, joint 1 in the lowest bits. Products are truncated: a cosine is low by 2 LSB at most.
+// Latency and II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1). Status: that of the chosen branch; out_beyond:
+// no branch is within the limits. Models: arm_keep.keep2, arm_keep.keep3
 `default_nettype none
 module arm_choose #(
-    parameter JOINTS = 3,   // 2 or 3
-    parameter BRANCHES = 4, // 2 or 4: elbow, and side of the shoulder
-    parameter U = 16        // fraction bits of cosine and sine, 8 to 16: 16
+    parameter JOINTS = 3,   // joints, 2 or 3 (default 3)
+    parameter BRANCHES = 4, // branches, 2: elbow, or 4: elbow and side of the shoulder (default 4)
+    parameter U = 16        // fraction bits of cosine and sine, 8 to 16 (default 16)
 ) (
     input  wire                    clk,
     input  wire                    rst,
@@ -38,7 +40,7 @@ module arm_choose #(
     output wire                    out_beyond,
     output reg  [3:0]              out_status
 );
-    localparam N = U + 2, S = U + 6;  // bits of a word, of a sum of cosines
+    localparam N = U + 2, S = U + 6;  // bits of a word and of a sum of cosines
 
     // Schedule, a clock a line
     // Between branches the operands are those of the first line, joint 1 and the middle of its limits
@@ -69,7 +71,7 @@ module arm_choose #(
         /* decide  */ {MIDDLE1, BETTER}};
     wire [1:0] joint;
     wire       to_last, limit, step, better, idle;
-    reg        busy, begun;     // a target is in work; its first branch starts
+    reg        busy, begun;     // a target is being solved; its first branch starts
     reg  [1:0] number;
     wire       last_one = number == (BRANCHES == 4 ? 2'd3 : 2'd1);
     wire       start = in_done && idle;
@@ -88,7 +90,7 @@ module arm_choose #(
     assign out_go = begun || better && !last_one;
     assign out_number = number + {1'b0, better};
 
-    // One cosine a clock, from registers: of a joint with the middle of its limits, or with the last answer
+    // One cosine a clock, from registers: between a joint and the middle of its range or the last answer
     reg  [JOINTS*N-1:0] last_c, last_n;
     assign              out_last_c = last_c;
     assign              out_last_n = last_n;
@@ -101,7 +103,7 @@ module arm_choose #(
     wire [S-1:0] sum = cosine + (limit ? ~{{(S-N){h[N-1]}}, h} : score);  // cosine - h - 1 is not negative
     reg          allowed, best_allowed, best_reach;
     wire         reach = !in_status[0];
-    // A greater number is a better answer: the sum with its sign turned is one without a sign
+    // The greater key is the better answer. Inverting the sign bit makes the sum comparable as an unsigned number
     wire [S+1:0] key = {allowed, reach, !score[S-1], score[S-2:0]};
     wire [S+1:0] best = {best_allowed, best_reach, !best_score[S-1], best_score[S-2:0]};
     wire         take = better && (number == 0 || key > best);

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of an arm as it is built, on unit vectors: vector_fk3 with base height, shoulder offset a, lateral
-// offset b, elbow offset e and an elbow measured from the base. A switch at 0 leaves its part out.
-//   rho, z = x, y of vector_fk2 with L2 + i e for L2, plus a and the base height; x + i y = (rho + i b)(c3 + i n3)
-// Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 u(W-F).F; other cfg_*, out_* s(W-F).F, nearest, saturated.
-// Error: each coordinate within 0.80 LSB of the vectors as they are given, if none is longer than 1.
-// Latency 8, II 8; the schedule is in arm_chain.v. Status: overflow (a coordinate was saturated).
-// Source: rational trigonometry paper, eqs. 24-31 in vector form, with the offsets of real arms. Model: arm.fk3
+// Forward kinematics of a real arm on unit vectors: vector_fk3 with base height, shoulder offset a, lateral offset b,
+// elbow offset e and an elbow that is measured from the base. A switch of 0 leaves its part out.
+//   rho, z are x, y of vector_fk2 with L2 + i e for L2, plus a and the base height; x + i y = (rho + i b)(c3 + i n3)
+// Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 u(W-F).F; other cfg_* and out_* s(W-F).F. Coordinates are
+// rounded to nearest (ties upward) and saturated.
+// Error of a coordinate: 0.80 LSB for the vectors as they are given, if none is longer than 1.
+// Latency and II: 8. The cycle table is in arm_chain.v. Status: overflow (a coordinate was saturated).
+// Source: rational trigonometry paper, eqs. 24-31, in vector form, with the offsets of real arms. Model: arm.fk3
 `default_nettype none
 module arm_fk3 #(
-    parameter W = 16,        // bits of a coordinate and of a length, 8 to 20: 16 are common in servo control
-    parameter F = 8,         // fraction bits of both, 0 to W - 1; changes no logic: 8 resolve 1/256 unit
-    parameter U = 16,        // fraction bits of cosine and sine, 8 to 18: 16 are what a coordinate of 16 bits needs
-    parameter BASE = 1,      // 0 or 1: base height. 1, as all below: the general arm
-    parameter SHOULDER = 1,  // 0 or 1: shoulder offset, radial
-    parameter LATERAL = 1,   // 0 or 1: the arm's plane passes beside the yaw axis
-    parameter ELBOW = 1,     // 0 or 1: elbow offset, across the forearm
-    parameter ABSOLUTE = 1   // 0 or 1: joint 2 is measured from the base (parallelogram)
+    parameter W = 16,        // bits of a coordinate and of a length, 8 to 20 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,        // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter BASE = 1,      // 1 (default): with base height; 0: without
+    parameter SHOULDER = 1,  // 1 (default): with shoulder offset, radial; 0: without
+    parameter LATERAL = 1,   // 1 (default): the arm's plane passes beside the yaw axis; 0: through it
+    parameter ELBOW = 1,     // 1 (default): with elbow offset, across the forearm; 0: without
+    parameter ABSOLUTE = 1   // 1 (default): joint 2 is measured from the base (parallelogram); 0: from link 1
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of an arm as it is built, on unit vectors: base height, shoulder offset a, lateral offset b, elbow
-// offset, elbow measured from the base; both elbows and both sides of the shoulder. A switch at 0 leaves its part out.
+// Inverse kinematics of a real arm on unit vectors: base height, shoulder offset a, lateral offset b, elbow offset and
+// an elbow measured from the base, for either elbow and either side of the shoulder. A switch of 0 leaves its part out.
 //   rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2), vector_ik2 on (rho - a, z - base)
-// Formats: in_*, cfg_base, cfg_lateral s(W-F).F; cfg_shoulder s(W-F-2).F; out_c*, out_n* s2.U, nearest; other cfg_*:
-// arm.config. Error of the tip: page. Latency, II: 19, 5 more with LATERAL, 2 more with ABSOLUTE.
-// Status: unreachable (nearest point in the plane of the arm is answered), singular (a joint has no direction: joints 1
-// and 3 hold theirs), overflow (z - base saturated).
+// Formats: in_*, cfg_base, cfg_lateral s(W-F).F; cfg_shoulder s(W-F-2).F; out_c*, out_n* s2.U, rounded to nearest;
+// other cfg_* by arm.config. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE.
+// Error of the tip in reach: bounds.arm.arm_ik3, that of vector_ik2 plus 2 d, d = 3/32 LSB + 2^-16 rho, plus (|rho| +
+// L1 + L2)(2^-U sqrt(1/2) + 2^-18), plus 2^-U sqrt(5) L2 each for ELBOW and ABSOLUTE.
+// Status: unreachable (the nearest point in the plane of the arm is answered), singular (joint 1 or 3 has no direction
+// and holds its last word, (1, 0) after a reset), overflow (z - base was saturated).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form, with the offsets of real arms. Model: arm.ik3
 `default_nettype none
 module arm_ik3 #(
-    parameter W = 16,        // bits of a coordinate, 8 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,         // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16,        // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
-    parameter BASE = 1,      // 0 or 1: base height. 1, as all below: the general arm
-    parameter SHOULDER = 1,  // 0 or 1: shoulder offset, radial
-    parameter LATERAL = 1,   // 0 or 1: the arm's plane passes beside the yaw axis
-    parameter ELBOW = 1,     // 0 or 1: elbow offset, joint 2 turned by a constant
-    parameter ABSOLUTE = 1   // 0 or 1: joint 2 is measured from the base (parallelogram)
+    parameter W = 16,        // bits of a coordinate and of a length, 8 to 16 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,        // fraction bits of cosine and sine, 8 to 16 (default 16)
+    parameter BASE = 1,      // 1 (default): with base height; 0: without
+    parameter SHOULDER = 1,  // 1 (default): with shoulder offset, radial; 0: without
+    parameter LATERAL = 1,   // 1 (default): the arm's plane passes beside the yaw axis; 0: through it
+    parameter ELBOW = 1,     // 1 (default): with elbow offset, which turns joint 2 by a constant; 0: without
+    parameter ABSOLUTE = 1   // 1 (default): joint 2 is measured from the base (parallelogram); 0: from link 1
 ) (
     input  wire                clk,
     input  wire                rst,

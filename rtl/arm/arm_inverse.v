@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rates of two joints in the plane, or of three, whose third yaws that plane, from the velocity of the tip.
+// Rates of two joints in the plane, or of three of which the third yaws that plane, from the velocity of the tip.
 //   v' = v (c1 - i n1), e + i f = L2 (c2 + i n2): s = -v'x / f, w1 = (v'y - e s) / L1, w2 = s - w1
 //   JOINTS = 3: (v_rho + i v_t) = (x + i y)(c3 - i n3), v = v_rho + i z; w3 = v_t / rho, rho = (L1 + e) c1 - f n1
-// Where |n2| is less than cfg_sine that stands for it, and cfg_radius for |rho|: rates stay bounded, and the velocity
-// that is lost is that along the arm, or about the axis.
-// Formats: c, n s2.U; velocities s(W-F).F; rates s(W-V).V, nearest, saturated; inside s(2W-V+3).G, truncated.
-// Latency, II: 7 + 2 D, three joints 9 + 3 D, D = ceil((2 W + 7) / R). Status: singular (a divisor was replaced or 0),
-// overflow (a rate saturated). Models: arm_velocity.rates2, .rates3
+// Where |n2| is below cfg_sine, cfg_sine replaces it; cfg_radius replaces |rho|. The rates stay bounded, and only the
+// velocity along the arm, or around the axis, is reduced.
+// Formats: c, n s2.U; velocities s(W-F).F; rates s(W-V).V, rounded to nearest, saturated. Words inside are s(2W-V+3).G
+// with G = 4 guard bits, to which products are truncated. Error: bounds.arm.rates2, bounds.arm.rates3.
+// Latency and II: 7 + 2 D, with three joints 9 + 3 D, D = ceil((2 W + 7) / R).
+// Status: singular (a divisor was replaced or is 0, which makes the rate 0), overflow (a rate was saturated).
+// Models: arm_velocity.rates2, arm_velocity.rates3
 `default_nettype none
 module arm_inverse #(
-    parameter JOINTS = 2,  // 2 or 3: the third turns the plane of the first two about an upright axis
-    parameter W = 16,      // bits of a length, a rate and a velocity, 8 to 18: 16
-    parameter U = 16,      // fraction bits of cosine and sine, 8 to 18: 16
-    parameter V = 12,      // fraction bits of a rate, W - 8 to W - 1, U at most: 12, 8 rad in a unit of time
-    parameter R = 4        // digits of a quotient in a clock, 1 to 8: 4
+    parameter JOINTS = 2,  // joints, 2 or 3 (default 2); the third turns the plane of the others about an upright axis
+    parameter W = 16,      // bits of a length, a rate and a velocity, 8 to 18 (default 16)
+    parameter U = 16,      // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter V = 12,      // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12)
+    parameter R = 4        // digits of a quotient in one clock, 1 to 5 (default 4)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -118,7 +120,7 @@ module arm_inverse #(
         .in_c3(in_c3), .in_n3(in_n3), .in_x(in_x), .in_y(in_y), .in_z(in_z), .out_q(q), .out_zero(zero),
         .out_near(near));
 
-    // Every rate is saturated on its way out
+    // The rates are saturated
     wire        [W+2:0] w2 = {s[W+1], s} - {w1[W+1], w1};
     wire                over1 = w1[W+1:W-1] != {3{w1[W+1]}}, over2 = w2[W+2:W-1] != {4{w2[W+2]}};
     wire                over3 = JOINTS == 3 && w3[W+1:W-1] != {3{w3[W+1]}};

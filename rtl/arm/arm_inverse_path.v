@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Datapath of arm_inverse, whose table says what happens when: in_op is one line of it.
-// Ports, formats and models as in arm_inverse; in_start: in_c1 ... in_z are taken at the end of the clock. out_q,
-// out_zero: the quotient and whether its divisor was 0; out_near: |n2| is below cfg_sine, or the last divisor was
-// cfg_radius. Combinational in registers. Model: arm_velocity.rates2, arm_velocity.rates3
+// Datapath of arm_inverse, whose cycle table controls it: in_op is one line of that table, column by column. Ports,
+// formats, error and models are those of arm_inverse. in_start loads in_c1 ... in_z at the end of its clock. out_q is
+// the quotient and out_zero says that its divisor was 0. out_near: |n2| is below cfg_sine, or the last divisor was
+// cfg_radius. The outputs are combinational in the registers.
 `default_nettype none
 module arm_inverse_path #(
-    parameter JOINTS = 2,  // 2 or 3: 2, in the plane
-    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18: 16
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16
-    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1, U at most: 12
-    parameter R = 4    // digits of a quotient in a clock, 1 to 8: 4
+    parameter JOINTS = 2,  // joints, 2 (default) in the plane, or 3
+    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18 (default 16)
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12)
+    parameter R = 4    // digits of a quotient in one clock, 1 to 5 (default 4)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -39,8 +39,8 @@ module arm_inverse_path #(
     wire [6:0] right_from;
     assign {keep, left1_from, left2_from, right_from, to_t, to_xy, to_p, to_q, to_a, to_b, start, what} = in_op;
 
-    // Operands are chosen a clock before their product, which so begins at registers: the left ones themselves, the
-    // choice of the right ones. left2 may be |n2|, or the least that is divided by
+    // Operands are selected one clock before their product: the left operand is registered, and so is the select of
+    // the right one. left2 may be |n2|, or cfg_sine in its place
     reg  signed [M-1:0] c1, n1, c2, n2, left1, left2, next1, next2;
     reg  signed [N-1:0] x, y, z, t, p, q, a, b, right1, right2;
     reg  [6:0]    right;
@@ -84,7 +84,7 @@ module arm_inverse_path #(
     wire [N-1:0] cut1 = product1[N+U-1:U], cut2 = product2[N+U-1:U];
     wire [N-1:0] sum = cut1 + cut2;
 
-    // v'x / |f|, (v'y - e s) / L1, v_t / |rho|; lengths fit L bits
+    // Quotients v'x / |f|, (v'y - e s) / L1 and v_t / |rho|; lengths fit L bits
     wire [L-1:0] size = p[L-1:0] ^ {L{p[N-1]}}, radius = {4'd0, cfg_radius, {G{1'b0}}};
     wire         close = size < radius;
     reg          was_close;

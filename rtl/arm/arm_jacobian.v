@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Velocity of the tip of two joints in the plane, or of three, whose third yaws that plane, from the joints' rates.
-//   e + i f = L2 (c2 + i n2), s = w1 + w2: v' = -f s + i ((L1 + e) s - L1 w2) seen from link 1; turned by joint 1
+// Velocity of the tip from the joints' rates, for two joints in the plane, or for three of which the third yaws it.
+//   e + i f = L2 (c2 + i n2), s = w1 + w2: v' = -f s + i ((L1 + e) s - L1 w2) seen from link 1; joint 1 turns it
 //   JOINTS = 3: x + i y = (v_rho + i rho w3)(c3 + i n3), rho = (L1 + e) c1 - f n1
-// Formats: c, n s2.U (1.0 is 2^U); rates s(W-V).V; a, b, p, q s(2W-V+3).G, G bits below the LSB of a coordinate, to
-// which every product is truncated; outputs to nearest (ties upward), saturated. Latency, II: lines of the table + 1.
-// Overflow: a coordinate was saturated. Models: arm_velocity.velocity2, .velocity3
+// Formats: c, n s2.U (1.0 is 2^U); rates s(W-V).V; a, b, p, q s(2W-V+3).G with G = 4 guard bits below the LSB of a
+// coordinate, to which every product is truncated. Outputs are rounded to nearest (ties upward) and saturated.
+// Error of a coordinate: 1/2 + E / 16 LSB, E = 3 + sqrt((|s| + |w2| + 2)^2 + (2 |s| + 1)^2), rates in radians;
+// JOINTS = 3: 1/2 + (3 + sqrt(E^2 + (1 + (3 + sqrt 2) |w3|)^2)) / 16.
+// Latency and II: 6, with three joints 10. Overflow: a coordinate was saturated.
+// Models: arm_velocity.velocity2, arm_velocity.velocity3
 `default_nettype none
 module arm_jacobian #(
-    parameter JOINTS = 2,  // 2 or 3: the third turns the plane of the first two about an upright axis
-    parameter W = 16,      // bits of a length, a rate and a velocity, 8 to 18: 16
-    parameter U = 16,      // fraction bits of cosine and sine, 8 to 18: 16
-    parameter V = 12       // fraction bits of a rate, W - 8 to W, U at most: 12, 8 rad in a unit of time
+    parameter JOINTS = 2,  // joints, 2 or 3 (default 2); the third turns the plane of the others about an upright axis
+    parameter W = 16,      // bits of a length, a rate and a velocity, 8 to 18 (default 16)
+    parameter U = 16,      // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter V = 12       // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Datapath of arm_jacobian, whose table says what happens when: in_op is one line of it, column by column.
-// Ports, formats and models as in arm_jacobian; in_start: in_c1 ... in_w3 are taken at the end of the clock.
+// Datapath of arm_jacobian, whose cycle table controls it: in_op is one line of that table, column by column. Ports,
+// formats, error and models are those of arm_jacobian. in_start loads in_c1 ... in_w3 at the end of its clock.
 `default_nettype none
 module arm_jacobian_path #(
-    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18: 16
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16
-    parameter V = 12   // fraction bits of a rate, W - 8 to W, U at most: 12
+    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18 (default 16)
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter V = 12   // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12)
 ) (
     input  wire                clk,
     input  wire [W-1:0]        cfg_l1,
@@ -26,15 +26,15 @@ module arm_jacobian_path #(
     output reg  signed [W-1:0] out_z,
     output wire                out_overflow
 );
-    localparam G = 4, N = 2*W - V + 3 + G;  // guard bits; bits of a velocity inside
-    localparam M = W + 1 + U - V, X = W - 1 - V;  // bits of a left operand, those that it has before a cosine
+    localparam G = 4, N = 2*W - V + 3 + G;  // guard bits; bits of a velocity word
+    localparam M = W + 1 + U - V, X = W - 1 - V;  // bits of a left operand; integer bits it has more than a cosine
     wire [2:0] left1_from, left2_from;
     wire [4:0] right_from;
     wire       add, to_a, to_b, to_p, to_q, to_z, to_x;
     assign     {left1_from, left2_from, right_from, add, to_a, to_b, to_p, to_q, to_z, to_x} = in_op;
 
-    // Left: c, n and rates, the latter aligned to U fraction bits. Right: lengths and velocities. Both are chosen a
-    // clock before the product, which so begins at registers: the left one itself, the choice of the right one
+    // Left operands are c, n and the rates, aligned to U fraction bits; right ones are lengths and velocities. Both are
+    // selected one clock before their product: the left operand is registered, and so is the select of the right one
     reg  signed [M-1:0] c1, n1, c3, n3, s, w2, w3, left1, left2, next1, next2;
     reg  signed [N-1:0] a, b, p, q, right1, right2;
     reg         [4:0]   right;
@@ -76,11 +76,11 @@ module arm_jacobian_path #(
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [M+N-1:0] product1 = left1 * right1, product2 = left2 * right2;
     /* verilator lint_on UNUSEDSIGNAL */
-    // Where L1 is added the second product stands alone, for b
+    // When L1 is added to the first product, the second product alone goes to b
     wire [N-1:0] cut1 = product1[N+U-1:U], cut2 = product2[N+U-1:U];
     wire [N-1:0] sum = cut1 + (add ? l1 : cut2);
 
-    // a is rounded on its way out
+    // The outputs are a, rounded and saturated
     wire [N-G-1:0] nearest = a[N-1:G] + {{(N-G-1){1'b0}}, a[G-1]};
     wire           over = nearest[N-G-1:W-1] != {(N-G-W+1){nearest[N-G-1]}};
     reg            over_before;

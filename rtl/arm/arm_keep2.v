@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of two joints that chooses the elbow: within the joint limits, in reach, nearest to the answer
-// before. vector_ik2 for both elbows, and arm_choose.
-// Formats: in_x, in_y s(W-F).F; out_c*, out_n* s2.U, nearest; cfg_mc*, cfg_mn*, cfg_h* s2.U: direction in the middle of
-// a joint's limits, cosine of half the room (arm_keep.limit); other cfg_*: kernel_vector_solve.config. out_elbow: the
-// branch. Error of the tip: vector_ik2. Latency, II: 32.
-// Status: unreachable (nearest point answered), singular (x = y = 0: joint 1 has that of the last answer); out_beyond:
-// no branch is within the limits, and the answer is not remembered. Model: arm_keep.keep2
+// Inverse kinematics of two joints that chooses the elbow: vector_ik2 for both elbows, then arm_choose. It prefers, in
+// this order, an elbow within the joint limits, one in reach, and the one nearest to the last answer.
+// Formats: in_x, in_y s(W-F).F; out_c*, out_n* s2.U, rounded to nearest; cfg_mc*, cfg_mn* s2.U the middle of a joint's
+// range and cfg_h* s2.U the cosine of half the range (arm_keep.limit); other cfg_* by kernel_vector_solve.config.
+// out_elbow is the chosen elbow.
+// Error of the tip: bounds.vector_ik2, 0.59 LSB at L1 = L2 = 2^13 from a quarter of the reach on. Latency and II: 32.
+// Status: unreachable (the nearest point is answered), singular (x = y = 0: joint 1 takes its word from the last
+// answer). out_beyond: no branch is within the limits; the answer is not remembered.
+// Source: rational trigonometry paper, eqs. 18-23, in vector form. Model: arm_keep.keep2
 `default_nettype none
 module arm_keep2 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16   // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16   // fraction bits of cosine and sine, 8 to 16 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of an arm as it is built that chooses elbow and side of the shoulder: within the joint limits, in
-// reach, nearest to the answer before. arm_ik3 for the four branches, and arm_choose.
-// Formats: as arm_ik3; cfg_mc*, cfg_mn*, cfg_h* s2.U: direction in the middle of a joint's limits, cosine of half the
-// room (arm_keep.limit). out_elbow, out_back: the branch. Error of the tip: arm_ik3.
-// Latency, II: 106, 20 more with LATERAL, 8 more with ABSOLUTE.
-// Status: as arm_ik3, a joint without a direction has that of the last answer; out_beyond: no branch is within the
-// limits, and the answer is not remembered. Model: arm_keep.keep3
+// Inverse kinematics of a real arm that chooses the elbow and the side of the shoulder: arm_ik3 for all four branches,
+// then arm_choose. It prefers, in this order, a branch within the joint limits, one in reach, and the one nearest to
+// the last answer. Formats: those of arm_ik3; cfg_mc*, cfg_mn* s2.U the middle of a joint's range and cfg_h* s2.U the
+// cosine of half the range (arm_keep.limit). out_elbow and out_back are the chosen branch.
+// Error of the tip: bounds.arm.arm_ik3. Latency and II: 106 + 20 LATERAL + 8 ABSOLUTE.
+// Status: unreachable (the nearest point in the plane of the arm is answered), singular (a joint without a direction
+// takes its word from the last answer), overflow (z - base was saturated). out_beyond: no branch is within the limits;
+// the answer is not remembered.
+// Source: rational trigonometry paper, eqs. 32-40, in vector form, with the offsets of real arms. Model: arm_keep.keep3
 `default_nettype none
 module arm_keep3 #(
-    parameter W = 16,        // bits of a coordinate, 8 to 16: 16, what the kernel's multipliers take
-    parameter F = 8,         // fraction bits of a coordinate and a length, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16,        // fraction bits of a unit vector's coordinates, 8 to 16: 16, 0.0009 degrees
-    parameter BASE = 1,      // 0 or 1: base height. 1, as all below: the general arm
-    parameter SHOULDER = 1,  // 0 or 1: shoulder offset, radial
-    parameter LATERAL = 1,   // 0 or 1: the arm's plane passes beside the yaw axis
-    parameter ELBOW = 1,     // 0 or 1: elbow offset, joint 2 turned by a constant
-    parameter ABSOLUTE = 1   // 0 or 1: joint 2 is measured from the base (parallelogram)
+    parameter W = 16,        // bits of a coordinate and of a length, 8 to 16 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,        // fraction bits of cosine and sine, 8 to 16 (default 16)
+    parameter BASE = 1,      // 1 (default): with base height; 0: without
+    parameter SHOULDER = 1,  // 1 (default): with shoulder offset, radial; 0: without
+    parameter LATERAL = 1,   // 1 (default): the arm's plane passes beside the yaw axis; 0: through it
+    parameter ELBOW = 1,     // 1 (default): with elbow offset, which turns joint 2 by a constant; 0: without
+    parameter ABSOLUTE = 1   // 1 (default): joint 2 is measured from the base (parallelogram); 0: from link 1
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operands of the two multipliers of arm_solve and the sum of both products, as kernel_vector_turn for an arm as it is
-// built. out_sum = k1 x + k2 y + in_addend, each product truncated to 2^-3
-//   in_start: k1, k2 and x, y are in_x, in_y; in_rho: k1, x are rho less the shoulder offset, k2, y are z
-//   LATERAL = 0: rho is in_total, in_power: k1, k2 are +-2^15 (2^16 where in_odd), - where in_back, and 0
-//   LATERAL = 1: rho is k2, in_take: k1, k2 are in_length and in_lateral, or where in_near 0 and a power with its sign
-//   in_k1: k1 is in_sum, or if in_clamp that power with its sign; in_k2: k2 is in_product; in_move: k1 is k2;
-//   in_turn: (k1, k2) is (-k2, k1)
+// Operands of the two multipliers of arm_solve and the sum of both products. It extends kernel_vector_turn.
+//   out_sum = k1 x + k2 y + in_addend, each product truncated to 2^-3
+//   in_start: k1, x are in_x and k2, y are in_y. in_rho: k1, x are rho less the shoulder offset and k2, y are z
+//   LATERAL = 0: rho is in_total. in_power: k1 is +-2^15 (+-2^16 with in_odd), negative with in_back, and k2 is 0
+//   LATERAL = 1: rho is k2. in_take: k1, k2 are in_length, in_lateral; with in_near 0 and that power, signed
+//   in_k1: k1 is in_sum, or with in_clamp that power, signed. in_k2: k2 is in_product. in_move: k1 is k2. in_turn:
+//   (k1, k2) is (-k2, k1)
 // Formats: in_x, in_y, in_z, in_lateral s16.0; in_shoulder s14.0; in_total s17.4; in_sum, in_product, in_length s18.4;
-// in_addend s34.0; out_sum s34.3. A constant 1 stands behind k1 and k2 as in kernel_vector_turn. Combinational in the
-// registers. Models: kernel_vector_solve.turned, arm.ik3
+// in_addend s34.0; out_sum s34.3, combinational. A constant 1 below the last bit of k1 and k2, 0 where they are
+// coordinates, centres truncation. Models: kernel_vector_solve.turned, arm.ik3
 `default_nettype none
 module arm_operands #(
-    parameter LATERAL = 1,  // 0 or 1: the plane of the arm passes beside the yaw axis. 1, the general arm
-    parameter SHOULDER = 1  // 0 or 1, where LATERAL is 1: in_shoulder is subtracted from rho. 1, the general arm
+    parameter LATERAL = 1,  // 1 (default): the arm's plane passes beside the yaw axis; 0: through it
+    parameter SHOULDER = 1  // 1 (default): in_shoulder is subtracted from rho; 0: not. Used with LATERAL = 1 only
 ) (
     input  wire               clk,
     input  wire               in_start,
@@ -55,7 +55,7 @@ module arm_operands #(
     wire signed [43:0]    product1 = $signed({k1, odd}) * x;
     wire signed [38:0]    product2 = $signed({k2, odd}) * y;
     /* verilator lint_on UNUSEDSIGNAL */
-    // The wider product is the later one, so it is added last. Upper bits alone, or Yosys merges both adders at a cost
+    // The wider product is ready last, so it is added last. The low bits stay out: Yosys would merge the adders
     wire        [33:0]    upper = product2[38:5] + in_addend;
     assign                out_sum = product1[42:6] + {upper, product2[4:2]};
     wire                  unused = &{1'b0, in_total, in_take, in_near, in_length, in_lateral, in_shoulder, in_move,

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Datapath of arm_solve, whose table says what happens when: in_op is one line of it, column by column. After
-// kernel_vector_path, with the base height taken from z, the shoulder offset from rho, a root of x^2 + y^2 - b^2 for a
-// lateral offset b, and either side of the shoulder.
-// Ports, formats and models as in arm_solve; in_start: in_x ... in_back are taken at the end of the clock. 1.0 is 2^25
-// in left, 2^26 in right but for the words in SLOPE, 2^24, and 2^49 in the product of them.
+// Datapath of arm_solve, whose cycle table controls it: in_op is one line of that table, column by column. It is
+// kernel_vector_path with three additions: the base height is subtracted from z and the shoulder offset from rho, a
+// lateral offset b has a root of x^2 + y^2 - b^2, and rho has the sign of the side of the shoulder. Ports, formats,
+// error, status and models are those of arm_solve. in_start loads in_x ... in_back at the end of its clock. 1.0 is 2^25
+// in left, 2^26 in right (2^24 in words from SLOPE) and 2^49 in a product of the two.
 `default_nettype none
 module arm_path #(
-    parameter U = 16,        // fraction bits that words are rounded to, 8 to 16: 16
-    parameter BASE = 1,      // 0 or 1: cfg_base is subtracted from z. 1, as all below: the general arm
-    parameter SHOULDER = 1,  // 0 or 1: cfg_shoulder is subtracted from rho
-    parameter LATERAL = 1    // 0 or 1: cfg_lateral is the offset of the arm's plane
+    parameter U = 16,        // fraction bits of a rounded word, 8 to 16 (default 16)
+    parameter BASE = 1,      // 1 (default): cfg_base is subtracted from z; 0: not
+    parameter SHOULDER = 1,  // 1 (default): cfg_shoulder is subtracted from rho; 0: not
+    parameter LATERAL = 1    // 1 (default): cfg_lateral is the offset of the arm's plane; 0: there is none
 ) (
     input  wire               clk,
     input  wire [15:0]        cfg_l1,
@@ -43,12 +43,12 @@ module arm_path #(
     assign {take, rho, power, move, turn, to_k2, to_k1, left_from, right_from, add_l1, add_half, plain, test,
             sin3, cos3, sin1, cos1, halve, sin2, cos2, inverse, read, root, gap, pairs, bytes} = in_op;
 
-    // z less the base height, saturated
+    // z - base, saturated
     wire signed [16:0] height = {in_z[15], in_z} - (BASE ? {cfg_base[15], cfg_base} : 17'd0);
     wire               beyond_z = BASE && height[16] != height[15];
     wire        [15:0] z = beyond_z ? {height[16], {15{!height[16]}}} : height[15:0];
 
-    // minus_q makes a sum a gap: first q - b^2, behind rho q - Q1 - Q2; without b it subtracts the shoulder offset
+    // minus_q turns a sum into a gap: q - b^2 first, q - Q1 - Q2 after rho. Without b it subtracts the shoulder offset
     reg                elbow, back, clamped, zero, zero3, beyond, short, near_axis, over_z, odd_root;
     reg         [33:0] minus_q;
     reg  [3:0]         s;
@@ -70,7 +70,7 @@ module arm_path #(
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
-    // The third multiplier. An addend is a register of its own, cleared where there is none.
+    // The third multiplier. Its addend is registered, and is 0 when there is none
     reg  signed [26:0] left, right;
     reg  [15:0]        l1;
     reg                half;
@@ -78,7 +78,7 @@ module arm_path #(
     assign             result = product[52:31] + ({2'd0, l1, 4'd0} | (half ? 22'd1 << 17 - U : 22'd0));
     wire               outside = beyond || product[53:49] != {5{product[53]}};
 
-    // v = 1 - c2^2 with 26 fraction bits; first factors of sqrt(v), 1/q', 2/sqrt(q'), 22 bits and a constant 1
+    // v = 1 - c2^2 has 26 fraction bits. The first factors of sqrt(v), 1/q', 2/sqrt(q') have 22 bits and a constant 1
     wire [25:0] v = ~product[50:25];
     wire        low = v[25:21] == 0;
     wire [20:0] e = low ? v[20:0] : v[25:5];

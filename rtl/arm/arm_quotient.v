@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signed quotient of a velocity and a length: a rate of V fraction bits, nearest, saturated to W + 2 bits.
-//   out_q = +-(2 |n| 2^V / d + 1) / 2, |n| the one's complement where n < 0; minus where n < 0 is not in_negative
-// Formats: in_n s(N), in_d u(D) of the same LSB; out_q s(W-V+2).V. out_zero: in_d = 0, and out_q is 0.
-// in_start in one clock, out_q ceil((N + V) / R) clocks later. Error: 1/2 LSB, and 1 of in_n where it is negative.
-// Model: arm_velocity.rates2
+// Signed quotient of a velocity and a length: a rate with V fraction bits, rounded to nearest, saturated to W + 2 bits.
+//   out_q = +-(2 |in_n| 2^V / in_d + 1) / 2, |in_n| being the one's complement of a negative in_n
+//   out_q is negative where exactly one of in_n < 0 and in_negative holds
+// Formats: in_n s(N) and in_d u(D) with the same LSB; out_q s(W-V+2).V. out_zero: in_d is 0, and out_q is 0. in_start
+// is high for one clock; out_q is valid ceil((N + V) / R) clocks later.
+// Error: 1/2 LSB, and 1 LSB of in_n where in_n is negative. Models: arm_velocity.rates2, arm_velocity.rates3
 `default_nettype none
 module arm_quotient #(
-    parameter W = 16,  // bits of a rate: 16
-    parameter V = 12,  // fraction bits of a rate: 12
-    parameter N = 27,  // bits of the numerator: 27, a velocity inside arm_inverse
-    parameter D = 24,  // bits of the divisor: 24, a length there
-    parameter R = 4    // digits a clock: 4
+    parameter W = 16,  // bits of a rate, 8 to 18 (default 16)
+    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 (default 12)
+    parameter N = 27,  // bits of the numerator (default 27: a velocity inside arm_inverse)
+    parameter D = 24,  // bits of the divisor (default 24: a length there)
+    parameter R = 4    // digits in one clock, 1 to 5 (default 4)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rates of two joints in the plane from the velocity of the tip: the inverse of the Jacobian.
 //   v' = v (c1 - i n1), e + i f = L2 (c2 + i n2): s = -v'x / f, w1 = (v'y - e s) / L1, w2 = s - w1
-// Formats: in_c*, in_n* s2.U (1.0 is 2^U); in_x ... s(W-F).F in a unit of time, cfg_l1, cfg_l2 u(W-F).F; cfg_sine
-// u1.U; out_w* s(W-V).V, radians in that unit of time, nearest, saturated. Error: law on the page.
-// Latency, II: 7 + 2 D, D = ceil((2 W + 7) / R); the schedule is in arm_inverse.v.
-// Status: singular (|n2| below cfg_sine: that is divided by instead; or a divisor of 0: rate 0), overflow
-// (a rate was saturated). Model: arm_velocity.rates2
+// Formats: in_c*, in_n* s2.U (1.0 is 2^U); in_x, in_y s(W-F).F in a unit of time; cfg_l1, cfg_l2 u(W-F).F; cfg_sine
+// u1.U; out_w* s(W-V).V, radians in that unit of time, rounded to nearest, saturated.
+// Error of the velocity that the rates give, in LSB: (L1 + L2) 2^-(V+1) + (3 sqrt(2) + 4 + 3 |s|) / 16 + 3 |v| 2^-U.
+// Latency and II: 7 + 2 D, D = ceil((2 W + 7) / R). The cycle table is in arm_inverse.v.
+// Status: singular (|n2| is below cfg_sine, which then replaces it; or a divisor is 0, and the rate 0), overflow (a
+// rate was saturated). Model: arm_velocity.rates2
 `default_nettype none
 module arm_rates2 #(
-    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18: 16 are common in servo control
-    parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 are what a coordinate of 16 bits needs
-    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and U at most: 12, 8 rad in a unit of time
-    parameter R = 4    // digits of a quotient in a clock, 1 to 5: 4, what 50 MHz leave room for
+    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18 (default 16)
+    parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad)
+    parameter R = 4    // digits of a quotient in one clock, 1 to 5 (default 4)
 ) (
     input  wire                clk,
     input  wire                rst,

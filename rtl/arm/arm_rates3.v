@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rates of three joints, the third yawing the plane of the first two, from the velocity of the tip: inverse Jacobian.
-//   (v_rho + i v_t) = (x + i y)(c3 - i n3): w1 and w2 as arm_rates2 of (v_rho, z); w3 = v_t / rho
-// Formats: in_c*, in_n* s2.U (1.0 is 2^U); in_x ... s(W-F).F in a unit of time, cfg_l1, cfg_l2, cfg_radius u(W-F).F;
-// cfg_sine u1.U; out_w* s(W-V).V, radians in that unit of time, nearest, saturated. Error: law on the page.
-// Latency, II: 9 + 3 D, D = ceil((2 W + 7) / R); the schedule is in arm_inverse.v.
-// Status: singular (|n2| below cfg_sine, |rho| below cfg_radius: that divides; a divisor of 0: rate 0), overflow
-// (a rate was saturated). Model: arm_velocity.rates3
+// Rates of three joints, of which the third yaws the plane of the others, from the velocity of the tip: inverse
+// Jacobian.
+//   (v_rho + i v_t) = (x + i y)(c3 - i n3); w1 and w2 are those of arm_rates2 for (v_rho, z); w3 = v_t / rho
+// Formats: in_c*, in_n* s2.U (1.0 is 2^U); in_x, in_y, in_z s(W-F).F in a unit of time; cfg_l1, cfg_l2, cfg_radius
+// u(W-F).F; cfg_sine u1.U; out_w* s(W-V).V, radians in that unit of time, rounded to nearest, saturated.
+// Error of the velocity that the rates give, in LSB: that of arm_rates2, and |rho| 2^-(V+1) + (3 sqrt(2) + 2 + 6 |w3|)
+// / 16 + 2 |v| 2^-U. Latency and II: 9 + 3 D, D = ceil((2 W + 7) / R). The cycle table is in arm_inverse.v.
+// Status: singular (|n2| is below cfg_sine or |rho| below cfg_radius, which then replaces it; or a divisor is 0, and
+// the rate 0), overflow (a rate was saturated). Model: arm_velocity.rates3
 `default_nettype none
 module arm_rates3 #(
-    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18: 16 are common in servo control
-    parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 are what a coordinate of 16 bits needs
-    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and U at most: 12, 8 rad in a unit of time
-    parameter R = 4    // digits of a quotient in a clock, 1 to 5: 4, what 50 MHz leave room for
+    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18 (default 16)
+    parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad)
+    parameter R = 4    // digits of a quotient in one clock, 1 to 5 (default 4)
 ) (
     input  wire                clk,
     input  wire                rst,

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unit vectors of the joints of an arm as it is built, for a tip (x, y, z): kernel_vector_solve with base height,
-// shoulder offset a, lateral offset b and either side of the shoulder.
-//   rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2); rho - a and z - base go on as x and y
-// Formats: in_* s16.0; cfg_*: arm.config; out_word, out_flat, out_negative, out_none: as of kernel_vector_solve;
-// out_to_c, out_to_n, out_by1: as of arm_vectors.
-// Latency, II: 19, 5 more with LATERAL, 2 more with ABSOLUTE. Error: page. Status: unreachable (nearest point of the
-// plane), singular (the direction of a joint is undefined), overflow (z - base saturated). Model: arm.ik3
+// Unit vectors of the joints of a real arm for a tip (x, y, z): kernel_vector_solve with base height, shoulder offset
+// a, lateral offset b and either side of the shoulder.
+//   rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2); rho - a and z - base replace x and y
+// Formats: in_* s16.0; cfg_* by arm.config; out_word s4.20, in clocks of out_cos[i] the cosine and of out_sin[i] the
+// sine of joint i + 1, half a unit of U bits added; out_flat: c2 is 1, or -1 with out_negative; out_none: the joint has
+// no direction; out_to_c, out_to_n, out_by1 turn joint 2 in arm_vectors.
+// Error of the tip: bounds.arm.arm_ik3. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE. Status: unreachable (the nearest
+// point in the plane of the arm is answered), singular (joint 1 or 3 has no direction), overflow (z - base was
+// saturated).
+// Source: rational trigonometry paper, eqs. 32-40, in vector form, with the offsets of real arms. Model: arm.ik3
 `default_nettype none
 module arm_solve #(
-    parameter U = 16,        // fraction bits that words are rounded to, 8 to 16: 16
-    parameter BASE = 1,      // 0 or 1: base height. 1, as all below: the general arm
-    parameter SHOULDER = 1,  // 0 or 1: shoulder offset
-    parameter LATERAL = 1,   // 0 or 1: lateral offset
-    parameter ABSOLUTE = 1   // 0 or 1: joint 2 is measured from the base
+    parameter U = 16,        // fraction bits of a rounded word, 8 to 16 (default 16)
+    parameter BASE = 1,      // 1 (default): with base height; 0: without
+    parameter SHOULDER = 1,  // 1 (default): with shoulder offset; 0: without
+    parameter LATERAL = 1,   // 1 (default): with lateral offset; 0: without
+    parameter ABSOLUTE = 1   // 1 (default): joint 2 is measured from the base; 0: from link 1
 ) (
     input  wire               clk,
     input  wire               rst,

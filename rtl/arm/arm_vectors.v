@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registers of the unit vectors that arm_solve gives coordinate by coordinate, as unit_vectors; and joint 2 turned by a
-// constant (elbow offset) and by joint 1 (elbow measured from the base):
-//   in_to_c then in_to_n: (c2, n2) turned by (cfg_ce, cfg_ne), or by (c1, n1) with in_by1
-//   in_load: joints 1 and 3 are in_last_*, what they hold where they have no direction
+// Registers of the unit vectors that arm_solve gives coordinate by coordinate, as in unit_vectors. Joint 2 is also
+// turned by a constant (elbow offset) and by joint 1 (elbow measured from the base).
+//   in_to_c, then in_to_n: (c2, n2) is turned by (cfg_ce, cfg_ne), or with in_by1 by (c1, n1)
+//   in_load: joints 1 and 3 are loaded from in_last_*, which they hold where they have no direction
 // Formats: in_word s4.20, rounded to U fraction bits; cfg_ce, cfg_ne, out_c, out_n s2.U, joint 1 in the lowest bits.
-// Error of a turn: less than 1 LSB of U by truncation, and 1 LSB times the sine, for ~n stands for -n. After reset
-// (1, 0), but of joint 2, whose words are never held. Latency 1, and 2 for a turn.
+// Error of a turn: less than 1 LSB of U by truncation, and 1 LSB times the sine, since ~n replaces -n. Reset sets
+// joints 1 and 3 to (1, 0). Joint 2 is not reset: every sample writes it. Latency 1, of a turn 2.
 // Models: kernel_vector_solve.unit_word, arm.turn
 `default_nettype none
 module arm_vectors #(
-    parameter U = 16,       // fraction bits of cosine and sine, 8 to 16: 16, 0.0009 degrees
-    parameter ELBOW = 1,    // 0 or 1: joint 2 is turned by the constant. 1, the general arm
-    parameter ABSOLUTE = 1  // 0 or 1: joint 2 is turned by joint 1. 1, the general arm
+    parameter U = 16,       // fraction bits of cosine and sine, 8 to 16 (default 16)
+    parameter ELBOW = 1,    // 1 (default): joint 2 is turned by the constant; 0: not
+    parameter ABSOLUTE = 1  // 1 (default): joint 2 is turned by joint 1; 0: not
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -37,7 +37,7 @@ module arm_vectors #(
     assign              out_c = {c3, c2, c1};
     assign              out_n = {n3, n2, n1};
 
-    // c2 by - n2 by' in the first clock, whose result waits in kept, c2 by' + n2 by in the second
+    // The first clock computes c2 c - n2 n, which waits in kept; the second computes c2 n + n2 c
     localparam         BOTH = ELBOW && ABSOLUTE;
     wire               turn = ELBOW && !in_by1 || ABSOLUTE && in_by1;
     wire               by1 = BOTH ? in_by1 : ABSOLUTE != 0;

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Velocity of the tip of three joints, the third yawing the plane of the first two: Jacobian times the joints' rates.
-//   x + i y = (v_rho + i rho w3)(c3 + i n3), (v_rho, z) as x, y of arm_velocity2
+// Velocity of the tip of three joints, of which the third yaws the plane of the others: Jacobian times the joints'
+// rates.
+//   x + i y = (v_rho + i rho w3)(c3 + i n3), where (v_rho, z) are x, y of arm_velocity2
 // Formats: in_c*, in_n* s2.U (1.0 is 2^U); in_w* s(W-V).V, radians in a unit of time; cfg_l1, cfg_l2 u(W-F).F; out_*
-// s(W-F).F in that unit of time, nearest, saturated.
-// Error: 1.01 LSB and the rates' own product cut, law on the page. Latency, II: 10; the schedule is in
-// arm_jacobian.v. Status: overflow (a coordinate was saturated). Model: arm_velocity.velocity3
+// s(W-F).F in that unit of time, rounded to nearest (ties upward), saturated.
+// Error of a coordinate for vectors that are not longer than 1, rates in radians, s = w1 + w2:
+//   1/2 + (3 + sqrt(E^2 + (1 + (3 + sqrt 2) |w3|)^2)) / 16 LSB, E = 3 + sqrt((|s| + |w2| + 2)^2 + (2 |s| + 1)^2)
+// Latency and II: 10. The cycle table is in arm_jacobian.v. Status: overflow (a coordinate was saturated).
+// Model: arm_velocity.velocity3
 `default_nettype none
 module arm_velocity3 #(
-    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18: 16 are common in servo control
-    parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18: 16 are what a coordinate of 16 bits needs
-    parameter V = 12   // fraction bits of a rate, W - 8 to W - 1 and U at most: 12, 8 rad in a unit of time
+    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18 (default 16)
+    parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter V = 12   // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad)
 ) (
     input  wire                clk,
     input  wire                rst,

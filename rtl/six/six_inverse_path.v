@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What vector_ik6 and table_ik6 have in common: the pose, its program and the engine that plays it.
-//   out_word, out_dest: a word and its register, joint j's cosine 2j, its sine 2j + 1; both words of a joint before the
-//   next one's, in the order 1, 3, 2, 4, 5, 6; none of a joint that has no direction and had one before
-// Formats: as six_pose; in_signs: in_branch of vector_ik6; out_word s2.25.
-// Latency: out_done in the 93rd clock behind in_start, with the last word, n6 or c6. Status: as vector_ik6, from there
-// on. in_start in a clock with rst is not taken; the user starts it only when out_idle. Model: six.ik6
+// Common part of vector_ik6 and table_ik6: the pose, the program of one branch and the product engine that plays it.
+//   out_word, out_dest: a word and its register; the cosine of joint j has number 2j, its sine 2j + 1. The words of a
+//   joint come before those of the next one, in the order 1, 3, 2, 4, 5, 6. A held joint gives none
+// Formats: those of six_pose; in_signs is in_branch of vector_ik6; out_word s2.25. Error: bounds.six.
+// Latency: out_done is high in the 93rd clock after in_start, together with the last word, n6 or c6, and out_status is
+// valid from then on, as in vector_ik6. A user raises in_start only when out_idle is high; in a clock with rst it is
+// ignored. Model: six.ik6
 `default_nettype none
 module six_inverse_path #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, as the cores
-    parameter U = 16   // fraction bits of the matrix, 8 to 18: 16, as the cores
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter U = 16   // fraction bits of the matrix, 8 to 18 (default 16)
 ) (
     input  wire            clk,
     input  wire            rst,

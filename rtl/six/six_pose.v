@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pose, held from in_take on, and an arm's constants as operands of product_engine.
+// A pose, held from in_take on, and the constants of an arm as operands of product_engine.
 //   out_word = word in_select of r11 to r33, x, y, z, a1, b, c1, c2, c4, k, cp, np, r, e, 1; one clock later
-// Formats: in_matrix nine words s2.U, r11 in the lowest bits; in_tip x, y, z; in_lengths a1, b, c1, c2, c4, k, in
-// 1/16 LSB; in_cp to in_e: six.config; out_word s2.25, 1.0 of a length 2^W LSB. Error 0. Model: none, it moves words.
+// Formats: in_matrix nine words s2.U, r11 in the lowest bits; in_tip x, y, z; in_lengths a1, b, c1, c2, c4, k, in 1/16
+// LSB; in_cp to in_e by six.config; out_word s2.25, where 1.0 of a length is 2^W LSB. Exact. It has no model, since it
+// only moves words.
 `default_nettype none
 module six_pose #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, as the cores
-    parameter U = 16   // fraction bits of the matrix, 8 to 18: 16, as the cores
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter U = 16   // fraction bits of the matrix, 8 to 18 (default 16)
 ) (
     input  wire              clk,
     input  wire              in_take,

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of six joints given as binary angles: one table codec turns them into unit vectors one after the
-// other, vector_fk6 does the rest. Formats: in_j* angle of A bits, a full turn is 2^A; others as in vector_fk6.
-// Error: page. Latency, II: 58: two clocks a joint and one, then vector_fk6.
-// Status: overflow (a coordinate was saturated).
+// other, and vector_fk6 does the rest.
+// Formats: in_j* angle of A bits, a full turn is 2^A; out_r*, row and column, s2.U; out_x, out_y, out_z s(W-F).F; all
+// are rounded to nearest (ties upward), coordinates saturated; cfg_* lengths s(W-F).(F+4), by six.forward_config.
+// Error: that of vector_fk6, and at each joint 0.83 2^-U in a coordinate of its vector.
+// Latency and II: 58, two clocks a joint and one, then vector_fk6. Status: overflow (a coordinate was saturated).
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.table_fk6
 `default_nettype none
 module table_fk6 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, a range of 128 units
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter A = 18,  // bits of an angle, 12 to 24: 18 resolve 0.0014 degrees
-    parameter U = 16   // fraction bits of a unit vector and of the matrix, 12 to 18: 16, 0.0009 degrees
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18,  // bits of an angle, 12 to 24 (default 18: 0.0014 degrees)
+    parameter U = 16   // fraction bits of a unit vector and of the matrix, 12 to 18 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -50,10 +52,10 @@ module table_fk6 #(
         end
     endgenerate
 
-    reg  [6*A-1:0]      angles;  // the joint in hand in the lowest bits
+    reg  [6*A-1:0]      angles;  // the joint being converted is in the lowest bits
     reg  [6:1]          left;    // one-hot: the joint that the codec gives next, 0 between samples
-    reg                 feed;    // the codec is offered a joint
-    reg  [2:0]          fed;     // joints that it has taken
+    reg                 feed;    // a joint is offered to the codec
+    reg  [2:0]          fed;     // joints that the codec has accepted
     wire                take, ready, have, kernel_ready;
     wire signed [U+1:0] c, n;
     wire                accept = in_valid && in_ready;
@@ -62,7 +64,7 @@ module table_fk6 #(
     angle_to_vector #(.A(A), .U(U)) codec (.clk(clk), .rst(rst), .in_valid(feed), .in_ready(ready),
         .in_j(angles[A-1:0]), .out_valid(have), .out_ready(1'b1), .out_c(c), .out_n(n));
 
-    reg  [10*U+19:0] first;  // vectors of joints 1 to 5, the last one on top
+    reg  [10*U+19:0] first;  // vectors of joints 1 to 5, the last one in the highest bits
     always @(posedge clk) begin
         if (accept)
             angles <= {in_j6, in_j5, in_j4, in_j3, in_j2, in_j1};

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of six joints as binary angles, one of eight branches: the program of vector_ik6, and one table
-// codec that takes its vectors as they come. Formats: out_j* angle of A bits, a full turn is 2^A, nearest; others as
-// there.
-// Error: page. Latency, II: 96.
-// Status: as vector_ik6. Of a matrix that is no rotation a joint may have no vector: it has the word formed last,
-// in the order 1, 3, 2, 4, 5, 6.
-// Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.table_ik6
+// Inverse kinematics of six joints as binary angles, for one of eight branches: the program of vector_ik6, and one
+// table codec that converts its vectors as they come.
+// Formats: out_j* angle of A bits, a full turn is 2^A, rounded to nearest; in_r*, row and column of the rotation
+// matrix, s2.U; in_x, in_y, in_z s(W-F).F; in_branch as in vector_ik6; cfg_* by six.config.
+// Error: that of vector_ik6 (bounds.six), and 0.89 LSB of an angle. Latency and II: 96.
+// Status: unreachable (the nearest pose is answered), singular (joint 1, 2 or 4 has no direction and holds its angle),
+// no rotation (bit 3: the matrix is off by 16 units of 2^-U). A joint of a matrix that is no rotation may have no
+// vector; it then has the angle formed last, in the order 1, 3, 2, 4, 5, 6.
+// Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.table_ik6
 `default_nettype none
 module table_ik6 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, a range of 128 units
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter A = 18,  // bits of an angle, 10 to 24: 18 resolve 0.0014 degrees
-    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18: 16, 0.0009 degrees
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18,  // bits of an angle, 10 to 24 (default 18: 0.0014 degrees)
+    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -60,7 +62,7 @@ module table_ik6 #(
     wire        accept = in_valid && in_ready;
     wire [26:0] word;
     wire [5:0]  dest;
-    reg         busy;  // a sample is in work, or its result waits
+    reg         busy;  // a sample is being solved, or its result waits
     assign      in_ready = !busy || out_valid && out_ready;
     /* verilator lint_off PINCONNECTEMPTY */
     six_inverse_path #(.W(W), .U(U)) path (.clk(clk), .rst(rst), .in_start(accept),
@@ -69,15 +71,15 @@ module table_ik6 #(
         .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_signs(in_branch), .out_idle(), .out_done(done),
         .out_word(word), .out_dest(dest), .out_status(out_status));
 
-    // One pair of registers takes the vectors one after the other. The codec has an angle three clocks behind the
-    // second word of a vector, whichever that is, before the next vector is complete
+    // One pair of registers holds one vector after the other. The codec gives an angle three clocks after the second
+    // word of a vector, cosine or sine, and before the next vector is complete
     wire                part = dest[5:4] == 2'd0 && dest[3:1] != 3'd0 && dest[3:1] != 3'd7;
     wire signed [U+1:0] c, n;
-    reg                 half, both;  // the vector's first word is in; so is the second
+    reg                 half, both;  // the first word of the vector is loaded; both words are
     reg  [2:0]          joint;
     wire                have;
-    reg  [1:0]          wait6;       // the codec is at joint 6
-    wire                late = wait6[1] || out_valid;  // nothing more is taken: a proof cannot see that no word comes
+    reg  [1:0]          wait6;       // the codec converts joint 6
+    wire                late = wait6[1] || out_valid;  // no vector is accepted then: a proof cannot see that none comes
     engine_results #(.COUNT(2), .U(U)) vector (.clk(clk), .in_word(word), .in_dest({4'd0, part, dest[0]}),
         .out_words({n, c}));
     vector_to_angle #(.U(U), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(both && !late), .in_ready(), .in_c(c),

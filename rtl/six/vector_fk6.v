@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of six joints on unit vectors: rotation matrix and tip of an arm with an ortho-parallel base and
-// a spherical wrist. Formats: in_c*, in_n* cos and sin of a joint, s2.U; out_r*, row and column, s2.U; out_x, out_y,
-// out_z s(W-F).F; all to nearest (ties upward), coordinates saturated; cfg_* lengths s(W-F).(F+4), six.forward_config.
-// Error: page. Latency, II: 45.
-// Status: overflow (a coordinate was saturated).
+// Forward kinematics of six joints on unit vectors: rotation matrix and tip of an arm with an ortho-parallel base and a
+// spherical wrist.
+// Formats: in_c*, in_n* cosine and sine of a joint, s2.U; out_r*, row and column, s2.U; out_x, out_y, out_z s(W-F).F;
+// all are rounded to nearest (ties upward), coordinates saturated; cfg_* lengths s(W-F).(F+4), by six.forward_config.
+// Error of a coordinate, lengths in LSB: 1/2 + 2^-U sqrt(1/2) (|a1| + |b| + 2 |c2| + 3 k + 5 |c4|) + 20 2^(W-25), and
+// 2^-5 for each length that is not 0, k = sqrt(a2^2 + c3^2). Of a word of the matrix: 8.3 2^-16 at U = 16.
+// Latency and II: 45. Status: overflow (a coordinate was saturated).
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.fk6
 `default_nettype none
 module vector_fk6 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, a range of 128 units
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18: 16, 0.0009 degrees
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -63,7 +65,7 @@ module vector_fk6 #(
     six_forward_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
         .out_op(op));
 
-    // Ports as words of the engine
+    // The ports as 27-bit words of the product engine
     reg  [12*U+23:0]  joints;
     wire [7*W+27:0]   lengths = {cfg_c4, cfg_c3, cfg_c2, cfg_c1, cfg_b, cfg_a2, cfg_a1};
     wire [19*27-1:0]  words;
@@ -84,7 +86,7 @@ module vector_fk6 #(
         .in_port(port), .in_signs(3'd0), .out_word(word), .out_dest(dest), .out_status());
     /* verilator lint_on PINCONNECTEMPTY */
 
-    // Results: nine words of the matrix, then three coordinates
+    // Results are nine words of the matrix, then three coordinates
     engine_results #(.COUNT(9), .U(U)) matrix (.clk(clk), .in_word(word), .in_dest(dest),
         .out_words({out_r33, out_r32, out_r31, out_r23, out_r22, out_r21, out_r13, out_r12, out_r11}));
     wire [W+3:0]   near = {word[26], word[26:24-W]} + 1'b1;

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of six joints in unit vectors, one of eight branches, for an arm with an ortho-parallel base and a
-// spherical wrist. Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_c*,
-// out_n* cos and sin of a joint, s2.U, nearest; cfg_*: six.config.
+// spherical wrist.
 //   in_branch[0]: the shoulder looks back; [1]: sin(q3 + psi) < 0; [2]: sin q5 < 0
-// Error: page. Latency, II: 94.
-// Status: unreachable (nearest answer), singular (joint 1, 2 or 4 has no direction: its last one is held, (1, 0) after
-// a reset; the others take the rest), bit 3: the matrix is no rotation, by 16 units of 2^-U.
+// Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_c*, out_n* cosine and
+// sine of a joint, s2.U, rounded to nearest; cfg_* by six.config.
+// Error: orientation (6 sqrt(1/2) + 1.07) 2^-U + 3.25 2^-16 rad, at singular poses 8 sqrt(2) 2^-U more; position:
+// bounds.six.position, which grows near axes 1 and 2. Latency and II: 94.
+// Status: unreachable (the nearest pose is answered), singular (joint 1, 2 or 4 has no direction and holds its last
+// one, (1, 0) after a reset; the others are computed with it), no rotation (bit 3: the matrix is off by 16 units of
+// 2^-U).
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6
 `default_nettype none
 module vector_ik6 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, a range of 128 units
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18: 16, 0.0009 degrees
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,

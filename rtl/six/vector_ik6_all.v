@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of six joints in unit vectors, all eight branches of a pose, for an arm with an ortho-parallel
-// base and a spherical wrist. Formats: those of vector_ik6; out_cjb, out_njb: cos and sin of joint j of branch b, s2.U,
-// nearest. Bits of b: in_branch of vector_ik6.
-//   branches 0 to 3 as vector_ik6; b + 4 with the wrist turned over: the vectors of joints 4 and 6 and sin q5 negated
-// Error: page. Latency, II: 270.
-// Status: unreachable, singular: some branch is, its bit is set in out_far, out_held; a joint without a direction holds
-// the last one, in the order of branches 0, 2, 1, 3. Bit 3: no rotation. As vector_ik6.
+// base and a spherical wrist. Branches 0 to 3 are those of vector_ik6; in branch b + 4 the wrist is turned over, with
+// the vectors of joints 4 and 6 and sin q5 negated. The bits of b are those of in_branch of vector_ik6.
+// Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_cjb, out_njb cosine and
+// sine of joint j of branch b, s2.U, rounded to nearest; cfg_* by six.config.
+// Error: orientation (6 sqrt(1/2) + 1.07) 2^-U + 3.25 2^-16 rad, at singular poses 8 sqrt(2) 2^-U more; position:
+// bounds.six.position, which grows near axes 1 and 2. Latency and II: 270.
+// Status: unreachable, singular (of the branches whose bits are set in out_far, out_held; a joint without a direction
+// holds the last one solved, in the order of branches 0, 2, 1, 3), no rotation (bit 3: by 16 units of 2^-U).
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6_all
 `default_nettype none
 module vector_ik6_all #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, a range of 128 units
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 8, Q7.8
-    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18: 16, 0.0009 degrees
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -84,14 +86,14 @@ module vector_ik6_all #(
     product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
         .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word), .out_dest(dest), .out_status(flags));
 
-    // Results, shifted in from the top: 32 words a shoulder, in the order of the program; flags with joint 5
+    // Results are shifted in from the top, 32 words a shoulder in the order of the program, the flags with joint 5
     reg  [64*(U+2)-1:0] found;
     reg  [3:0]          far, held;
     wire                result = dest[5:4] == 2'd0 && dest[0];
     wire [U+2:0]        near = word[26:24-U] + 1'b1;
     wire                unused = &{1'b0, flags[2], near[0], word[23-U:0]};
 
-    // Where a branch's words are: n6, c6 to n1, c1 of elbow up and down; the same with the wrist turned over
+    // Positions of a branch's words: n6, c6 to n1, c1 of elbow up and down; then the same with the wrist turned over
     localparam [4*12*5-1:0] PLACE = {
         5'd25, 5'd27, 5'd29, 5'd31, 5'd23, 5'd21, 5'd5, 5'd4, 5'd30, 5'd15, 5'd1, 5'd0,
         5'd17, 5'd19, 5'd12, 5'd8, 5'd10, 5'd14, 5'd3, 5'd2, 5'd7, 5'd6, 5'd1, 5'd0,
