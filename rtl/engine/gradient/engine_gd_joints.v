@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Joints and lengths of a chain in the plane, in memory blocks, and the chords of the angles of its links: the sum of
-// the joints from the base on. Number 0 is a joint that stays 0.
-// in_take: in_j is taken, and goes to joint in_link where in_set follows, in_length to its length where in_load does.
-// in_read: joint out_j and its length; behind it in_step: the joint moves by in_move; behind it in_next: it is stored,
-// and read into out_chord, in the next clock, is the sine's chord; then the cosine's.
-// Formats: angles of A bits; lengths of W bits; chords of angle_chord. Latency: one clock each.
+// Joints and link lengths of a planar chain, in memory blocks, and the sine and cosine segments of the angle of each
+// link. That angle is the sum of the joints from the base on. Number 0 is a joint that stays 0. in_take loads in_j; in
+// the next clock in_set writes it to joint in_link, and in_load writes in_length to its length. in_read reads joint
+// in_link to out_j, and its length. In the next clock in_step adds in_move to the joint. In the clock after that
+// in_next stores it and reads the sine's segment; the clock after reads the cosine's. in_place copies the length that
+// was read to out_length; in_base sets the angle of the chain to 0.
+// Formats: angles of A bits; lengths of W bits; segments {knot, step, offset} of angle_chord. Exact. Latency: one clock
+// for each operation. Model: iterative.plane.gd
 `default_nettype none
 module engine_gd_joints #(
     parameter W = 16,  // bits of a length, 14 to 20

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a gradient engine is: range of the error, steps taken, and the end of a sample.
-// A sample begins in the fine range. A pass that finds the square too wide for it counts for nothing and is made again
-// in the coarse one; only the fine range can converge. So a saturated square is never called converged.
-// The answer waits in out_valid; out_failed: the limit came before the tolerance.
+// End of a sample of a gradient engine: it holds the range of the error and counts the steps. A sample begins in the
+// fine range. A pass whose square is too wide for it does not count and is repeated in the coarse range. Only the fine
+// range can converge, so a saturated square is never called converged. out_halt, in the clock of in_stop, ends the
+// sample: the square is below cfg_tol, or the limit is reached. out_failed: the limit came first. The answer waits in
+// out_valid. Formats: cfg_tol and in_square in 1/256 LSB^2, in the coarse range in LSB^2. Exact. Model:
+// iterative.fixed.gd
 `default_nettype none
 module engine_gd_judge #(
     parameter W = 16  // bits of a coordinate, 14 to 20; a square has 2 W: in 1/256 LSB^2, or LSB^2 in the coarse range

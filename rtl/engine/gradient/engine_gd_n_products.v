@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of four products a clock on a register file, for engine_gd_n_program: one coordinate of a quaternion product.
-//   word = A B + C D + E F - G H to nearest 2^-25, written to DEST; with STEP 16 times that, between -1/4 and 1/4
-// A line reads in one clock, multiplies in the next and adds in the third: its word can be read three lines later.
-// Formats: words s2.25; sum s4.28, each product truncated to 2^-28; it wraps, and out_over says where the word did.
-//   in_op {A, B, C, D, E, F, G, H, DEST: 6 bits each; ACT: 0, 1 an error, 2 STEP, 3 a square}: 0 to 31 a register, 32
-//   to 47 a word of page in_page, 48 to 63 of page in_next; in_still: STEP gives 0
-//   in_set: in_word goes to address in_own; in_fetch: out_read is the word there
-// Registers 4 to 7 are 1, 1/2, 3/2, 0. The file is stored eight times, for eight reads a clock. Model: iterative.space
+// Sums of four products on a register file, one line a clock, for engine_gd_n_program: a coordinate of a quaternion
+// product.
+//   word = A B + C D + E F - G H rounded to 2^-25, written to DEST; with STEP 16 times that, limited to +-1/4
+// A line reads in one clock, multiplies in the next and adds in the third. Its word can be read three lines later.
+// Formats: words s2.25; sum s4.28, each product truncated to 2^-28. The sum wraps; out_over marks a word that did.
+//   in_op {A, B, C, D, E, F, G, H, DEST: 6 bits each; ACT: 0 none, 1 an error, 2 STEP, 3 a square}. 0 to 31 is a
+//   register, 32 to 47 a word of page in_page, 48 to 63 of page in_next. With in_still STEP gives 0.
+// in_set writes in_word to address in_own; in_fetch reads out_read there. Registers 4 to 7 are 1, 1/2, 3/2, 0. The file
+// is stored eight times, for eight reads a clock. Model: iterative.space.gd
 `default_nettype none
 module engine_gd_n_products #(
     parameter P = 4  // bits of a page of 16 words, 2 to 7: 4

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two multipliers of engine_quaternion_gd: from chords of both links to the tip's error E, its square, and the steps of
-// the joints. J is never formed: with link i as the vector (xi, yi) and (ax, ay) = alpha E, link i asks for
+// Two multipliers of engine_quaternion_gd: from table segments of both links to the error E of the tip, its square, and
+// the steps of the joints. J is not formed. With link i as the vector (xi, yi) and (ax, ay) = alpha E, link i asks for
 // ei = xi ay - yi ax; joint 2 moves by e2, joint 1 by e1 + e2.
-// Formats: chords of angle_chord, root sQ1.K; links in 1/2 LSB; E in 1/64 LSB; fine: its W + 2 lower bits, saturated at
-// 2^(W-5) LSB, else 1/4 LSB, saturated at 2^(W-1) LSB; squares in 1/256 LSB^2, not fine in LSB^2. All truncated.
-// Operands are in registers, so a product is there in the clock after the line that names its factors.
+// Formats: in_chord of angle_chord, sines s2.K; links in 1/2 LSB; E in 1/64 LSB. In the fine range E has its lower W +
+// 2 bits, saturated at 2^(W-5) LSB, and its square 1/256 LSB^2; in the coarse range 1/4 LSB, saturated at 2^(W-1) LSB,
+// and LSB^2. All are truncated. Operands are in registers: a product is complete in the clock after the line that names
+// its factors. Error of a tip: bounds.iterative.tip. Model: iterative.fixed.gd
 `default_nettype none
 module engine_gd_path #(
     parameter W = 16,  // bits of a coordinate and of a length, 14 to 20

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two multipliers of engine_quaternion_gd_plane: from the chords of all links to the tip's error E, its square, and the
-// step of every joint. With link k as the vector (xk, yk) and (ax, ay) = alpha E, joint i moves by
+// Two multipliers of engine_quaternion_gd_plane: from table segments of all links to the error E of the tip, its
+// square, and the step of every joint. With link k as the vector (xk, yk) and (ax, ay) = alpha E, joint i moves by
 //   (target - links before i) x alpha E = target x alpha E - sum over k < i of (xk ay - yk ax)
-// The tip is the target less E, and E x alpha E is 0: so the target stands in the tip's place.
-// Formats: links, target in 1/2 LSB; E in 1/64 LSB; in_fine: its W + 2 lower bits, saturated at 2^(W-5) LSB, else 1/4
-// LSB, saturated at 2^(W-1) LSB; squares in 1/256 LSB^2, not fine in LSB^2. All truncated.
-// Operands are in registers, so a product is there in the clock after the line that names its factors.
-// Model: iterative.plane
+// The tip is the target less E, and E x alpha E is 0, so the target replaces the tip.
+// Formats: in_chord of angle_chord, sines s2.K; links and target in 1/2 LSB; E in 1/64 LSB. In the fine range E has its
+// lower W + 2 bits, saturated at 2^(W-5) LSB, and its square 1/256 LSB^2; in the coarse range 1/4 LSB, saturated at
+// 2^(W-1) LSB, and LSB^2. All are truncated. Operands are in registers: a product is complete in the clock after the
+// line that names its factors. Error of a step: bounds.iterative.plane_step. Model: iterative.plane.gd
 `default_nettype none
 module engine_gd_plane_path #(
     parameter W = 16,  // bits of a coordinate and of a length, 14 to 20

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two multipliers of engine_quaternion_gd_touch: from chords of the three joints to the tip's error E, its square, and
-// the steps. In the plane of the links, rho = L1 c2 + L2 s3 out, E has v = c1 z - s1 x - rho outward,
-// u = c1 x + s1 z across, w = y - L1 s2 + L2 c3 up; with a = alpha E the joints move by e1 = -rho au,
-// e2 = L1 c2 aw - L1 s2 av, e3 = L2 s3 aw + L2 c3 av. Neither the tip nor J is formed.
-// Roots come as -c1, s1, c2, s3, s2, -c3, so every product is subtracted; u is kept negated.
-// Formats and truncation as in engine_gd_path.
+// Two multipliers of engine_quaternion_gd_touch: from table segments of three joints to the error E of the tip, its
+// square, and the steps. With rho = L1 c2 + L2 s3, E has v = c1 z - s1 x - rho along the plane of the links, u = c1 x +
+// s1 z across it, and w = y - L1 s2 + L2 c3 upward. With a = alpha E the joints move by e1 = -rho au, e2 = L1 c2 aw -
+// L1 s2 av and e3 = L2 s3 aw + L2 c3 av. Neither the tip nor J is formed. The sines come as -c1, s1, c2, s3, s2, -c3,
+// so every product is subtracted; u is kept negated.
+// Formats: in_chord of angle_chord, sines s2.K; links in 1/2 LSB; E in 1/64 LSB. In the fine range E has its lower W +
+// 2 bits, saturated at 2^(W-5) LSB, and its square 1/256 LSB^2; in the coarse range 1/4 LSB, saturated at 2^(W-1) LSB,
+// and LSB^2. All are truncated. Error of a tip: bounds.iterative.tip_touch. Model: iterative.fixed.gd_touch
 `default_nettype none
 module engine_gd_touch_path #(
     parameter W = 16,  // bits of a coordinate and of a length, 14 to 20

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two multipliers of engine_quaternion_gd_vector, A for cosines and x, B for sines and y: from both links' directions
-// (c, n) to the tip's error E, its square, the steps d of both, the turned directions and their length.
-// c - d n, n + d c, then c - g c, n - g n with g = (c^2 + n^2 - 1) / 2: one Newton step. Both subtract a product.
-// Formats: directions s2.(W+4), 2^-(W+1) more than they mean, so the upper W + 2 bits, the operands, are rounded; links
-// in 1/2 LSB; E in 1/64 LSB, and its operands, as in engine_gd_path; d and g s0.(W+4), d saturated. All truncated.
-// The two links take turns: `c n` is the one in work, `ct nt` the other; each line that reads or turns one swaps them.
+// Two multipliers of engine_quaternion_gd_vector, A for cosines and x, B for sines and y: from the directions (c, n) of
+// both links to the error E of the tip, its square, the steps d, the turned directions and their lengths.
+//   (c - d n, n + d c), then (c - g c, n - g n) with g = (c^2 + n^2 - 1) / 2, a Newton step. Both subtract a product.
+// Formats: directions s2.(W+4), kept half a unit of the operand too high, so that their upper W + 2 bits, the operands,
+// are rounded; links in 1/2 LSB; E in 1/64 LSB: fine its lower W + 2 bits, saturated at 2^(W-5) LSB, coarse 1/4 LSB,
+// saturated at 2^(W-1) LSB; d and g s0.(W+4), d saturated. All are truncated. Links take turns: c, n is the one in
+// work, ct, nt the other, and each line that reads or turns a direction swaps them. Error of a tip:
+// bounds.iterative.tip_vector.
+// Model: iterative.fixed.gd_vector
 `default_nettype none
 module engine_gd_vector_path #(
     parameter W = 16  // bits of a coordinate and of a length, 14 to 20

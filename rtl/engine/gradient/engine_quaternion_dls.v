@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of two joints in the plane by damped least squares, where engine_quaternion_gd descends: the steps
-// of link 1 and of both joints, in units of their lengths, are (J^T J + lambda)^-1 J^T E. cfg_lambda = 0: Newton's.
-// Ports as of engine_quaternion_gd, but cfg_r1, cfg_r2, cfg_lambda, cfg_mu (newton_fixed.config) in place of alpha.
-// Formats: joints angle of A bits, joint 2 relative to link 1; in_x, in_y sQ(W-F).F; cfg_l1, cfg_l2 uQ(W-F).F; cfg_tol,
-// out_error in 1/256 unit^2, with out_coarse in unit^2, unit 2^-(16-W) LSB; out_d1, out_d2 sA: the last step's joints.
-// in_warm: start from the last answer, 0 after reset. It is engine_newton_3r without link 3, and the last step.
+// Inverse kinematics of two joints in the plane by damped least squares. The steps of link 1 and of both joints, in
+// units of their lengths, are (J^T J + lambda)^-1 J^T E with the error E of the tip; cfg_lambda = 0 gives Newton's
+// step.
+// Formats: joints angle of A bits, joint 2 relative to link 1; in_x, in_y sQ(W-F).F; cfg_l1, cfg_l2 uQ(W-F).F; cfg_r1,
+// cfg_r2, cfg_lambda, cfg_mu by newton_fixed.config; cfg_tol, out_error in 1/256 unit^2, with out_coarse in unit^2,
+// unit 2^-(16-W) LSB; out_d1, out_d2 sA: moves of joints 1 and 2 in the last step. in_warm: start from the last answer,
+// 0 after reset.
 // Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.07 + 3.0 (L1 + L2) / 2^17 units.
 // Latency 16 a pass and 3, II the same. Passes: out_iters + 1.
-// Status: not converged (the limit was reached), and then singular (|sin j2| < 1/16, or a link of 0).
+// Status: not converged (the limit was reached); with it singular, where |sin j2| < 1/16 or a link is 0.
 // Source: quaternion gradient paper, eq. 24; the step of Wampler 1986. Model: iterative.damped.solve
 `default_nettype none
 module engine_quaternion_dls #(

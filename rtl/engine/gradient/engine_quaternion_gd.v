@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of two joints in the plane by quaternion gradient descent: theta <- theta + alpha E J, with the
-// tip's error E and the Jacobian J. It stops when |E|^2 < cfg_tol, or after cfg_limit steps.
-// Formats: in_j1, in_j2, out_j1, out_j2 angle of A bits, joint 2 relative to link 1; in_x, in_y sQ(W-F).F;
-// cfg_l1, cfg_l2 uQ(W-F).F; cfg_alpha, cfg_shift by iterative.fixed.config; cfg_tol and out_error in 1/256 LSB^2, with
-// out_coarse in LSB^2; out_d1, out_d2 sA: the last step moved joint 1 by their sum, joint 2 by out_d2. in_warm: start
-// from the last answer, 0 after reset, not from in_j1, in_j2.
+// error E of the tip and the Jacobian J. It stops when |E|^2 < cfg_tol, or after cfg_limit steps.
+// Formats: in_j1, in_j2, out_j1, out_j2 angle of A bits, joint 2 relative to link 1; in_x, in_y sQ(W-F).F; cfg_l1,
+// cfg_l2 uQ(W-F).F; cfg_alpha, cfg_shift by iterative.fixed.config; cfg_tol, out_error in 1/256 LSB^2, with out_coarse
+// in LSB^2; out_d1, out_d2 sA: the last step moved joint 1 by their sum, joint 2 by out_d2. in_warm: start from the
+// last answer, 0 after reset, not from in_j1, in_j2.
 // Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.05 + 3.0 (L1 + L2) / 2^(W+1) LSB, lengths in LSB.
 // Latency 12 a pass less 1, II the same. Passes: out_iters + 1, and those that only change the range.
-// Status: not converged (the limit was reached: out of reach, alpha too great, or a start along the arm).
+// Status: not converged (the limit was reached: out of reach, alpha too large, or a start along the arm).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd
 `default_nettype none
 module engine_quaternion_gd #(

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of any number of revolute joints in space by quaternion gradient descent, without sine or cosine.
-// A joint is the unit vector (c, s) of half its angle; it turns to (c - d s, s + d c), d = alpha E . J / 2, at most
-// 1/4, and is normalised by one Newton step. out_word: word in_k of joint in_n, behind the operation.
-// in_op: 0 solve with joints 1 to in_n; 1 write in_word; 2, 3 read. Joint 0: target x, y, z, step (k = 0 to 3); others:
-// axis (0 to 2), twice the link (3 to 5), c, s (6, 7). Words are written from (0, 0) on; a reset forgets them.
-// Formats: words s2.25; cfg_tol 2^-25, on each coordinate of E; step and unit of length: iterative.space.config.
-// Error: a converged tip is within cfg_tol and bounds.space_end. Latency 3; of a solution 14 + (30 in_n + 11) a pass,
+// A joint is the unit vector (c, s) of half its angle. It turns to (c - d s, s + d c), d = alpha E . J / 2, at most
+// 1/4, and is normalised by one Newton step. in_op: 0 solve with joints 1 to in_n; 1 write in_word; 2, 3 read.
+// out_word: word in_k of joint in_n after the operation. Joint 0: target x, y, z, step (k = 0 to 3); others: axis (0 to
+// 2), twice the link (3 to 5), c, s (6, 7). Words are first written in order from (0, 0) on; a reset forgets them.
+// Formats: words s2.25; cfg_tol in 2^-25, for each coordinate of E; the step is alpha / 512 in 1/unit^2.
+// Error: a converged tip is within bounds.iterative.space_end. Latency 3; of a solution 14 + (30 in_n + 11) a pass,
 // out_iters + 1 passes; II the same. Status: unreachable (joint in_n is not written: nothing is done, out_word is 0),
-// overflow (a link ends beyond 2 in some coordinate), not converged (the limit was reached).
+// overflow (a link ends beyond 2 units in some coordinate), not converged (the limit was reached).
 // Source: quaternion gradient paper, eqs. 9, 18, 31. Model: iterative.space.gd
 `default_nettype none
 module engine_quaternion_gd_n #(

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of any number of joints in the plane by quaternion gradient descent: theta <- theta + alpha E J.
 // in_op: 0 solve for (in_x, in_y) with links 1 to in_n, from the joints as they are; 1 load link in_n: length in_x,
-// joint in_j; 2 set joint in_n to in_j; 3 read it. Links are loaded from 1 on; a reset forgets them.
-// Formats: angles of A bits, each relative to the link before it; coordinates sQ(W-F).F, lengths uQ(W-F).F; cfg_alpha,
+// joint in_j; 2 set joint in_n to in_j; 3 read it. Links are first loaded in order from 1 on; a reset forgets them.
+// Formats: angles of A bits, each relative to the link before; coordinates sQ(W-F).F, lengths uQ(W-F).F; cfg_alpha,
 // cfg_shift by iterative.plane.config; cfg_tol, out_error in 1/256 LSB^2, with out_coarse in LSB^2; out_j: joint in_n,
-// of a solution joint 1. Error: a converged tip is off by sqrt(out_error+2) / 16 + (n + 1) / 90 + 3 sum / 2^(W+1) LSB,
-// n links of that sum. Latency 3; of a solution 4 + (3 in_n + 6) a pass, II the same. Passes: out_iters + 1, and
+// of a solution joint 1. Error: a converged tip is within sqrt(out_error+2) / 16 + (n + 1) / 90 + 3 sum / 2^(W+1) LSB,
+// sum the length of n links. Latency 3; of a solution 4 + (3 in_n + 6) a pass; II the same. Passes: out_iters + 1, and
 // those that only change the range.
-// Status: unreachable (in_n is 0 or no link that is loaded: nothing is done, out_j is 0), not converged (the limit).
+// Status: unreachable (in_n is 0 or no loaded link: nothing is done, out_j is 0), not converged (the limit was
+// reached).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.plane.gd
 `default_nettype none
 module engine_quaternion_gd_plane #(

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of the Geomagic Touch by quaternion gradient descent: joint 1 yaws about y, joint 2 lifts link 1,
 // joint 3 is the absolute angle of link 2. tip = (-s1 rho, L1 s2 - L2 c3, c1 rho) with rho = L1 c2 + L2 s3.
-// Formats: in_x, in_y, in_z sQ(W-F).F, from the point between the axes; out_d1, out_d2, out_d3 sA: the last step; the
-// rest as in engine_quaternion_gd. L1 + L2 below 2^W LSB.
-// Error: a converged tip is within bounds.iterative.tip_touch: 0.85 LSB beyond its out_error at lengths of 2^13 LSB.
-// Latency 14 a pass, II the same. Passes: out_iters + 1, and those that only change the range.
-// Status: not converged (the limit was reached: out of reach, alpha too great, or a start where the gradient is 0).
+// Formats: joints angle of A bits; in_x, in_y, in_z sQ(W-F).F, from the point between the axes; cfg_l1, cfg_l2
+// uQ(W-F).F, L1 + L2 below 2^W LSB; cfg_alpha, cfg_shift by iterative.fixed.config; cfg_tol, out_error in 1/256 LSB^2,
+// with out_coarse in LSB^2; out_d1, out_d2, out_d3 sA: the last step. in_warm: start from the last answer, 0 after
+// reset.
+// Error: a converged tip is within bounds.iterative.tip_touch: 0.85 LSB more than sqrt(out_error + 3) / 16 at lengths
+// of 2^13 LSB. Latency 14 a pass, II the same. Passes: out_iters + 1, and those that only change the range.
+// Status: not converged (the limit was reached: out of reach, alpha too large, or a start where the gradient is 0).
 // Source: quaternion gradient paper, eqs. 28, 31, its Jacobian corrected. Model: iterative.fixed.gd_touch
 `default_nettype none
 module engine_quaternion_gd_touch #(

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of two joints in the plane by quaternion gradient descent, without an angle: a link's direction is
-// turned by (c, n) <- (c - d n, n + d c) and brought to length 1 by one Newton step. No sine, no table.
-// Formats: in_c1, in_n1 direction of link 1, in_c12, in_n12 of link 2, both absolute, s2.W, as the answers; out_d1,
-// out_d12 s0.(W+4) radians, what the last step turned the links by, at most 1/2; cfg_alpha, cfg_shift by
-// iterative.fixed.config_vector; the rest as in engine_quaternion_gd. in_warm after reset: from (1, 0).
-// Error: a converged tip of the answered words is within sqrt(out_error + 2) / 16 + 0.05 LSB; their length is 1 within
-// 3/8 d^4 of the last step and 1.8 2^-W.
-// Latency 13 a step, 10 at the end, and 10 a pass that only changes the range; II the same. Steps: out_iters.
-// Status: not converged (as engine_quaternion_gd); singular (a start far from length 1, held until the next start).
+// Inverse kinematics of two joints in the plane by quaternion gradient descent, without an angle: the direction of a
+// link turns by (c, n) <- (c - d n, n + d c) and is normalised by one Newton step. No sine, no table.
+// Formats: in_c1, in_n1 direction of link 1, in_c12, in_n12 of link 2, both absolute, s2.W, and answers alike; in_x,
+// in_y sQ(W-F).F; cfg_l1, cfg_l2 uQ(W-F).F; cfg_alpha, cfg_shift by iterative.fixed.config_vector; cfg_tol, out_error
+// in 1/256 LSB^2, with out_coarse in LSB^2; out_d1, out_d12 s0.(W+4) rad: last turn of each link, at most 1/2. in_warm:
+// start from the last answer, (1, 0) after reset. Error: a converged tip of the answered words is within sqrt(out_error
+// + 2) / 16 + 0.05 LSB; their length is 1 within 3/8 d^4 of the last step and 1.8 2^-W.
+// Latency 13 a step, 10 at the end, and 10 for a pass that only changes the range; II the same. Steps: out_iters.
+// Status: not converged (the limit was reached), singular (a start far from length 1, held until the next start).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd_vector
 `default_nettype none
 module engine_quaternion_gd_vector #(

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of three joints in the plane by Newton's method: tip (x, y) and orientation phi of the last link.
-// The orientation is linear, j3 = phi - j1 - j2, so it holds from the first step on; with the wrist's error E,
+// The orientation is linear, j3 = phi - j1 - j2, so it holds from the first step on. With the error E of the wrist,
 //   (d1, d12) = (D adj(J) + lambda J^T) E / (D^2 + mu), D = det J / l1 l2 = sin j2; cfg_lambda = 0: J^-1 E
 // Formats: joints, in_phi angle of A bits; in_x, in_y s(W-F).F; cfg_l1..l3 uQ(W-F).F; cfg_r1, cfg_r2, cfg_lambda,
-// cfg_mu by newton_fixed.config; cfg_tol, out_error in 1/256 unit^2, out_coarse: in unit^2, unit 2^-(16-W) LSB.
+// cfg_mu by newton_fixed.config; cfg_tol, out_error in 1/256 unit^2, with out_coarse in unit^2, unit 2^-(16-W) LSB.
 // in_warm: start from the last answer, 0 after reset, not from in_j1, in_j2.
 // Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.07 + 3.0 (L1 + L2 + L3) / 2^17 units.
 // Latency 16 a pass and 3, II the same. Passes: out_iters + 1.
-// Status: not converged (the limit was reached), and then singular (|sin j2| < 1/16, or a link of 0).
+// Status: not converged (the limit was reached); with it singular, where |sin j2| < 1/16 or a link is 0.
 // Source: Newton-Raphson paper, eqs. 12, 14. Model: iterative.newton_fixed.solve
 `default_nettype none
 module engine_newton_3r #(

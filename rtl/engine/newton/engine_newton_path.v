@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Three multipliers of engine_newton_3r: from chords to roots, the wrist's error E, its square, and the steps. Two are
-// added. With E seen along (u) and across (p) link 1 and both joints: d1 = (D u12 + lambda p1) / (D^2 + mu) l1, and
-// d12 = (lambda p12 - D u1) / (D^2 + mu) l2.
-// Formats: root s1.17; lengths u16; E in 1/64 unit; fine: its 18 lower bits, else 1/4 unit, saturated; square in 1/256
-// unit^2, not fine in unit^2; D^2 + mu u1.23, normalised by 4^j into [1/4, 2). All truncated.
-// The step of both joints is shifted alike: left by 2 j, but only until neither is above a quarter turn; else right.
-// Operands are in registers, so a product is there in the clock after the line that names its factors.
+// Three multipliers of engine_newton_3r: from table segments to sines, the error E of the wrist, its square, and the
+// steps. With E seen along (u) and across (p) link 1 and both joints, d1 = (D u12 + lambda p1) / (D^2 + mu) l1 and d12
+// = (lambda p12 - D u1) / (D^2 + mu) l2. The first two products are added.
+// Formats: in_chord of angle_chord, sines s1.17; lengths u16; E in 1/64 unit: fine its lower 18 bits, coarse 1/4 unit,
+// saturated; square in 1/256 unit^2, coarse in unit^2; D^2 + mu u1.23, normalised by 4^j to [1/4, 2). All are
+// truncated. Both steps are shifted alike: left by 2 j, but only until neither exceeds a quarter turn, or right.
+// Operands are in registers: a product is complete in the clock after the line that names its factors. Error of a step:
+// bounds.iterative.newton_step. Model: iterative.newton_fixed.solve
 `default_nettype none
 module engine_newton_path #(
     parameter A = 20  // bits of a joint word, 16 to 24
