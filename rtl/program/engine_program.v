@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control of a long program: plays a table of LINES control words, one a clock, from a memory block. For tables of some
-// sixty lines on that differ in most bits: as logic (schedule, schedule_counter) these cost hundreds of cells.
-//   out_op = line i of TABLE in the i-th clock after the one with in_start; line 1 while idle, 0 behind the last one.
-//   The lines from AGAIN on are played twice
-// out_done: the DRAIN-th clock behind the last line; the program is idle in the next one. in_start in a clock with rst
-// is not taken; the user starts it only when out_idle.
-// Latency of a user that raises its out_valid behind out_done: LINES + (LINES - AGAIN) + DRAIN + 1.
+// Control of a long program: it plays a table of LINES control words, one a clock, from a memory block. Use it for
+// tables of about sixty lines and more whose lines differ in most bits; as logic (schedule, schedule_counter) they cost
+// hundreds of cells.
+//   out_op = line i of TABLE in the i-th clock after the one with in_start; line 1 while idle, 0 after the last one
+// The lines from AGAIN on are played twice. out_done: the DRAIN-th clock after the last line; the program is idle in
+// the next clock. in_start in a clock with rst is ignored; start it only with out_idle.
+// Latency of a user that raises its out_valid after out_done: LINES + (LINES - AGAIN) + DRAIN + 1.
 `default_nettype none
 module engine_program #(
     parameter LINES = 2,                  // lines of the table, 2 or more: one clock each

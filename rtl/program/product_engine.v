@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of two products a clock on a register file of 64 words, for programs that engine_program plays.
-//   word = A B [+- C D] [+ the sum before] to nearest 2^-25, written to DEST; products of one term shifted for roots
-// A line reads in one clock, chooses its operands in the next and computes in the third; its word can be read from the
-// third line behind on, by the next line as LAST. Formats: words s2.25; sum s4.28, it wraps; products cut to 2^-28.
-//   in_op {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}: rtl/engine/README.md
-//   in_port: the word of a PORT operand, one clock after its line; in_signs: BACK, DOWN, FLIP take SLOPE's complement;
-//   in_run: not idle, or nothing is done but writing to registers
-//   out_word, out_dest: the word of the line before, and its register, 0 for none. out_status: unreachable and singular
-//   as the last ABOVE, FAR and HOLD lines found it; bit 3 a failed CHECK since in_start
-// The register file is stored four times, for four reads a clock. Models: product_engine.dot, .unit, .root
+// Sums of two products, one line a clock, on a register file of 64 words, for programs that engine_program plays.
+//   word = A B [+- C D] [+ the sum before] rounded to 2^-25, written to DEST; a single product may be shifted
+// A line reads in one clock, selects its operands in the next and computes in the third. Its word can be read from the
+// third line after it on, and by the next line as LAST. Formats: words s2.25; sum s4.28, it wraps; products truncated
+// to 2^-28. in_op {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}: rtl/program/README.md. in_port: word of
+// a PORT operand, one clock after its line. in_signs: BACK, DOWN, FLIP use the complement of SLOPE. in_run: the program
+// is not idle; without it only registers are written. out_word, out_dest: word of the line before, and its register, 0
+// for none. out_status: unreachable and singular as the last ABOVE, FAR and HOLD lines found them; bit 3 a failed CHECK
+// since in_start. The register file is stored four times, for four reads a clock. Models: product_engine.dot, .unit,
+// .root
 `default_nettype none
 module product_engine #(
     parameter ROOTS = 1,   // 0: sums alone: no ACT, no ALIGN, no tables; 1

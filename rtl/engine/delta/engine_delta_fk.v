@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of a rotary delta, three crank vectors to the tip: the lower or upper point where three spheres of
-// radius LB about the shifted elbows meet. Formats: in_c*, in_n* cos and sin of a crank, s2.U; out_x, out_y, out_z
-// s(W-F).F, nearest (ties upward), saturated, from the middle of the crank axes' plane; cfg_base, cfg_la, cfg_lb
-// s(W-F).(F+4), cfg_c*, cfg_n* azimuths s2.25: engine_delta.config. Error: page. Latency, II: 66.
-// Status: unreachable (the spheres do not meet: LB from elbow 1 towards the middle of the circle through the elbows),
+// radius LB about the shifted elbows E, E + a, E + b meet, without a division.
+//   N = a x b, V = |a|^2 b - |b|^2 a, D = 4 LB^2 N^2 - V^2, Q = V x N -+ N sqrt(D), tip = E + LB Q / |Q|
+// Formats: in_c*, in_n* cos and sin of a crank, s2.U; out_x, out_y, out_z s(W-F).F, rounded to nearest (ties upward),
+// saturated, from the middle of the plane of the crank axes; cfg_base, cfg_la, cfg_lb s(W-F).(F+4), cfg_c*, cfg_n*
+// azimuths s2.25: engine_delta.config. Error: 1/2 LSB and bounds.engine.delta_tip. Latency and II: 66.
+// Status: unreachable (the spheres do not meet: LB from elbow 1 towards the centre of the circle through the elbows),
 // singular (the elbows meet in one point: the last tip is held, elbow 1 before there was one), overflow (saturated).
-// Source: three spheres, without a division. Model: engine_delta.fk
+// Source: three spheres. Model: engine_delta.fk
 `default_nettype none
 module engine_delta_fk #(
     parameter W = 16,  // bits of a coordinate, 4 to 16: 16, 1024 mm at 1/64 mm

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// engine_delta_fk with binary angles: one angle_to_vector takes the three cranks one after the other, before it.
-// Formats: in_j* angles of A bits, a full turn is 2^A; U fraction bits of their vectors inside; else as there.
-// Error: as there, the vectors as angle_to_vector gives them. Latency, II: 73. Status: as there.
-// Model: engine_delta.fk_angle
+// Forward kinematics of a rotary delta, three binary angles to the tip: one angle_to_vector converts the three cranks
+// one after the other for engine_delta_fk.
+// Formats: in_j* angles of A bits, a full turn is 2^A; U fraction bits of their vectors inside; out_x, out_y, out_z
+// s(W-F).F, rounded to nearest, saturated; cfg_base, cfg_la, cfg_lb s(W-F).(F+4), cfg_c*, cfg_n* azimuths s2.25:
+// engine_delta.config.
+// Error: 1/2 LSB and bounds.engine.delta_tip, with 0.83 2^-U in each coordinate of a crank vector. Latency and II: 73.
+// Status: unreachable (the spheres do not meet: LB from elbow 1 towards the centre of the circle through the elbows),
+// singular (the elbows meet in one point: the last tip is held, elbow 1 before there was one), overflow (saturated).
+// Source: three spheres. Model: engine_delta.fk_angle
 `default_nettype none
 module engine_delta_fk_angle #(
     parameter W = 16,  // bits of a coordinate, 4 to 16: 16, 1024 mm at 1/64 mm

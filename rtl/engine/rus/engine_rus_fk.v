@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of a parallel robot with six RUS legs: six crank vectors to the platform's pose, by Newton.
+// Forward kinematics of a parallel robot with six RUS legs: six crank vectors to the platform's pose, by Newton's
+// method.
 //   rows (d, R c x d), d = R c + p - B, of the Jacobian of |d|^2 - LB^2, made orthonormal one by one: x = -sum y q
-// out_word: word in_k of page in_n, behind the operation. in_op: 0 solve; 1 write in_word; 2, 3 read.
-// Page 0: start, then pose: w, x, y, z, position (k = 0 to 6); link angle (7, 8). Pages 1 to 6, a leg: ball joint, foot
-// (0 to 5), crank's azimuth cos, sin (6, 7), link, crank, rod (8 to 10), crank vector cos, sin (11, 12). Written from
-// (0, 0) on; a reset forgets them. Formats: words s2.(W-2); cfg_tol, of |d|^2 - LB^2, 2^-25. Error: page.
-// Latency 3; of a solution 183 + 675 a step + 14 each time a row is scaled; II the same.
-// Status: unreachable (word not written: nothing is done, out_word is 0), singular (a row depends on those before, or a
-// singularity lies between start and end), overflow, not converged; but for 0 the start stays. Model: engine_rus_fk.fk
+// in_op: 0 solve; 1 write in_word; 2, 3 read. out_word: word in_k of page in_n after the operation. Page 0: start, then
+// pose: w, x, y, z, position (k = 0 to 6); link angle (7, 8). Pages 1 to 6, a leg: ball joint, foot (0 to 5), azimuth
+// cos, sin (6, 7), link, crank, rod (8 to 10), crank cos, sin (11, 12). First written in order from (0, 0) on; a reset
+// forgets. Formats: words s2.(W-2); cfg_tol 2^-25, of |d|^2 - LB^2. Error of a rod: ((cfg_tol + 1) / 2 LB + 4.0 + 36.2
+// |c|) 2^-25 (bounds.rus_fk.rod). Latency 3; of a solution 183 + 675 a step + 14 each time a row is scaled; II the
+// same. Status: unreachable (word not written: nothing is done, out_word is 0), singular (a row depends on those
+// before, or a singularity lies between start and end), overflow, not converged; with not converged the start is kept.
+// Source: Newton's method on the rods of engine_rus_ik. Model: engine_rus_fk.fk
 `default_nettype none
 module engine_rus_fk #(
     parameter W = 27  // bits of a word, 18 to 27: 27, those inside; 18 are those of engine_rus_ik

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of two products a clock on a register file of 16 pages, for engine_rus_fk_program.
-//   word = A B +- C D [+ the sum of the line before] to nearest 2^-25, written to DEST
-// A line reads in one clock, loads operands, multiplies and adds in the next three: read its word four lines behind it.
-// Formats: words s2.25; sum s4.28, it wraps, and out_over says where a word did; products truncated to 2^-28, of one
-// that is subtracted the complement is added.
-//   in_op {A 7, B 7, C 7, D 7, DEST 7, SUB 1, KEEP 1, ACT 3}: engine_rus_fk_program; pages by in_i, in_j
-//   in_range: low bits of the constants of a SCALE line. in_set: in_word goes to address in_own; in_fetch: out_read is
-//   the word there. out_act is the line that adds; the other outputs are its.
-// The register file is stored four times, for four reads a clock. Model: engine_rus_fk
+// Sums of two products, one line a clock, on a register file of 16 pages, for engine_rus_fk_program.
+//   word = A B +- C D [+ the sum of the line before] rounded to 2^-25, written to DEST
+// A line reads in one clock, and loads operands, multiplies and adds in the next three. Its word can be read four lines
+// later.
+// Formats: words s2.25; sum s4.28, it wraps, and out_over marks a word that did; products truncated to 2^-28, and of a
+// subtracted one the complement is added. in_op {A 7, B 7, C 7, D 7, DEST 7, SUB 1, KEEP 1, ACT 3}, pages by in_i and
+// in_j. in_range: low bits of the constants of a SCALE line. in_set writes in_word to address in_own; in_fetch reads
+// out_read there. out_act is that of the line that adds, and so are the other outputs. The register file is stored four
+// times, for four reads a clock. Model: engine_rus_fk.fk
 `default_nettype none
 module engine_rus_fk_products (
     input  wire        clk,

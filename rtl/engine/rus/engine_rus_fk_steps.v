@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which line of engine_rus_fk_program comes next, and how a solution ends.
-//   elbows of six legs, start; passes: matrix, rows of legs, JUDGE; for each row i NORM (SCALE while its square is
-//   not from 1/4 to 1), DOT and PAIR with the rows behind it; SIDE, the move. DONE writes the pose.
-// in_jump: of the line that is read; in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_forget:
-// another robot, whose side is not known. out_halt: the last clock of a solution; the flags stand from the next one on.
-// cfg_limit steps and SCALINGS of a row bound a solution. Model: engine_rus_fk
+// Sequencer of engine_rus_fk_program: it selects the next line, and ends a solution.
+//   elbows of six legs, start; passes: matrix, rows of legs, JUDGE; for each row i NORM (with SCALE while its square
+//   is not from 1/4 to 1), DOT and PAIR with the rows after it; SIDE, the move. DONE writes the pose.
+// in_jump belongs to the line that is read; in_act, in_over, in_off, in_size, in_negative to the line that adds.
+// in_forget: the robot was changed, so its side is unknown. out_halt: last clock of a solution; the flags are valid
+// from the next one on. cfg_limit steps, and SCALINGS of a row, bound a solution. Model: engine_rus_fk.fk
 `default_nettype none
 module engine_rus_fk_steps (
     input  wire       clk,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operands of the four multipliers of engine_rus_path and the addend behind them, from the words of a leg and from what
-// the products gave: al ar + bl br + cl cr + add, and dl dr.
-// Operands come through gates: registers that are 0 but in the clock for which they open, so that an OR selects.
-// in_op: of a line of engine_rus_leg the columns A to D and add, OUT_N, and the bits at which a word is taken here.
-// x, e, f, G, t and the reciprocal stay until their gate opens; e, f and G move on before the next leg's come.
-// Formats: engine_rus_path; in_sum s29.8 of the position word, in_f s18.8, in_g s19.4. Latency: a gate 1, behind it 1.
-// Model: engine_rus.leg
+// Operands of the four multipliers of engine_rus_path, and the addend of their sum, from the words of a leg and from
+// earlier products: al ar + bl br + cl cr + add, and dl dr. Operands come through gates: registers that are 0 except in
+// the clock for which they open, so that an OR selects. in_op: of a line of engine_rus_leg the columns A to D and add,
+// OUT_N, and the bits that write a register here. x, e, f, G, t and the reciprocal are kept until their gate opens; e,
+// f and G move on before those of the next leg come.
+// Formats: in_row, in_words, in_cb, in_nb s18 each; in_sum s29.8 of the position word, in_f s18.8, in_g s19.4. Exact.
+// Latency: 1 to a gate, 1 more to an operand. Model: engine_rus.leg
 `default_nettype none
 module engine_rus_operands (
     input  wire               clk,

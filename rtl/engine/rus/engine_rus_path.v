@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Datapath of engine_rus_leg, whose table says what happens when: in_op is its lines, column by column.
-// Lengths x, z, y, e, f, h have 8 fraction bits below the position word of 18 bits, G and S 4; sums 8, of squares 0
-// (q 8). Out of reach the root is that of e^2 + f^2 and (cos, sin) = +-(e, f) R / R^2, the sign that of G.
-// in_place at OUT_N, in_step in the clock behind: then multiplier D, its dr cleared, forms out_rise, their product.
-// Formats: engine_rus_ik, engine_rus_leg. Error: engine_rus_root, and what is truncated.
-// Model: engine_rus.leg
+// Datapath of engine_rus_leg, whose table controls it: in_op is a line, column by column.
+// Formats: x, z, y, e, f, h have 8 fraction bits below the position word of 18 bits, G and S 4; sums 8, of squares 0 (q
+// 8). in_row, in_words, in_cb, in_nb s18 each; out_word s2.16; out_root u18.4. Out of reach the root is that of e^2 +
+// f^2, and (cos, sin) = +-(e, f) R / R^2 with the sign of G. in_place with OUT_N, and in_step one clock later:
+// multiplier D, whose dr is cleared, then forms out_rise, their product.
+// Error: truncation, and that of engine_rus_root (bounds.engine.rus_angle). Model: engine_rus.leg
 `default_nettype none
 module engine_rus_path (
     input  wire               clk,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What engine_rus_ik and engine_rus_ik_angle share: poses and geometry in, the answers of their legs out, one by one.
-//   in_free: the outputs are free in the next clock, and a pose may be taken
-// Formats: engine_rus_ik; in_place, in_step, out_rise: engine_rus_path. Root and flags stand when out_flags; out_c is
-// the cosine and out_word the sine when out_sine, of leg 6 if out_last; out_none: it is 0.
-// Latency of leg 1: 32 to its flags, 37 to its sine; II 48.
-// Model: engine_rus.ik
+// What engine_rus_ik and engine_rus_ik_angle share: poses and geometry in, the answers of the legs out, one leg after
+// the other. in_free: the outputs are free in the next clock, so a pose may be accepted. Root and flags are valid with
+// out_flags. With out_sine, out_c is the cosine and out_word the sine, of leg 6 with out_last; out_none: the sine is 0.
+// in_place and in_step are the operands of the free product out_rise.
+// Formats: rotation s2.16; p sW; geometry s18; out_c, out_word s2.16; out_root u18.4. Error: bounds.engine.rus_angle.
+// Latency of leg 1: 32 to its flags, 37 to its sine; II 48. Model: engine_rus.ik
 `default_nettype none
 module engine_rus_poses #(
     parameter W = 18  // bits of a position, 14 to 18: as its user's

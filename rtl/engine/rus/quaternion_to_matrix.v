@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotation matrix of a unit quaternion, for engine_rus_ik. Products only.
+// Rotation matrix of a unit quaternion, for engine_rus_ik, by products only.
 //   r_ii = 1 - 2 (q_j^2 + q_k^2), r_ij = 2 (q_i q_j - w q_k), r_ji = 2 (q_i q_j + w q_k), i, j, k cyclic
-// Formats: in_w, in_x, in_y, in_z, out_r s2.U (1.0 is 2^U), nearest but for truncated products.
-// Error of an entry: 5/8 LSB, the words of the quaternion given; a length of 1 + e scales all but the 1 by 1 + 2 e.
+// Formats: in_w, in_x, in_y, in_z, out_r s2.U (1.0 is 2^U), rounded after products truncated to an eighth of an LSB.
+// Error of an entry: 5/8 LSB for the given words; a length of 1 + e scales all but the 1 of the diagonal by 1 + 2 e.
 // Latency 9, II 9.
-// Status: singular (w^2 + x^2 + y^2 + z^2 is not within 2^-9 of 1, below U = 11 within 4 units of 2^-U, sum to half a
-// unit: the last matrix is held, at first 1)
+// Status: singular (w^2 + x^2 + y^2 + z^2, which is formed to half a unit, is not within 2^-9 of 1, below U = 11 within
+// 4 units of 2^-U: the last matrix is held, the unit matrix after reset).
 // Source: the definition. Model: engine_rus.quaternion_to_matrix
 `default_nettype none
 module quaternion_to_matrix #(

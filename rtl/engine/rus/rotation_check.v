@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Is a matrix a rotation? Its nine words, for engine_rus_ik, which takes any. Products only.
+// Tests whether a matrix is a rotation and passes its nine words on, for engine_rus_ik, which accepts any matrix.
 //   |a|^2 = |b|^2 = 1, a . b = 0, a x b = c of the columns a, b, c, each to 16 units of 2^-U
-// Formats: in_r, out_r s2.U (1.0 is 2^U), the same words. Sums are exact, but the i-th of a x b - c, i, j, k cyclic, is
-// less by b_j 2^-U: the one's complement of a_k is multiplied where a_k b_j is subtracted.
-// Latency 27, II 27.
-// Status: no rotation (one of the six sums is off by 16 units; the words pass all the same)
+// Formats: in_r, out_r s2.U (1.0 is 2^U), unchanged. Sums are exact, but the i-th of a x b - c, i, j, k cyclic, is less
+// by b_j 2^-U, because the one's complement of a_k is multiplied where a_k b_j is subtracted.
+// Error: a matrix that passes is within bounds.engine.rotation_apart of a rotation. Latency 27, II 27.
+// Status: no rotation (one of the six sums is off by 16 units or more; the words pass all the same).
 // Source: the definition. Model: engine_rus.rotation_check
 `default_nettype none
 module rotation_check #(
