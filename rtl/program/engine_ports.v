@@ -4,7 +4,7 @@
 // Formats: words s2.25, word 0 in the lowest bits. Exact. Latency 1. Model: none, it moves words.
 `default_nettype none
 module engine_ports #(
-    parameter COUNT = 2  // words, 1 to 32
+    parameter COUNT = 2  // words, 1 to 32 (default 2)
 ) (
     input  wire                clk,
     input  wire [COUNT*27-1:0] in_words,

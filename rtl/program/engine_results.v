@@ -5,8 +5,8 @@
 // word of DEST 2 in the lowest bits. Error: 1/2 LSB. Latency 1. Model: six.fk6
 `default_nettype none
 module engine_results #(
-    parameter COUNT = 2,  // words, 1 to 62
-    parameter U = 16      // fraction bits of a word, 1 to 24: 16
+    parameter COUNT = 2,  // words, 1 to 62 (default 2)
+    parameter U = 16      // fraction bits of a word, 1 to 24 (default 16)
 ) (
     input  wire                   clk,
     input  wire [26:0]            in_word,

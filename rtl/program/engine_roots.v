@@ -8,7 +8,7 @@
 // Models: product_engine.power_of, product_engine.reciprocal
 `default_nettype none
 module engine_roots #(
-    parameter WRIST = 12  // lowest bit that counts with in_wrist, 0 to 25: 12, 8 units of 2^-16
+    parameter WRIST = 12  // lowest bit that counts with in_wrist, 0 to 25 (default 12, 8 units of 2^-16)
 ) (
     input  wire        clk,
     input  wire        in_first,
@@ -25,7 +25,7 @@ module engine_roots #(
     output reg  [13:0] out_twice,
     output wire        out_empty
 );
-    // Magnitudes stand the other way round, so that the leading one is the lowest, which x & -x leaves
+    // Magnitudes are bit-reversed, so that the leading one is the lowest, which x & -x isolates
     reg  [25:0] seen, turned;
     integer     i;
     always @*

@@ -10,10 +10,10 @@
 // Source: three spheres. Model: engine_delta.fk_angle
 `default_nettype none
 module engine_delta_fk_angle #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, 1024 mm at 1/64 mm
-    parameter F = 6,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 6, millimetres
-    parameter A = 18,  // bits of an angle, 12 to 24: 18, 0.0014 degrees
-    parameter U = 16   // fraction bits of a unit vector inside, 12 to 18: 16
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16: 1024 mm at 1/64 mm)
+    parameter F = 6,   // fraction bits of a coordinate, 0 to W - 1 (default 6); they change no logic
+    parameter A = 18,  // bits of an angle, 12 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter U = 16   // fraction bits of a unit vector inside, 12 to 18 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -45,9 +45,9 @@ module engine_delta_fk_angle #(
         end
     endgenerate
 
-    reg  [3*A-1:0]      angles;  // the crank in hand in the lowest bits
-    reg  [3:1]          left;    // one-hot: the crank that the codec gives next, 0 between samples
-    reg  [3:1]          feed;    // one-hot: the crank that the codec is offered
+    reg  [3*A-1:0]      angles;  // the crank that is offered is in the lowest bits
+    reg  [3:1]          left;    // one-hot: crank that the codec answers next, 0 between samples
+    reg  [3:1]          feed;    // one-hot: crank that is offered to the codec
     wire                ready, have, kernel_ready;
     wire signed [U+1:0] c, n;
     wire                accept = in_valid && in_ready;
@@ -55,7 +55,7 @@ module engine_delta_fk_angle #(
     angle_to_vector #(.A(A), .U(U)) codec (.clk(clk), .rst(rst), .in_valid(feed != 3'd0), .in_ready(ready),
         .in_j(angles[A-1:0]), .out_valid(have), .out_ready(1'b1), .out_c(c), .out_n(n));
 
-    reg  [4*U+7:0] first;  // vectors of cranks 1 and 2, the last one on top
+    reg  [4*U+7:0] first;  // vectors of cranks 1 and 2, the later one in the top bits
     always @(posedge clk) begin
         if (accept)
             angles <= {in_j3, in_j2, in_j1};

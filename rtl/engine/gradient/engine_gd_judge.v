@@ -7,20 +7,20 @@
 // iterative.fixed.gd
 `default_nettype none
 module engine_gd_judge #(
-    parameter W = 16  // bits of a coordinate, 14 to 20; a square has 2 W: in 1/256 LSB^2, or LSB^2 in the coarse range
+    parameter W = 16  // bits of a coordinate, 14 to 20 (default 16); a square has 2 W
 ) (
     input  wire           clk,
     input  wire           rst,
     input  wire [21:0]    cfg_tol,
     input  wire [9:0]     cfg_limit,
     input  wire           in_start,   // a sample is accepted
-    input  wire           in_stop,    // the square is there: is this the end?
+    input  wire           in_stop,    // the square is complete: decide
     input  wire           in_step,    // the pass ends here, unless out_halt
     input  wire [2*W-1:0] in_square,
     input  wire           out_ready,
-    output reg            out_fine,   // the range
-    output wire           out_wide,   // may be saturated: the pass does not count
-    output wire           out_halt,   // the answer is there
+    output reg            out_fine,   // the range is fine
+    output wire           out_wide,   // the square may be saturated: the pass does not count
+    output wire           out_halt,   // the answer is complete
     output reg            out_valid,
     output reg  [9:0]     out_iters,
     output reg            out_failed

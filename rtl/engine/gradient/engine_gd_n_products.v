@@ -10,7 +10,7 @@
 // is stored eight times, for eight reads a clock. Model: iterative.space.gd
 `default_nettype none
 module engine_gd_n_products #(
-    parameter P = 4  // bits of a page of 16 words, 2 to 7: 4
+    parameter P = 4  // bits of a page number, 2 to 7 (default 4); a page has 16 words
 ) (
     input  wire         clk,
     input  wire [21:0]  cfg_tol,
@@ -24,13 +24,13 @@ module engine_gd_n_products #(
     input  wire [26:0]  in_word,
     input  wire         in_fetch,
     output wire [26:0]  out_read,
-    output wire [26:0]  out_word,   // of the line that adds; out_error: that is marked an error
+    output wire [26:0]  out_word,   // word of the line that adds; with out_error it is a coordinate of E
     output wire         out_error,
     output wire         out_over,
-    output wire         out_close,  // its magnitude is below cfg_tol
-    output wire         out_off     // a square that is off 1 by 2^-12
+    output wire         out_close,  // the magnitude of the word is below cfg_tol
+    output wire         out_off     // a square is off 1 by 2^-12 or more
 );
-    // the line that multiplies, the line that adds
+    // State of the line that multiplies and of the line that adds
     reg          write0, step0, still0, error0, square0, write, step, still, error, square;
     reg  [P+3:0] dest0, dest;
     wire [P+3:0] dest_now;
@@ -42,10 +42,10 @@ module engine_gd_n_products #(
         still0  <= in_still;
         dest0   <= dest_now;
         {write, step, still, square, dest} <= {write0, step0, still0, square0, dest0};
-        error <= error0 && in_run;  // not from before a reset: the next answer would have it
+        error <= error0 && in_run;  // a line from before a reset must not reach the next answer
     end
 
-    // register file
+    // Register file
     wire [P+3:0]        to = in_set ? in_own : dest;
     wire [26:0]         value = in_set ? in_word : out_word;
     wire [8*27-1:0]     read;
@@ -67,7 +67,7 @@ module engine_gd_n_products #(
                 file[7] = 27'h0000000;
             end
             always @(posedge clk) begin
-                if (i != 7 || in_run || in_fetch)  // a word that was fetched waits
+                if (i != 7 || in_run || in_fetch)  // a fetched word is held
                     data <= file[i == 7 && in_fetch ? in_own : at[(P+4)*(i+1) +: P+4]];
                 if (write || in_set)
                     file[to] <= value;
@@ -78,7 +78,7 @@ module engine_gd_n_products #(
     assign dest_now = at[P+3:0];
     assign out_read = read[27*7 +: 27];
 
-    // products, then their sum; half a unit is added to EF
+    // Products, then their sum; half a unit is added to E F
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [53:0] ab_now = $signed(read[27*7 +: 27]) * $signed(read[27*6 +: 27]);
     wire signed [53:0] cd_now = $signed(read[27*5 +: 27]) * $signed(read[27*4 +: 27]);

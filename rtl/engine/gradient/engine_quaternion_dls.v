@@ -12,9 +12,9 @@
 // Source: quaternion gradient paper, eq. 24; the step of Wampler 1986. Model: iterative.damped.solve
 `default_nettype none
 module engine_quaternion_dls #(
-    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16: 16, what the multipliers take
-    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
-    parameter A = 24   // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
+    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 24   // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
 ) (
     input  wire         clk,
     input  wire         rst,
@@ -58,9 +58,9 @@ module engine_quaternion_dls #(
         .out_ready(out_ready), .out_j1(out_j1), .out_j2(out_j2), .out_j3(unused_j3), .out_iters(out_iters),
         .out_error(out_error), .out_coarse(out_coarse), .out_status(out_status));
 
-    // The last step: the joints behind it, less those behind the step before or at the start
+    // The last step: the joints after it, less those after the step before or at the start
     reg         begins;
-    reg         odd;       // bit 0 of the steps that are in here
+    reg         odd;       // bit 0 of the number of steps counted here
     reg [A-1:0] at1, at2;
     always @(posedge clk) begin
         begins <= in_valid && in_ready;

@@ -11,9 +11,9 @@
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd
 `default_nettype none
 module engine_quaternion_gd #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter A = 24   // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 24   // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
 ) (
     input  wire           clk,
     input  wire           rst,
@@ -94,8 +94,8 @@ module engine_quaternion_gd #(
     schedule #(.LINES(12), .BITS(14), .TABLE(PASS)) control (.clk(clk), .rst(rst || halt), .in_start(accept || move2),
         .out_idle(idle), .out_op(op));
 
-    // joints
-    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a root, address bits of its table
+    // Joints
+    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a sine, address bits of its table
     reg  [A-1:0]       th1, th2, th12;
     wire [A-1:0]       step;
     wire [2*K-T+19:0]  chord;
@@ -115,7 +115,7 @@ module engine_quaternion_gd #(
         end
     end
 
-    // work, end
+    // Datapath and end of a sample
     reg  [W-1:0] x, y;
     wire         fine, wide, failed;
     engine_gd_path #(.W(W), .A(A), .K(K), .T(T)) path (.clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),

@@ -11,9 +11,9 @@
 // Source: quaternion gradient paper, eqs. 28, 31, its Jacobian corrected. Model: iterative.fixed.gd_touch
 `default_nettype none
 module engine_quaternion_gd_touch #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter A = 24   // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 24   // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -108,9 +108,9 @@ module engine_quaternion_gd_touch #(
         /* e3; step 1             */ {SINK,   AGAIN,  L1,   V,    STAY, MOVE}};
     wire [22:0] op;
     wire        idle, fine, wide, halt, failed, stop, move, minus, cosine, third;
-    reg         again;  // the same pass, in the other range
-    reg         finer;  // range of the step
-    reg  [1:0]  late;   // steps 2 and 3, in the first lines of the next pass
+    reg         again;  // repeat the pass in the other range
+    reg         finer;  // range of the step is fine
+    reg  [1:0]  late;   // steps 2 and 3 follow in the first lines of the next pass
     wire        accept = in_valid && in_ready, last = move && op[22], leave = halt || (stop && wide);
     wire        steps = last || late != 0;
     assign      {stop, move, minus, cosine, third} = op[9:5];
@@ -124,8 +124,8 @@ module engine_quaternion_gd_touch #(
             finer <= fine;
     end
 
-    // joints: at an answer 1, 2, 3, in line 1 of a pass 2, 3, 1; each move puts the next one in front
-    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a root, address bits of its table
+    // Joints: th1 to th3 are joints 1, 2, 3 at an answer and 2, 3, 1 in line 1 of a pass; each move rotates them
+    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a sine, address bits of its table
     reg  [A-1:0]      th1, th2, th3;
     reg  [W-1:0]      x, y, z;
     wire [A-1:0]      joint = third ? th3 : th2;
@@ -151,7 +151,7 @@ module engine_quaternion_gd_touch #(
             {out_d1, out_d2, out_d3} <= {out_d2, out_d3, step};
     end
 
-    // work, end
+    // Datapath and end of a sample
     engine_gd_touch_path #(.W(W), .A(A), .K(K), .T(T)) path (.clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),
         .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_finer(finer), .in_alone(stop),
         .in_op({op[22:10], op[4:0]}), .in_chord(chord), .in_x(x), .in_y(y), .in_z(z), .out_step(step),

@@ -11,8 +11,8 @@
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd_vector
 `default_nettype none
 module engine_quaternion_gd_vector #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
-    parameter F = 8    // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter F = 8    // fraction bits of both, 0 to W - 1 (default 8); they change no logic
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -92,8 +92,8 @@ module engine_quaternion_gd_vector #(
         /* length 2        */ {SELF,   GAIN,   MOVE | LAST}};
     wire [13:0] op;
     wire        idle, fine, wide, halt, failed;
-    reg         again;  // the same pass, in the other range
-    reg         fresh;  // line 1, and no link was turned in a pass before
+    reg         again;  // repeat the pass in the other range
+    reg         fresh;  // line 1 of a pass without an earlier turn
     wire        accept = in_valid && in_ready, stop = op[6];
     wire        keep = stop && wide || halt;
     assign      in_ready = idle && !again && (!out_valid || out_ready);
@@ -104,12 +104,12 @@ module engine_quaternion_gd_vector #(
         fresh <= accept || again;
     end
 
-    // start
+    // Start
     reg  [W-1:0] x, y;
     reg          singular;
-    // not 0.5 <= length < 1.25, which a turn by 1/2 leaves below sqrt(2)
+    // Length below 0.5 or from 1.25 on; below 1.25 a turn by 1/2 leaves it below sqrt(2)
     function none(input [W+1:0] c, input [W+1:0] n);
-        reg [3:0] u, v;  // sizes in 1/8
+        reg [3:0] u, v;  // magnitudes in 1/8
         begin
             u = c[W:W-3] ^ {4{c[W+1]}};
             v = n[W:W-3] ^ {4{n[W+1]}};
@@ -128,7 +128,7 @@ module engine_quaternion_gd_vector #(
             singular <= none(in_c1, in_n1) || none(in_c12, in_n12);
     end
 
-    // work, end
+    // Datapath and end of a sample
     engine_gd_vector_path #(.W(W)) path (.clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha),
         .in_shift(cfg_shift), .in_fine(fine), .in_keep(keep || fresh), .in_load(accept && !in_warm),
         .in_clear(accept), .in_op(op), .in_c1(in_c1), .in_n1(in_n1), .in_c12(in_c12), .in_n12(in_n12), .in_x(x),

@@ -11,9 +11,9 @@
 // Source: Newton-Raphson paper, eqs. 12, 14. Model: iterative.newton_fixed.solve
 `default_nettype none
 module engine_newton_3r #(
-    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16: 16, what the multipliers take
-    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
-    parameter A = 20   // bits of a joint word, 16 to 24: a full turn is 2^A; 20 move the tip of 2^14 LSB by 0.1 LSB
+    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 20   // bits of a joint word, 16 to 24 (default 20, 0.1 LSB at 2^14 LSB); a full turn is 2^A
 ) (
     input  wire         clk,
     input  wire         rst,
@@ -50,16 +50,16 @@ module engine_newton_3r #(
         end
     endgenerate
 
-    // program
+    // Program
     wire [22:0] op;
     wire        idle, halt;
     wire        stop = op[6], move = op[7];
-    reg         first;  // nothing to stop for or to move yet
+    reg         first;  // first pass: neither a stop nor a step
     wire        accept = in_valid && in_ready;
     assign      in_ready = idle && (!out_valid || out_ready);
     engine_newton_program program_ (.clk(clk), .rst(rst || halt), .in_start(accept), .out_idle(idle), .out_op(op));
 
-    // joints
+    // Joints
     reg  [A-1:0] th1, th2, th12, phi;
     wire [A-1:0] word = op[22] ? op[21] ? th2 : th12 : op[21] ? th1 : phi;
     wire [A-1:0] step;
@@ -82,7 +82,7 @@ module engine_newton_3r #(
         end
     end
 
-    // error, steps
+    // Error and steps
     localparam Z = 16 - W;
     reg  [W-1:0] x, y;
     wire         fine, near;
@@ -91,7 +91,7 @@ module engine_newton_3r #(
         .in_op(op[19:0]), .in_chord(chord), .in_x({x, {Z{1'b0}}}), .in_y({y, {Z{1'b0}}}),
         .out_step(step), .out_square(out_error), .out_fine(fine), .out_near(near));
 
-    // end
+    // End of a sample
     reg  [9:0] iters;
     reg        failed;
     wire       done = fine && out_error[31:22] == 0 && out_error[21:0] < cfg_tol;

@@ -8,7 +8,7 @@
 // Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_angle
 `default_nettype none
 module engine_rus_angle #(
-    parameter A = 18  // bits of the word, 10 to 24: as its user's
+    parameter A = 18  // bits of the word, 10 to 24 (default 18)
 ) (
     input  wire               clk,
     input  wire               in_valid,
@@ -32,7 +32,7 @@ module engine_rus_angle #(
     wire [A-8:0]   step;
     arcsine_chords #(.A(A)) arcsine (
         .clk(clk), .in_read(1'b1), .in_segment(sine[20:12]), .out_knot(knot), .out_step(step));
-    reg  [A+1:0]   from;  // and the product: they stay until the next vector's; their sum behind them costs no clock
+    reg  [A+1:0]   from;  // base and product are held until those of the next vector; their sum costs no clock
     reg  [A-8:0]   rise;
     wire [A+1:0]   word = from + {9'd0, rise};
     wire           unused = &{1'b0, sine[21], in_rise, word[1:0]};

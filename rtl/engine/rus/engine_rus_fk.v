@@ -12,7 +12,7 @@
 // Source: Newton's method on the rods of engine_rus_ik. Model: engine_rus_fk.fk
 `default_nettype none
 module engine_rus_fk #(
-    parameter W = 27  // bits of a word, 18 to 27: 27, those inside; 18 are those of engine_rus_ik
+    parameter W = 27  // bits of a word, 18 to 27 (default 27, as inside; 18 are those of engine_rus_ik)
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -36,14 +36,14 @@ module engine_rus_fk #(
         end
     endgenerate
 
-    // Samples: the number of a word is checked in the clock behind the one that takes it
-    localparam [3:0] POSE = 4'd9, LEG = 4'd13;  // words of page 0, of a leg
+    // Samples: the number of a word is checked one clock after the sample is accepted
+    localparam [3:0] POSE = 4'd9, LEG = 4'd13;  // words of page 0 and of a leg
     reg         busy, check, answer, no_word;
     reg  [1:0]  op;
     reg  [2:0]  n;
     reg  [3:0]  k;
     reg  [26:0] word;
-    reg  [6:0]  fill;   // the word to be written next, {n, k}; page 7: all are there
+    reg  [6:0]  fill;   // {n, k} of the next word to write; page 7: all are written
     wire        accept = in_valid && in_ready;
     wire        solve_op = op == 2'd0, write_op = op == 2'd1, full = fill[6:4] == 3'd7;
     wire        there = {n, k} < fill && k < (n == 3'd0 ? POSE : LEG), next = {n, k} == fill && !full;

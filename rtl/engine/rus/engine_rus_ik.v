@@ -12,7 +12,7 @@
 // Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik
 `default_nettype none
 module engine_rus_ik #(
-    parameter W = 18  // bits of a position, 14 to 18: 18 keep the arithmetic as the greatest error
+    parameter W = 18  // bits of a position, 14 to 18 (default 18); below 18 its rounding is the greatest error
 ) (
     input  wire                clk,
     input  wire                rst,

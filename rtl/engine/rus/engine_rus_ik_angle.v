@@ -11,8 +11,8 @@
 // Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik_angle
 `default_nettype none
 module engine_rus_ik_angle #(
-    parameter W = 18,  // bits of a position, 14 to 18: 18 keep the arithmetic as the greatest error
-    parameter A = 18   // bits of an angle, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter W = 18,  // bits of a position, 14 to 18 (default 18); below 18 its rounding is the greatest error
+    parameter A = 18   // bits of an angle, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -52,7 +52,7 @@ module engine_rus_ik_angle #(
         .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb),
         .in_place(place), .in_step(step), .out_rise(rise), .out_flags(flags), .out_sine(sine), .out_last(last),
         .out_c(c), .out_word(word), .out_root(root), .out_none(none), .out_far(far), .out_near(near), .out_over(over));
-    // its second register is that of leg 6
+    // The output register of the codec is the register of leg 6
     wire [A-1:0] angle;
     reg          turned, last_turned;
     always @(posedge clk) begin

@@ -134,7 +134,7 @@ module engine_rus_leg (
         .in_cb(in_cb), .in_nb(in_nb), .in_dead(tag4[1]), .in_place(in_place), .in_step(in_step), .out_rise(out_rise),
         .out_word(out_word), .out_root(out_root), .out_far(out_far), .out_none(out_none), .out_near(out_near),
         .out_over(out_over));
-    // which words of the leg are read: by the line that is played
+    // The line that is played selects the words of the leg that are read
     assign out_x = op[27];
     assign out_z = op[28];
     assign out_y = op[29];
@@ -143,7 +143,7 @@ module engine_rus_leg (
     assign out_flags = op[22];
     assign out_cosine = op[17];
     assign out_sine = op[18];
-    // the tag goes with its leg, in four registers that the next leg's follows through
+    // The tag accompanies its leg through four registers, followed by that of the next leg
     always @(posedge clk) begin
         if (op[4])
             tag2 <= in_tag;

@@ -33,7 +33,7 @@ module engine_rus_path (
         = in_op[16:0];
     wire unused = &{1'b0, in_op[17]};
 
-    // Products, and the sum behind them: A + B + C
+    // Products, and their sum one clock later: A + B + C
     wire signed [25:0] al, ar, bl, br;
     wire signed [26:0] cl, cr, dl, dr;
     wire signed [36:0] add;
@@ -81,7 +81,7 @@ module engine_rus_path (
             wide <= pc[53:47] != {7{pc[47]}};
         if (copy)
             beyond2 <= beyond;
-        // overflow goes with its leg
+        // Overflow accompanies its leg
         if (to_x || to_z || to_y || to_e || height)
             over1 <= over || (to_e && f_sum[26] != f_sum[25]) || (over1 && !to_x);
         if (to_q)

@@ -6,7 +6,7 @@
 // Formats: words of BITS bits and roots u18.4, moved unchanged. Model: engine_rus.ik
 `default_nettype none
 module engine_rus_results #(
-    parameter BITS = 36  // of a leg's word: 36 of a cosine and a sine, or those of an angle
+    parameter BITS = 36  // bits of the word of a leg (default 36: a cosine and a sine); those of an angle
 ) (
     input  wire              clk,
     input  wire              rst,

@@ -48,7 +48,7 @@ module engine_rus_root (
     wire byte2 = either[43:36] != 0, byte1 = either[35:28] != 0;
     wire pair3 = coarse[30:29] != 0, pair2 = coarse[28:27] != 0, pair1 = coarse[26:25] != 0;
 
-    // As in kernel_vector_path
+    // Tangents of a root or a reciprocal
     kernel_vector_slopes slopes (.clk(clk), .in_read(root || divisor), .in_range({divisor, 1'b0}),
         .in_segment(word[24:16]), .out_slope(out_slope));
     wire [21:0] bytes = shift_s[3] ? in_product >> 8 : shift_s[2] ? in_product >> 4 : in_product;

@@ -8,7 +8,7 @@
 // Source: the definition. Model: engine_rus.rotation_check
 `default_nettype none
 module rotation_check #(
-    parameter U = 16  // fraction bits, 8 to 16: 16 as engine_rus_ik takes them
+    parameter U = 16  // fraction bits, 8 to 16 (default 16, for engine_rus_ik)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -86,8 +86,8 @@ module rotation_check #(
     wire [U+1:0]          c = i[1] ? out_r33 : i[0] ? out_r23 : out_r13;
     reg  signed [U+1:0]   left, right;
     reg  signed [2*U+3:0] product;
-    reg  signed [2*U+4:0] sum;  // of three products below 4, one of them that of c below 2 when it is a difference
-    wire [U:0]            high = sum[2*U+4:U+4];  // what 16 units do not reach
+    reg  signed [2*U+4:0] sum;  // of three products below 4; in a difference one is -c, below 2
+    wire [U:0]            high = sum[2*U+4:U+4];  // bits that 16 units do not reach
     wire                  off = to_one ? high != {5'd1, {U-4{1'b0}}} && high != {5'd0, {U-4{1'b1}}}
                                        : high != 0 && high != {U+1{1'b1}};
     reg                   wrong;
