@@ -1,4 +1,4 @@
-"""What a 47-bit control word of rtl/engine/product_engine.v does, and the rules of a program of such words.
+"""What a 47-bit control word of rtl/program/product_engine.v does, and the rules of a program of such words.
 
 A word is {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}. A line reads registers in its first clock (0),
 chooses operands in the next (1) and computes in the third (2), in which its word is written; so a register is read
