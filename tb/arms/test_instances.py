@@ -563,6 +563,7 @@ def six_inverse_case(core: Core, arm: Machine, text: Printed, rng: np.random.Gen
     tip, u = frame[:, :3, 3], core.params.get("U", 16)
     fine = np.all(np.abs(tip) < step * 32760, axis=1) & (np.abs(rho) > 5 * arm.file["mm_per_unit"])
     fine &= six_bounds.position(core.params | {"U": u}, seven(core, arm), frame[:, :3, :3], tip / step, rho < 0) < 3
+    fine &= np.abs(np.cos(np.radians(line))) > 2.0**-12  # nearer it takes the other elbow: models/test/test_six.py
     pick = np.flatnonzero(fine)[:FEW // 2]
     assert len(pick) > FEW // 4
     branch = ((rho < 0) + 2 * (np.sin(np.radians(line)) > 0) + 4 * (np.sin(np.radians(q["j5"])) < 0))[pick]
@@ -648,6 +649,9 @@ def velocity_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dic
         l1, l2 = lengths(core, arm)
         law = arm_bounds.rates3(p, l1, l2, s, w3, l1 + l2, fast) if axes else arm_bounds.rates2(p, l1, l2, s, fast)
         law = law + math.sqrt(3) / 2 + s + w3
+        near = arm.file["singular"]  # no sample is so near: the thresholds by themselves
+        assert abs(text.words["cfg_sine"] - math.sin(math.radians(near["elbow"])) * 2 ** p["U"]) <= 0.5
+        assert not axes or abs(text.words["cfg_radius"] - near["axis"] / step) <= 0.5
         regular = out["out_status"] == 0
         assert regular.mean() > 0.5
         law = np.where(regular, law, np.inf)
