@@ -413,7 +413,7 @@ def forward_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict
     else:
         axes = 3 if core.function == "fk3" else 2
         law = CLAIMS[core.family](core, l1, l2).coordinate() * math.sqrt(axes)
-    assert not out["out_status"].any()
+    assert not out["out_status"].any(), f"{core.name} on {arm.id}: a status bit"
     off = distance(core, arm, places(core, arm, case["angles"]), found)
     return off, np.full(len(off), law + rounding(core, arm))
 
@@ -469,7 +469,7 @@ def inverse_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict
     law = inverse_law(core, arm, front, tip if len(tip) == 3 else np.zeros((3, tip.shape[1])))
     off = distance(core, arm, want, places(core, arm, angles))
     if not core.function.startswith("keep"):
-        assert not out["out_status"].any()
+        assert not out["out_status"].any(), f"{core.name} on {arm.id}: a status bit"
         asked = {step.partition(" = ")[0] for step in text.after}
         away = np.max([np.abs((angles[name] - case["angles"][name] + 180) % 360 - 180) for name in asked], axis=0)
         assert away.max() < CLEAR, f"{core.name} on {arm.id}: another branch than asked for"
@@ -521,11 +521,13 @@ def keep_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -
             seen["elbow"] = seen["elbow"] - seen["shoulder"]
         deep.append(within(core, arm, arm.named({key: seen[key] for key in arm.file["joints"]})))
     best = np.max(deep, axis=0)
-    assert np.all(out["out_beyond"][best > 0.1] == 0) and np.all(out["out_beyond"][best < -0.1] == 1)
+    told = np.all(out["out_beyond"][best > 0.1] == 0) and np.all(out["out_beyond"][best < -0.1] == 1)
+    assert told, f"{core.name} on {arm.id}: out_beyond is not what the limits say"
     angles = followed(text.after, case["target"] | answered(core, out))
     names = [joint["name"] for joint in arm.file["joints"].values()]
     angles = case["angles"] | {name: angles[name] for name in names if name in angles}
-    assert np.all(within(core, arm, angles)[out["out_beyond"] == 0] > -0.1)
+    kept = within(core, arm, angles)[out["out_beyond"] == 0]
+    assert np.all(kept > -0.1), f"{core.name} on {arm.id}: an answer is {-kept.min():.1f} degrees out of the limits"
     return inverse_judge(core, arm, text, case, out)
 
 
