@@ -80,6 +80,15 @@ def test_every_instance_of_a_player_is_read():
     assert not any("kernel_chain.v" in line for line in left)
 
 
+def test_a_table_without_a_player_is_found():
+    texts = {path: path.read_text() for path in RTL.rglob("*.v")}
+    assert schedules.loose(texts) == []
+    path = next(one for one in texts if one.stem == "kernel_chain")
+    said = schedules.loose({path: texts[path].replace("schedule #(", "player #(")})
+    assert said == ["rtl/kernel/kernel_chain.v: it has a table of control words, and nothing says what plays it"]
+    assert sum(bool(schedules.TABLE.search(text)) for text in texts.values()) > 30
+
+
 def test_a_core_with_a_switch_turned_plays_the_table_that_no_set_plays():
     at = {one.at for core in schedules.turned(find("arm_ik3")) for one in schedules.played((core,))[core]}
     assert len(at) == 3
