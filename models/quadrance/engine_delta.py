@@ -57,7 +57,8 @@ def fk(p: Params, **ports: Ints) -> dict[str, Ints]:
     none, power = seen == 0, power_of(seen)
     s = np.ceil(np.log2(np.maximum(power, 1) + 0.5)).astype(np.int64) - 1
     shift = np.maximum(s - 1, 0) // 2
-    rod = dot((reciprocal(low(square, np.where(none, 0, 1 << 2 * shift)) >> 7), length["lb"]))
+    argument = low(square, np.where(none, 0, 1 << 2 * shift)) >> 7
+    rod = dot((reciprocal(argument, power == 1), length["lb"]))  # the engine's sign of a root of 1.0 and more
     answer, overflow, never = {}, ints(0), np.logical_and.accumulate(none, axis=-1)
     for name, one, elbow in zip("xyz", q, first):
         word = hold_last(dot((rod, low(one, 2 << shift)), (elbow, ONE)), ~none)
