@@ -1,4 +1,4 @@
-"""The proofs bite: each of these cores is broken in one place, and sby must say FAIL or find no induction."""
+"""Each of these cores is broken in one place, and its proof must fail: sby says FAIL or finds no induction."""
 
 import dataclasses
 from pathlib import Path
