@@ -1,4 +1,5 @@
-"""These are the bit-true models of rtl/arm: two links and a yaw with the offsets of a real arm. Joints are unit vectors.
+"""These are the bit-true models of rtl/arm: two links and a yaw with the offsets of a real arm. Joints are unit
+vectors.
 
 The five constants, all of them words of a coordinate: base height, shoulder offset a (radial), lateral offset b, elbow
 offset e (across the forearm), absolute elbow (joint 2 is measured from the base). A switch that is 0 (`BASE`,
