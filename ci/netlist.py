@@ -34,7 +34,8 @@ from rich.console import Console
 from rich.table import Table
 
 from ci import cache, checks, pool, sources, synth
-from ci.synth.flows import SYNTH, count
+from ci.synth.cells import count
+from ci.synth.flows import SYNTH
 from tb.lib import tools
 from tb.lib.simulate import simulate
 

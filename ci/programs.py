@@ -202,7 +202,7 @@ def space(one: Played, text: str) -> list[str]:
 
 
 def _steps() -> dict[str, int]:
-    text = (RTL / "engine" / "engine_rus_fk_steps.v").read_text()
+    text = (RTL / "engine" / "rus" / "engine_rus_fk_steps.v").read_text()
     return {name: int(value) for name, value in re.findall(r"([A-Z]+) = 8'd(\d+)[,;]", text)}
 
 

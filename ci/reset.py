@@ -7,6 +7,9 @@
 
 The netlist of gates is evaluated with three values, 0, 1 and unknown: memory words, sums, products and all other inputs
 are unknown, and so is every register at first. What is known then is so whatever the unknown are.
+
+A register that reset does not touch at all is not judged here: whether it had to be, the bulk run shows, which has a
+reset at every clock of a sample (tb/lib/suite.py).
 """
 
 from __future__ import annotations

@@ -21,6 +21,8 @@ from ci.programs import Played
 SCHEDULES = ("schedule", "schedule_counter")
 INSTANCE = re.compile(rf"^[ \t]*(?:{'|'.join(programs.PLAYERS)})\s*#\(", re.M)
 
+TABLE = re.compile(r"=\s*\{\s*\n\s*/\*.*?\*/")  # lines that begin with a label
+
 Place = tuple[Path, int]  # the file and the line of an instance
 
 
@@ -35,6 +37,13 @@ def unread(tables: dict[Core, list[Played]], placed: set[Place]) -> list[str]:
     read = {(one.path, one.at) for every in tables.values() for one in every}
     return [f"{path.relative_to(ROOT)}:{line}: no core of cores.toml plays this table, so nothing reads it"
             for path, line in sorted(placed - read)]
+
+
+def loose(texts: dict[Path, str]) -> list[str]:
+    """Tables that no player plays and that are none of `ci.programs.MACHINES`: nothing would read them."""
+    return [f"{path.relative_to(ROOT)}: it has a table of control words, and nothing says what plays it"
+            for path, text in sorted(texts.items()) if TABLE.search(text) and not INSTANCE.search(text)
+            and path.stem not in programs.MACHINES]
 
 
 def turned(core: Core) -> list[Core]:
@@ -84,7 +93,7 @@ def check(cores: tuple[Core, ...]) -> list[str]:
     files = {path for path, _ in placed - {(one.path, one.at) for every in tables.values() for one in every}}
     tables |= played(tuple(one for core in tables if core.first_set and files & set(core.sources)
                            for one in turned(core)))
-    wrong = unread(tables, placed)
+    wrong = unread(tables, placed) + loose({path: path.read_text() for path in RTL.rglob("*.v")})
     by_place: dict[Place, Played] = {}
     for core, every in tables.items():
         by_place |= {(one.path, one.at): one for one in every if one.player not in SCHEDULES}

@@ -1,6 +1,6 @@
 """Measure every core on a real arm and write what it costs.
 
-    python -m ci.report                  measure what the committed report does not have; write reports/, README, pages
+    python -m ci.report                  measure what the committed report does not have; write reports/, README
     python -m ci.report --arm mine.toml  another arm: write build/report/mine/ (--out: another folder), nothing else
     python -m ci.report --verdict        and search the verdict at equal accuracy (half an hour on two cores)
     python -m ci.report --fresh          measure everything again, and say where it differs from the committed report
@@ -16,11 +16,10 @@ import time
 
 from quadrance import arms, cores
 
-from ci.report import DEFAULT_ARM, README, REPORTS, blocks, engines, freshness, run, search
-from ci.report.terminal import show
+from ci.report import DEFAULT_ARM, README, REPORTS, documents, engines, freshness, run, search
 from tb.lib import tools
 
-REFRESH = "run `make report` and commit reports/, README.md and the pages below rtl/"
+REFRESH = "run `make report` and commit reports/ and README.md"
 
 
 def check() -> None:
@@ -36,17 +35,17 @@ def report(arm: str, fresh: bool, verdict: bool = False, out: str | None = None)
     started, listed, committed = time.monotonic(), cores.reported(), freshness.committed()
     arm = DEFAULT_ARM if run.is_default(arm) else arm
     folder = run.folder_of(arm, out)
-    if folder == REPORTS and (problems := blocks.wrong(README, cores.RTL, listed)):
+    if folder == REPORTS and (problems := documents.wrong_marks(README)):
         raise ValueError("\n".join(problems))  # before minutes of measuring, not after
     made, maps, kept = run.put_together(arm, listed, committed, fresh)
     if folder == REPORTS:
         made["engines"] = engines.put_together(listed)
         made |= {"verdict": search.put_together(arm, committed, fresh)} if verdict else search.standing(arm, committed)
-    run.write(made, maps, folder, README, cores.RTL)
-    show(made)
+    run.write(made, maps, folder, README)
+    documents.show(made)
     count = len(listed)
-    print(f"From the committed report: area and clock of {kept['synthesis']} of {count} cores and parameter sets, "
-          f"cycles and errors of {kept['simulation']}.")
+    print(f"From the committed report, of {count} cores and parameter sets: area of {kept['area']}, clock of "
+          f"{kept['clock']}, cycles and errors of {kept['simulation']}.")
     if fresh:
         lines = run.differences(committed, made)
         if verdict:

@@ -14,14 +14,13 @@ from quadrance.iterative import convergence
 from ci import cache
 from ci.cache import digest
 from ci.report import code
-from ci.report.rows import Row, leading, number
-from ci.report.tables import Table
+from ci.report.tables import Row, Table, leading, number
 from tb.lib import bulk, program, tools
 
 MODELS = [Path(convergence.__file__)]
 NOT_CONVERGED = 1 << STATUS_BITS["not_converged"]
 MHZ = 50
-HEAD = ("task", "core", "ALUT", "DSP", "mem", "MHz", "cycles an iteration", "iterations", "cycles: median", "95 %",
+HEAD = ("task", "core", "LUT", "MULT18X18", "EBR", "MHz", "cycles an iteration", "iterations", "cycles: median", "95 %",
         "max", f"us at {MHZ} MHz: median", "95 %", "max", "converged, %")
 NOTE = f"""\
 Iterations are those of the bit-true models, cycles are measured on the Verilog, over a grid of starts: joints 1 and 2
@@ -96,12 +95,12 @@ def table(report: dict) -> Table:
                       *_times(found["cycles"]), number(share)))
         for row in (costs[name] for name in found["closed"] if name in costs):
             lines.append(("in one pass", *_cost(row), "–", "–", *_times([row["latency_cycles"]] * 3), "100"))
-    return Table("Engines that iterate, and the closed form", HEAD, tuple(lines), text=2)
+    return Table("Engines that iterate, and the closed form, on ECP5", HEAD, tuple(lines), text=2)
 
 
 def _cost(row: Row) -> tuple[str, ...]:
-    alm = row["area"]["cyclonev"]
-    return f"`{row['core']}`", *(str(alm[key]) for key in ("lut", "dsp", "mem")), number(row["fmax_mhz"]["ecp5"])
+    area = row["area"]["ecp5"]
+    return f"`{row['core']}`", *(str(area[key]) for key in ("lut", "dsp", "mem")), number(row["fmax_mhz"]["ecp5"])
 
 
 def _times(cycles: list[int]) -> tuple[str, ...]:

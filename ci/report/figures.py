@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import matplotlib
@@ -9,9 +10,7 @@ import numpy
 
 from ci.cache import digest
 from ci.report import PLOTS, code, designs, verdict
-from ci.report.labels import label
-from ci.report.paper import PAPER, SOURCE
-from ci.report.rows import FAMILIES, KINEMATIC, MAPPED, Row, area_of, greatest_error, name, number, pick, q7_8
+from ci.report.tables import FAMILIES, KINEMATIC, MAPPED, Row, greatest_error, name, number, pick, q7_8
 
 matplotlib.use("Agg")
 
@@ -20,9 +19,9 @@ from matplotlib.colors import LogNorm  # noqa: E402
 
 COLOUR = {"vector": "tab:red", "table": "tab:purple", "rational": "tab:green", "classic": "tab:blue",
           "paper": "tab:orange"}
-BLOCKS = {(False, False): "o", (True, False): "^", (False, True): "s", (True, True): "D"}  # has DSP, has memory blocks
-CODE = [Path(__file__), SOURCE, designs.SOURCE,
-        *(Path(__file__).with_name(name) for name in ("labels.py", "paper.py", "rows.py", "verdict.py"))]
+BLOCKS = {(False, False): "o", (True, False): "^", (False, True): "s", (True, True): "D"}  # has multipliers, has EBR
+CODE = [Path(__file__), designs.SOURCE,
+        *(Path(__file__).with_name(name) for name in ("tables.py", "verdict.py"))]
 FLOOR = 1e-3  # LSB: smaller errors are drawn as this
 
 
@@ -57,24 +56,20 @@ def draw(report: dict, maps: dict[tuple[str, str], dict[str, list]], folder: Pat
 
 
 def _points(rows: list[Row]) -> list[tuple]:
-    """x (ns), y, text, colour, marker and fill of our cores and of the paper's."""
+    """x (ns), y (LUT), text, colour and marker of every core, on ECP5."""
     points = []
     for row in rows:
-        blocks = [(row["area"]["cyclonev"][key], what) for key, what in (("dsp", "DSP"), ("mem", "mem"))]
+        blocks = [(row["area"]["ecp5"][key], what) for key, what in (("dsp", "MULT18X18"), ("mem", "EBR"))]
         text = ", ".join(f"{count} {what}" for count, what in blocks if count)
-        points.append((row["latency_ns"], area_of(row), name(row) + (f" ({text})" if text else ""),
-                       COLOUR[row["family"]], BLOCKS[tuple(count > 0 for count, _ in blocks)], "full"))
-    for function in sorted({row["function"] for row in rows} & set(PAPER["cycles"])):
-        points += [(PAPER["cycles"][function][which] * 1000 / PAPER["clock_mhz"],
-                    PAPER["logic_elements"][function][which], f"printed {text}", COLOUR[family], "P", "none")
-                   for which, text, family in (("rational", "rational", "paper"), ("cordic", "CORDIC*", "classic"))]
+        points.append((row["latency_ns"], row["area"]["ecp5"]["lut"], name(row) + (f" ({text})" if text else ""),
+                       COLOUR[row["family"]], BLOCKS[tuple(count > 0 for count, _ in blocks)]))
     return points
 
 
-def _legend(figure: pyplot.Figure, marks: list[tuple[str, str, str, str]]) -> None:
-    """Below the figure: (text, colour, marker, fill) of every kind of mark."""
-    lines = [pyplot.Line2D([], [], color=colour, marker=shape, fillstyle=fill, linestyle="", label=text)
-             for text, colour, shape, fill in marks]
+def _legend(figure: pyplot.Figure, marks: list[tuple[str, str, str]]) -> None:
+    """Below the figure: (text, colour, marker) of every kind of mark."""
+    lines = [pyplot.Line2D([], [], color=colour, marker=shape, linestyle="", label=text)
+             for text, colour, shape in marks]
     figure.legend(handles=lines, loc="lower center", ncol=5, frameon=False)
 
 
@@ -88,22 +83,20 @@ def _area(rows: list[Row]) -> pyplot.Figure:
         axis.set_axis_off()
     for axis, function in zip(grid.flat, functions):
         points = _points([row for row in rows if row["function"] == function])
-        for x, y, _, colour, shape, fill in points:
-            axis.plot([x], [y], marker=shape, color=colour, linestyle="", fillstyle=fill, markersize=8)
+        for x, y, _, colour, shape in points:
+            axis.plot([x], [y], marker=shape, color=colour, linestyle="", markersize=8)
         axis.set(title=f"{function}: {KINEMATIC[function]}", xscale="log", yscale="log",
-                 xlabel="latency, ns at the core's own ECP5 clock", ylabel="Cyclone V ALUT (proxy for LE)")
+                 xlabel="latency, ns at the core's own ECP5 clock", ylabel="ECP5 LUT")
         axis.grid(True, which="both", alpha=0.25)
         axis.tick_params(axis="x", which="minor", labelsize=6, rotation=45)
         axis.margins(x=0.25, y=0.15)
         labels.append((axis, points))
-    figure.suptitle("Area against latency; DSP and memory blocks beside the name, for they are not in the area")
+    figure.suptitle("Area against latency on ECP5; the blocks beside the name are not in the LUTs")
     shown = {row["family"] for row in rows}
-    _legend(figure, [*((family, colour, "o", "full") for family, colour in COLOUR.items() if family in shown),
-                     *((text, "black", BLOCKS[which], "full") for which, text in (
-                         ((False, False), "no blocks"), ((True, False), "DSP blocks"), ((False, True), "memory blocks"),
-                         ((True, True), "both"))),
-                     ("printed, at 50 MHz (*area of its parallel CORDIC, cycles of its iterative one)", "black", "P",
-                      "none")])
+    _legend(figure, [*((family, colour, "o") for family, colour in COLOUR.items() if family in shown),
+                     *((text, "black", BLOCKS[which]) for which, text in (
+                         ((False, False), "no blocks"), ((True, False), "MULT18X18"), ((False, True), "EBR"),
+                         ((True, True), "both")))])
     figure.tight_layout(rect=(0, 0.06, 1, 0.98))
     for axis, points in labels:
         label(axis, points)
@@ -166,9 +159,9 @@ def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]], rows: l
 
 
 def dominated(one: verdict.Figures, others: list[verdict.Figures]) -> bool:
-    """Whether another set is no worse in ALUTs, DSP blocks, memory blocks and time, and better in one of them."""
+    """Whether another set is no worse in LUTs, multipliers, memory blocks and time, and better in one of them."""
     def cost(found: verdict.Figures) -> list[float]:
-        return [found[key] for key in ("alut", "dsp", "mem", "ns")]
+        return [found[key] for key in ("lut", "dsp", "mem", "ns")]
 
     return any(cost(other) != cost(one) and all(a <= b for a, b in zip(cost(other), cost(one))) for other in others)
 
@@ -179,7 +172,7 @@ def _verdict(found: dict) -> pyplot.Figure:
     figure, grid = pyplot.subplots(2, 3, figsize=(19, 13))
     for axis, function in zip(grid.flat, KINEMATIC):
         axis.set(title=f"{function}: {KINEMATIC[function]}", xlabel="latency, ns at the core's own ECP5 clock",
-                 ylabel="Cyclone V ALUT (proxy for LE)", xscale="log", yscale="log")
+                 ylabel="ECP5 LUT", xscale="log", yscale="log")
         axis.grid(True, which="both", alpha=0.25)
         points: dict[tuple, list] = {}
         for target in verdict.TARGETS:
@@ -187,7 +180,7 @@ def _verdict(found: dict) -> pyplot.Figure:
             for one in sets:
                 shape = BLOCKS[one["dsp"] > 0, one["mem"] > 0]
                 fill = "none" if dominated(one, sets) else "full"
-                at = one["ns"], one["alut"], one["core"], one["family"], shape
+                at = one["ns"], one["lut"], one["core"], one["family"], shape
                 points.setdefault(at, []).append((target, fill))
         for (x, y, _, family, shape), of in points.items():
             fill = "full" if any(kind == "full" for _, kind in of) else "none"
@@ -196,10 +189,48 @@ def _verdict(found: dict) -> pyplot.Figure:
             axis.margins(x=0.25, y=0.15)
             labels.append((axis, [(x, y, f"{core}: {', '.join(target for target, _ in of)}")
                                   for (x, y, core, *_), of in points.items()]))
-    figure.suptitle("Area against latency at equal total error. Red: vector, purple: table, green: rational, blue: "
-                    "CORDIC, orange: paper's circuits\nCircle: no blocks, triangle: DSP blocks, square: memory blocks, "
-                    "diamond: both; hollow: at that target another core is no worse in ALUTs, both blocks and time")
+    figure.suptitle("Area against latency at equal total error, on ECP5. Red: vector, purple: table, green: rational, "
+                    "blue: CORDIC, orange: paper's circuits\nCircle: no blocks, triangle: MULT18X18, square: EBR, "
+                    "diamond: both; hollow: at that target another core is no worse in LUTs, both blocks and time")
     figure.tight_layout(rect=(0, 0, 1, 0.97))
     for axis, points in labels:
         label(axis, points)
     return figure
+
+
+# Names beside the marks
+
+Box = tuple[float, float, float, float]  # left, low, right, high in pixels
+
+PLACES = sorted(((dx, dy) for dx in range(-90, 91, 15) for dy in range(-96, 97, 8)),
+                key=lambda at: (math.hypot(*at), -at[0]))  # points from the mark, the nearest first
+
+
+def label(axis, points: list[tuple]) -> None:
+    """Name every point beside its mark: at the nearest place that hides no mark and no other name.
+
+    Parameters
+    ----------
+    axis : matplotlib's, with its limits set.
+    points : x, y, text and whatever else of each mark.
+    """
+    taken = [(x - 6, y - 6, x + 6, y + 6) for x, y in axis.transData.transform([point[:2] for point in points])]
+    scale = 72 / axis.figure.dpi
+    for x, y, text, *_ in points:
+        px, py = axis.transData.transform((x, y))
+        width, height = 3.9 * len(text) / scale, 9 / scale
+
+        def box(dx: float, dy: float, px=px, py=py, width=width, height=height) -> Box:
+            left = px + dx / scale if dx > 0 else px + dx / scale - width if dx < 0 else px - width / 2
+            return left, py + dy / scale - height / 2, left + width, py + dy / scale + height / 2
+
+        def clash(at: tuple[float, float], box=box) -> float:
+            left, low, right, high = box(*at)
+            inside = axis.bbox.x0 < left and right < axis.bbox.x1 and axis.bbox.y0 < low and high < axis.bbox.y1
+            return (not inside) + sum(left < b[2] and b[0] < right and low < b[3] and b[1] < high for b in taken)
+
+        dx, dy = min(PLACES, key=clash)
+        taken.append(box(dx, dy))
+        axis.annotate(text, (x, y), xytext=(dx, dy), textcoords="offset points", fontsize=7, va="center",
+                      ha="left" if dx > 0 else "right" if dx < 0 else "center",
+                      arrowprops={"arrowstyle": "-", "lw": 0.4, "color": "grey"} if math.hypot(dx, dy) > 16 else None)

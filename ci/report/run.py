@@ -10,8 +10,8 @@ from quadrance import arms, cores
 from quadrance.cores import Core
 
 from ci import pool, synth
-from ci.report import DEFAULT_ARM, OTHERS, REPORTS, blocks, documents, figures, freshness, measure
-from ci.report.rows import MAPPED, Row, name
+from ci.report import DEFAULT_ARM, OTHERS, REPORTS, documents, figures, freshness, measure
+from ci.report.tables import MAPPED, Row, name
 from tb.lib import tools
 
 
@@ -78,13 +78,12 @@ def put_together(arm_name: str, listed: tuple[Core, ...], committed: dict | None
                                        for concern in freshness.CONCERNS}
     shown = mapped(listed)
     jobs = [(what, core.id, arm_name) for what, concern in (  # the long ones first
-        ("clock", "synthesis"), ("area", "synthesis"), ("simulate", "simulation"))
+        ("clock", "clock"), ("area", "area"), ("simulate", "simulation"))
             for core in listed if core.id not in kept[concern]]
     jobs += [("map", core_id, arm_name) for core_id in shown.values()]
     found = pool.run(job, jobs, since)
-    for core_id, row in kept["synthesis"].items():
-        found["area", core_id, arm_name] = row["area"]
-        found["clock", core_id, arm_name] = row["fmax_mhz"]["ecp5"]
+    found |= {("area", core_id, arm_name): row["area"] for core_id, row in kept["area"].items()}
+    found |= {("clock", core_id, arm_name): row["fmax_mhz"]["ecp5"] for core_id, row in kept["clock"].items()}
     found |= {("simulate", core_id, arm_name): row for core_id, row in kept["simulation"].items()}
     report = {
         "tools": tools.versions(), "arm": arm_name,
@@ -97,15 +96,14 @@ def put_together(arm_name: str, listed: tuple[Core, ...], committed: dict | None
     return report, maps, {concern: len(rows) for concern, rows in kept.items()}
 
 
-def write(report: dict, maps: dict, folder: Path, readme: Path, rtl: Path) -> None:
-    """report.json, report.md and the plots; on the default arm also the blocks of the README and of the pages in `rtl`.
-    """
+def write(report: dict, maps: dict, folder: Path, readme: Path) -> None:
+    """report.json, report.md and the plots; on the default arm also the headline of the README."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "report.json").write_text(json.dumps(report, indent=1) + "\n")
     (folder / "report.md").write_text(documents.markdown(report))
     figures.draw(report, maps, folder)
     if is_default(report["arm"]):
-        blocks.write(report, readme, rtl)
+        documents.write_headline(report, readme)
 
 
 def is_default(arm_name: str) -> bool:

@@ -22,12 +22,18 @@ from ci.report.designs import Design
 from tb.lib import legal, tools
 
 CODE = [Path(reach.__file__)]
-FLOWS = ("cyclonev", "cyclonev_nodsp")
+FLOWS = ("ecp5", "cyclonev", "cyclonev_nodsp")
 
 
 def judge() -> str:
     """Digest of the code that searches and judges every design alike."""
     return cache.digest([code.digests(code.closure(CODE)), tools.versions()["numpy"]])[:16]
+
+
+def flow() -> str:
+    """Digest of how parts are synthesised and placed."""
+    used = [tools.versions()[tool] for tool in freshness.CONCERNS["clock"][2]]
+    return cache.digest([code.digests(freshness.AREA), used])[:16]
 
 
 def source(design: Design, arm_name: str) -> str:
@@ -101,10 +107,7 @@ def job(what: str, subject: Design | str, arm_name: str) -> object:
     core = of_id(subject)
     if what == "clock":
         return synth.core_fmax(core)
-    with_dsp, without = FLOWS
-    area = synth.area(with_dsp, core.name, core.params, core.sources)
-    return {with_dsp: area,  # a core without a product is not synthesised twice
-            without: synth.area(without, core.name, core.params, core.sources) if area["dsp"] else area}
+    return synth.core_area(core, FLOWS)
 
 
 def everything() -> list[Design]:
@@ -153,9 +156,8 @@ def _kept(report: dict | None) -> tuple[dict, dict]:
     verdict = (report or {}).get("verdict")
     if not verdict or _altered(verdict):
         return {}, {}
-    same = report["sources"]["flow"] == code.digests(freshness.FLOW) and all(
-        report["tools"].get(tool) == tools.versions()[tool] for tool in freshness.CONCERNS["synthesis"][1])
-    return verdict["designs"] if verdict["judge"] == judge() else {}, verdict["parts"] if same else {}
+    designs_kept = verdict["designs"] if verdict["judge"] == judge() else {}
+    return designs_kept, verdict["parts"] if verdict["flow"] == flow() else {}
 
 
 def digest_of(verdict: dict) -> str:
@@ -186,7 +188,7 @@ def put_together(arm_name: str, committed: dict | None, fresh: bool = False) -> 
         verdict["parts"][part] = {
             "core": core.name, "params": core.params, "digest": digests[part], "cycles": core.latency, "ii": core.ii,
             "area": measured["area", part, arm_name], "fmax_mhz": measured["clock", part, arm_name]}
-    return verdict | {"judge": judge(), "open": [], "figures": digest_of(verdict)}
+    return verdict | {"judge": judge(), "flow": flow(), "open": [], "figures": digest_of(verdict)}
 
 
 def differences(old: dict | None, new: dict) -> list[str]:
@@ -224,6 +226,8 @@ def stale(report: dict) -> list[str]:
     problems = freshness.changes(then, now, "verdict:")
     if verdict["judge"] != judge():
         problems.append("verdict: the code that judges every core changed")
+    if verdict["flow"] != flow():
+        problems.append("verdict: synthesis changed")
     for part, row in verdict["parts"].items():
         core = of_id(part) if row["core"] in {one.name for one in cores.all_cores()} else None
         if core is None or (core.latency, core.ii, freshness.synthesis(core)) != (row["cycles"], row["ii"],

@@ -1,15 +1,130 @@
-"""Tables of the report: titled grids of strings."""
+"""Rows of report.json, picked and read, and the tables made of them: titled grids of strings.
+
+A row of a table speaks of one device: `mixed` finds one that does not.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from ci.report.comparison import leaders
-from ci.report.rows import KINEMATIC, Row, area_of, greatest_error, leading, name, number, part, pick, q7_8, without_dsp
+Row = dict  # one element of report["cores"]; see `run.row_of`
+
+KINEMATIC = {"fk1": "forward, 1 joint", "fk2": "forward, 2 joints", "fk3": "forward, 3 joints",
+             "ik1": "inverse, 1 joint", "ik2": "inverse, 2 joints", "ik3": "inverse, 3 joints"}
+FAMILIES = ("vector", "table", "rational", "classic", "paper")
+MAPPED = ("fk2", "ik2")  # functions with a map of the workspace
+
+
+def number(value: float | None, digits: int = 3) -> str:
+    """`digits` significant digits without an exponent; a dash for None."""
+    if value is None:
+        return "–"
+    if value == 0:
+        return "0"
+    if abs(value) < 10.0**-digits:
+        return f"< {10.0**-digits:.{digits}f}"
+    text = f"{value:.{digits}g}"
+    return text if "e" not in text else f"{value:.0f}"
+
+
+def name(row: Row) -> str:
+    """Core and parameter set."""
+    return f"{row['core']}-{row['set']}"
+
+
+def pick(report: dict, functions: Iterable[str], families: Iterable[str] = FAMILIES) -> list[Row]:
+    """Rows of those functions and families: function first, then family, then the order of cores.toml."""
+    functions, families = list(functions), list(families)
+    rows = [row for row in report["cores"] if row["function"] in functions and row["family"] in families]
+    return sorted(rows, key=lambda row: (functions.index(row["function"]), families.index(row["family"])))
+
+
+def primitives(report: dict) -> list[Row]:
+    """Rows of everything that is no kinematic core."""
+    return [row for row in report["cores"] if row["function"] not in KINEMATIC]
+
+
+def q7_8(rows: Iterable[Row]) -> list[Row]:
+    """Rows with the paper's coordinates, Q7.8: others do less work and are not compared."""
+    return [row for row in rows if (row["params"].get("W"), row["params"].get("F")) == (16, 8)]
+
+
+def leading(rows: Iterable[Row]) -> list[Row]:
+    """The first parameter set of each core, which is the one that is compared."""
+    return list({row["core"]: row for row in reversed(list(rows))}.values())[::-1]
+
+
+def leaders(report: dict) -> dict[str, dict[str, Row]]:
+    """Function -> family -> its first core of Q7.8, of CORDIC the iterative one; families that have one."""
+    found = {}
+    for function in KINEMATIC:
+        of: dict[str, Row] = {}
+        for row in leading(q7_8(pick(report, [function]))):
+            if row["family"] != "classic" or kind(row) == "iterative":
+                of.setdefault(row["family"], row)
+        if of:
+            found[function] = of
+    return found
+
+
+def kind(row: Row) -> str:
+    """Column of the paper's comparison that a row belongs to; empty for none (a pipeline)."""
+    if row["family"] != "classic":
+        return row["family"]
+    return {"comb": "parallel", "parallel": "parallel", "iter": "iterative"}.get(row["architecture"].split("_")[0], "")
+
+
+def best(rows: list[Row], measure: Callable[[Row], float | None]) -> Row | None:
+    """The row with the smallest measure; the first of equals."""
+    known = [row for row in rows if measure(row) is not None]
+    return min(known, key=measure) if known else None
+
+
+def area_of(row: Row) -> int:
+    """Cyclone V ALUTs, the proxy for logic elements, DSP and memory blocks not counted."""
+    return row["area"]["cyclonev"]["lut"]
+
+
+def without_dsp(row: Row) -> int:
+    """Cyclone V ALUTs with every multiplier in logic."""
+    return row["area"]["cyclonev_nodsp"]["lut"]
+
+
+def part(row: Row, key: str, which: str) -> float | None:
+    """"max" or "rms" of an error; None where the core has none."""
+    return row[key][which] if row[key] else None
+
+
+def greatest_error(row: Row) -> float | None:
+    """Greatest arithmetic error found, on the trajectory and in the sweep, in LSB of the output."""
+    found = [part(row, key, "max") for key in ("error_lsb", "sweep_error_lsb")]
+    return max((error for error in found if error is not None), default=None)
+
+
+# Tables
 
 HEADLINE = {"vector": "unit vector: `vector_*`", "table": "binary angle: `table_*`",
             "classic": "binary angle, CORDIC: `classic_*_iter`", "rational": "spread: `rational_*`"}
+
+DEVICES = {  # words of a head or a cell that belong to one device: our times are those of ECP5
+    "ECP5": r"LUT|LUTs|LUTRAM|MULT18X18|EBR|MHz|ns", "Cyclone V": r"ALUT|ALUTs|DSP|M10K|MLAB", "iCE40": r"LC|RAM4K"}
+METRICS: tuple[tuple[str, Callable[[Row], float | None]], ...] = (
+    ("ECP5 LUT", lambda row: row["area"]["ecp5"]["lut"]),
+    ("ECP5 MULT18X18", lambda row: row["area"]["ecp5"]["dsp"]),
+    ("ECP5 EBR", lambda row: row["area"]["ecp5"]["mem"]),
+    ("ECP5 latency, ns", lambda row: row["latency_ns"]),
+    ("ECP5 ns a sample", lambda row: row["ii"] * 1000 / row["fmax_mhz"]["ecp5"] if row["ii"] else None),
+    ("Cyclone V ALUT", area_of),
+    ("Cyclone V DSP", lambda row: row["area"]["cyclonev"]["dsp"]),
+    ("Cyclone V M10K", lambda row: row["area"]["cyclonev"]["mem"]),
+    ("Cyclone V ALUT, no DSP", without_dsp),
+    ("iCE40 LC", lambda row: row["area"]["ice40"]["lut"]),
+    ("cycles", lambda row: row["latency_cycles"]),
+    ("arithmetic LSB", greatest_error),
+    ("words LSB", lambda row: row["words_lsb"]),
+    ("total LSB", lambda row: row["total_lsb"]))
 
 
 @dataclass(frozen=True)
@@ -38,23 +153,40 @@ def interval(row: Row) -> str:
     return "–" if row["ii"] in (0, None) else str(row["ii"])
 
 
-def area(row: Row) -> str:
+def _blocks(row: Row, device: str, names: dict[str, str]) -> str:
+    """What a core takes on a device, its blocks named."""
+    found = row["area"][device]
+    return " + ".join(f"{found[key]} {what}" for key, what in names.items() if key == "lut" or found[key])
+
+
+def ecp5(row: Row) -> str:
+    """LUTs with the multipliers and memory blocks beside them."""
+    return _blocks(row, "ecp5", {"lut": "LUT", "dsp": "MULT18X18", "mem": "EBR"})
+
+
+def cyclonev(row: Row) -> str:
     """ALUTs with the DSP and memory blocks beside them."""
-    extra = ((row["area"]["cyclonev"][key], what) for key, what in (("dsp", "DSP"), ("mem", "mem")))
-    return str(area_of(row)) + "".join(f" + {count} {what}" for count, what in extra if count)
+    return _blocks(row, "cyclonev", {"lut": "ALUT", "dsp": "DSP", "mem": "M10K"})
 
 
-def cost_table(title: str, rows: Iterable[Row]) -> Table:
-    """Latency, II, area in every flow and clock."""
-    def line(row: Row) -> tuple[str, ...]:
-        alm = row["area"]["cyclonev"]
-        return (f"`{name(row)}`", row["architecture"], cycles(row), interval(row),
-                number(row["fmax_mhz"]["ecp5"], 4), number(row["latency_ns"]), str(alm["lut"]), str(alm["ff"]),
-                str(alm["dsp"]), str(alm["mem"]), str(without_dsp(row)), str(row["area"]["ice40"]["lut"]),
-                str(row["area"]["ecp5"]["lut"]))
+def cost_tables(title: str, rows: Iterable[Row]) -> list[Table]:
+    """Area of every core, a table a device; cycles, clock and latency beside that of ECP5, whose clock it is."""
+    rows = list(rows)
 
-    return Table(title, ("core", "architecture", "cycles", "II", "MHz", "ns", "ALUT", "FF", "DSP", "mem",
-                         "ALUT, no DSP", "iCE40 LC", "ECP5 LUT"), tuple(map(line, rows)), text=2)
+    def columns(row: Row, device: str, keys: Iterable[str]) -> tuple[str, ...]:
+        return tuple(str(row["area"][device][key]) for key in keys)
+
+    def table(device: str, head: tuple[str, ...], cells: Callable[[Row], tuple[str, ...]], text: int = 1) -> Table:
+        return Table(f"{title}: {device}", ("core", *head), tuple((f"`{name(row)}`", *cells(row)) for row in rows),
+                     text)
+
+    return [
+        table("ECP5", ("architecture", "cycles", "II", "MHz", "ns", "LUT", "FF", "MULT18X18", "EBR", "LUTRAM"),
+              lambda row: (row["architecture"], cycles(row), interval(row), number(row["fmax_mhz"]["ecp5"], 4),
+                           number(row["latency_ns"]), *columns(row, "ecp5", ("lut", "ff", "dsp", "mem", "lutram"))), 2),
+        table("Cyclone V", ("ALUT", "FF", "DSP", "M10K", "ALUT, no DSP"),
+              lambda row: (*columns(row, "cyclonev", ("lut", "ff", "dsp", "mem")), str(without_dsp(row)))),
+        table("iCE40", ("LC", "FF", "RAM4K"), lambda row: columns(row, "ice40", ("lut", "ff", "mem")))]
 
 
 def accuracy_table(title: str, rows: Iterable[Row]) -> Table:
@@ -81,32 +213,56 @@ def glance_table(report: dict) -> Table:
     """Every kinematic core of Q7.8 at its first parameter set, a line each."""
     def line(row: Row) -> tuple[str, ...]:
         return (f"`{name(row)}`", cycles(row), number(row["latency_ns"]), number(row["fmax_mhz"]["ecp5"], 4),
-                area(row), str(without_dsp(row)), number(greatest_error(row)), number(row["words_lsb"]),
-                number(row["total_lsb"]), number(row["total_mm"]))
+                *(str(row["area"]["ecp5"][key]) for key in ("lut", "dsp", "mem")), number(greatest_error(row)),
+                number(row["words_lsb"]), number(row["total_lsb"]), number(row["total_mm"]))
 
-    return Table("At a glance: every core of Q7.8 at its first parameter set", (
-        "core", "cycles", "ns", "MHz", "ALUT + DSP + memory", "ALUT, no DSP", "arithmetic LSB", "words LSB",
-        "total LSB", "total mm"), tuple(map(line, leading(q7_8(pick(report, KINEMATIC))))))
+    return Table("At a glance: every core of Q7.8 at its first parameter set, on ECP5", (
+        "core", "cycles", "ns", "MHz", "LUT", "MULT18X18", "EBR", "arithmetic LSB", "words LSB", "total LSB",
+        "total mm"), tuple(map(line, leading(q7_8(pick(report, KINEMATIC))))))
 
 
 def headline_table(report: dict) -> Table:
-    """The README's six rows: what a function costs with each kind of joint word, and by iterative CORDIC."""
+    """The README's six rows: what a function costs on ECP5 with each kind of joint word, and by iterative CORDIC."""
     def cell(row: Row | None) -> str:
         if row is None:
             return "–"
-        return f"{area(row)}; {cycles(row)} cycles, {number(row['latency_ns'])} ns; {number(row['total_mm'])} mm"
+        return f"{ecp5(row)}; {cycles(row)} cycles, {number(row['latency_ns'])} ns; {number(row['total_mm'])} mm"
 
     lines = tuple((f"`{function}` {KINEMATIC[function]}", *(cell(found.get(family)) for family in HEADLINE))
                   for function, found in leaders(report).items())
-    return Table("Area, latency and worst error by joint word", ("", *HEADLINE.values()), lines)
+    return Table("ECP5: area, latency and worst error by joint word", ("on ECP5", *HEADLINE.values()), lines)
 
 
-def page_table(rows: Iterable[Row]) -> Table:
-    """The figures of a core's page."""
-    def line(row: Row) -> tuple[str, ...]:
-        alm = row["area"]["cyclonev"]
-        return (f"`{name(row)}`", *(str(alm[key]) for key in ("lut", "ff", "dsp", "mem")), str(without_dsp(row)),
-                cycles(row), interval(row), number(row["fmax_mhz"]["ecp5"], 4), number(greatest_error(row)))
+def cordic_table(report: dict) -> Table:
+    """The least of every figure that `rational_*` and `classic_*` have, a figure a row, and where CORDIC has less."""
+    rivals = {function: [leading(q7_8(pick(report, [function], [family]))) for family in ("rational", "classic")]
+              for function in KINEMATIC}
+    rivals = {function: both for function, both in rivals.items() if all(both)}
+    lines = []
+    for label, measure in METRICS:
+        cells, wins = [], []
+        for function, both in rivals.items():
+            found = [best(rows, measure) for rows in both]
+            ours, theirs = (measure(row) if row else None for row in found)
+            cells.append(f"{number(ours, 4)} / {number(theirs, 4)}")
+            wins += [function] * (None not in (ours, theirs) and theirs < ours)
+        lines.append((label, *cells, ", ".join(wins) or "–"))
+    return Table("Least of `rational_*` / least of `classic_*` (CORDIC), figure by figure",
+                 ("", *rivals, "CORDIC has less in"), tuple(lines) if rivals else ())
 
-    return Table("Figures", ("core", "ALUT", "FF", "DSP", "memory", "ALUT, no DSP", "cycles", "II", "ECP5 MHz",
-                             "arithmetic error, LSB"), tuple(map(line, rows)))
+
+def mixed(text: str, where: str) -> list[str]:
+    """Rows of Markdown tables, their heads included, that speak of more than one device."""
+    problems, head = [], ""
+    for number_, line in enumerate(text.splitlines(), 1):
+        if not line.startswith("|"):
+            head = ""
+            continue
+        head = head or line
+        words = re.sub(r"`[^`]*`|no DSP", "", f"{head} {line}")
+        found = {device: sorted(set(re.findall(rf"\b(?:{pattern})\b", words))) for device, pattern in DEVICES.items()}
+        found = {device: of for device, of in found.items() if of}
+        if len(found) > 1:
+            problems.append(f"{where}:{number_}: one row, one device: " + "; ".join(
+                f"{device} ({', '.join(of)})" for device, of in found.items()))
+    return problems

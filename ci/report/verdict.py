@@ -6,8 +6,7 @@ Everything follows from report["verdict"], which `search` puts together; on no o
 from __future__ import annotations
 
 from ci.report.designs import RULES
-from ci.report.rows import FAMILIES, KINEMATIC, number
-from ci.report.tables import Table
+from ci.report.tables import FAMILIES, KINEMATIC, Row, Table, leaders, number
 
 TARGETS = tuple(RULES["target"])
 SCENARIOS = {  # (way, type of the joint words outside): what it is in a machine
@@ -26,15 +25,15 @@ def figures(verdict: dict, design: dict, pick: dict) -> Figures:
 
     clocks, cycles = [part["fmax_mhz"] for part, _ in parts], sum(part["cycles"] for part, _ in parts)
     return {"core": design["core"], "codec": design["codec"], "family": design["family"], "values": pick["values"],
-            "bits": pick["bits"], "total": pick["total_lsb"], "alut": area("cyclonev", "lut"),
-            "dsp": area("cyclonev", "dsp"), "mem": area("cyclonev", "mem"), "nodsp": area("cyclonev_nodsp", "lut"),
-            "nodsp_mem": area("cyclonev_nodsp", "mem"), "cycles": cycles,
+            "bits": pick["bits"], "total": pick["total_lsb"], "lut": area("ecp5", "lut"), "dsp": area("ecp5", "dsp"),
+            "mem": area("ecp5", "mem"), "alut": area("cyclonev", "lut"), "alut_dsp": area("cyclonev", "dsp"),
+            "m10k": area("cyclonev", "mem"), "nodsp": area("cyclonev_nodsp", "lut"), "cycles": cycles,
             "ii": max(part["ii"] for part, _ in parts), "ns": None if None in clocks else cycles * 1000 / min(clocks)}
 
 
 def price(found: Figures) -> float:
-    """Area in ALUTs, blocks by their share of a device."""
-    return found["alut"] + RULES["price"]["dsp"] * found["dsp"] + RULES["price"]["mem"] * found["mem"]
+    """Area in LUTs of ECP5, blocks by their share of a device."""
+    return found["lut"] + RULES["price"]["dsp"] * found["dsp"] + RULES["price"]["mem"] * found["mem"]
 
 
 def chosen(verdict: dict, design: dict, target: str) -> Figures | None:
@@ -68,18 +67,15 @@ def words(values: dict[str, int]) -> str:
 
 
 def _cost(found: Figures) -> tuple[str, ...]:
-    """Error, area with its blocks, cycles, time, and area without DSP blocks."""
-    area = str(found["alut"]) + "".join(f" + {found[key]} {text}" for key, text in (("dsp", "DSP"), ("mem", "mem"))
-                                        if found[key])
-    logic = str(found["nodsp"]) + (f" + {found['nodsp_mem']} mem" if found["nodsp_mem"] else "")
-    return number(found["total"]), area, str(found["cycles"]), number(found["ns"]), logic
+    """Error, area on ECP5, cycles and time."""
+    return (number(found["total"]), *(str(found[key]) for key in ("lut", "dsp", "mem", "cycles")), number(found["ns"]))
 
 
-COST = ("total LSB", "ALUT + DSP + memory", "cycles", "ns", "ALUT, no DSP")
+COST = ("total LSB", "LUT", "MULT18X18", "EBR", "cycles", "ns")
 
 
 def target_table(verdict: dict, function: str) -> Table:
-    """Every core of a function at every target; a family without a core is "not built"."""
+    """Every core of a function at every target, on ECP5; a family without a core is "not built"."""
     lines, none = [], ("–",) * len(COST)
     for target in TARGETS:
         of = {found["core"]: found for found in reaching(verdict, function, target)}
@@ -93,8 +89,17 @@ def target_table(verdict: dict, function: str) -> Table:
     return Table(f"{function}: {KINEMATIC[function]}", ("at most", "core", "words", *COST), tuple(lines), text=3)
 
 
+def cyclonev_table(verdict: dict) -> Table:
+    """The same cores and words on Cyclone V."""
+    lines = [(function, target, f"`{found['core']}`", words(found["values"]),
+              *(str(found[key]) for key in ("alut", "alut_dsp", "m10k", "nodsp", "cycles")))
+             for function in KINEMATIC for target in TARGETS for found in reaching(verdict, function, target)]
+    return Table("The same words on Cyclone V", ("", "at most", "core", "words", "ALUT", "DSP", "M10K", "ALUT, no DSP",
+                                                 "cycles"), tuple(lines), text=4)
+
+
 def scenario_table(verdict: dict, way: str, word: str) -> Table:
-    """Rows of one type of joint words outside, codecs included, at the scenarios' target."""
+    """Rows of one type of joint words outside, codecs included, at the scenarios' target, on ECP5."""
     lines = []
     for function in (one for one in KINEMATIC if one.startswith(way)):
         for design in in_order(verdict, function):
@@ -103,3 +108,61 @@ def scenario_table(verdict: dict, way: str, word: str) -> Table:
                 cores = [codec, f"`{design['core']}`"] if way == "fk" else [f"`{design['core']}`", codec]
                 lines.append((function, " + ".join(filter(None, cores)), words(found["values"]), *_cost(found)))
     return Table(SCENARIOS[way, word], ("", "cores", "words", *COST), tuple(lines), text=3)
+
+
+WINS = {"ECP5": (("lut", "fewest LUTs beside blocks"), ("price", "fewest LUTs, blocks counted as LUTs"),
+                 ("cycles", "fewest cycles"), ("ns", "least ns")),
+        "Cyclone V": (("alut", "fewest ALUTs beside blocks"), ("nodsp", "fewest ALUTs, no DSP"))}
+
+
+def _least(found: list[Figures], key: str) -> str:
+    """The cores with the least of a figure, and that figure; a dash where none is known."""
+    known = [one for one in found if one[key] is not None]
+    if not known:
+        return "–"
+    low = min(one[key] for one in known)
+    leading = ", ".join(f"`{one['core']}`" for one in known if one[key] == low)
+    return f"{leading} {number(low, 3 if key == 'ns' else 5)}"
+
+
+def winners_table(verdict: dict, device: str) -> Table:
+    """Who has the least of every figure, for every function and target."""
+    lines = []
+    for function in KINEMATIC:
+        for target in TARGETS if plain(verdict, function) else ():
+            found = [one | {"price": price(one)} for one in reaching(verdict, function, target)]
+            lines.append((function, target, *(_least(found, key) for key, _ in WINS[device])))
+    return Table(f"Who wins on {device}", ("", "at most", *(text for _, text in WINS[device])), tuple(lines),
+                 text=2 + len(WINS[device]))
+
+
+# What rational trigonometry itself changes: spreads against angles, both with tables and products
+
+ITSELF = (("mem", "EBR"), ("dsp", "MULT18X18"), ("lut", "LUT"), ("cycles", "cycles"), ("ii", "II"),
+          ("bits", "bits of a joint word"))
+
+
+def _of_row(row: Row) -> Figures:
+    """The figures that are compared, of a row of the report."""
+    area, params = row["area"]["ecp5"], row["params"]
+    return {"lut": area["lut"], "dsp": area["dsp"], "mem": area["mem"], "cycles": row["latency_cycles"],
+            "ii": row["ii"], "bits": params["S"] + 2 if "S" in params else params["A"]}
+
+
+def itself_table(report: dict) -> Table:
+    """What a spread takes and what a binary angle takes with the same means, function by function.
+
+    At the tightest target that `rational_*` and `table_*` both reach; without such a target, at their first sets.
+    """
+    first, lines = leaders(report), []
+    for function in KINEMATIC:
+        pair = [first.get(function, {}).get(family) for family in ("rational", "table")]
+        where, pair = "first sets", [_of_row(row) for row in pair] if all(pair) else None
+        for target in TARGETS:
+            of = {one["family"]: one for one in reversed(reaching(report["verdict"], function, target))}
+            if {"rational", "table"} <= set(of):
+                where, pair = target, [of["rational"], of["table"]]
+        if pair:
+            lines.append((function, where, *(f"{pair[0][key]} / {pair[1][key]}" for key, _ in ITSELF)))
+    return Table("Turn-spread (`rational_*`) / binary angle (`table_*`), on ECP5",
+                 ("", "at most", *(text for _, text in ITSELF)), tuple(lines), text=2)

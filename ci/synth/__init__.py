@@ -16,7 +16,8 @@ from pathlib import Path
 from quadrance.cores import Core, Port
 
 from ci import cache, isomorph
-from ci.synth.flows import AGREE, PLACE, SEEDS, SYNTH, count, timed_ports, wrapper
+from ci.synth.cells import count
+from ci.synth.flows import AGREE, PLACE, SEEDS, SYNTH, timed_ports, wrapper
 from tb.lib import tools
 
 WORK = tools.BUILD / "synth"
@@ -47,7 +48,7 @@ def elaborated(top: str, params: dict[str, int], sources: Sequence[Path]) -> Pat
 
 
 def area(target: str, top: str, params: dict[str, int], sources: Sequence[Path]) -> dict[str, int]:
-    """LUT, FF, DSP and memory cells of `top` in the flow of `target` (a key of `SYNTH`)."""
+    """The columns of `cells.COUNTS` of `top` in the flow of `target` (a key of `SYNTH`)."""
     design = elaborated(top, params, sources)
     flow = SYNTH[target].format(top=top)
 
@@ -101,13 +102,13 @@ def fmax(top: str, params: dict[str, int], sources: Sequence[Path], inputs: Sequ
     return round(statistics.median(clocks), 1)
 
 
-def core_area(core: Core) -> dict[str, dict[str, int]]:
-    """All area columns of one core."""
-    columns = {target: area(target, core.name, core.params, core.sources) for target in SYNTH if "nodsp" not in target}
-    without = columns["cyclonev"]  # a core without a product is not synthesised twice
-    if without["dsp"]:
-        without = area("cyclonev_nodsp", core.name, core.params, core.sources)
-    return {target: columns.get(target, without) for target in SYNTH}
+def core_area(core: Core, targets: Sequence[str] = tuple(SYNTH)) -> dict[str, dict[str, int]]:
+    """The area columns of one core in those flows; without a product, not synthesised twice for Cyclone V."""
+    found: dict[str, dict[str, int]] = {}
+    for target in sorted(targets, key=list(SYNTH).index):
+        same = target == "cyclonev_nodsp" and not found["cyclonev"]["dsp"]
+        found[target] = found["cyclonev"] if same else area(target, core.name, core.params, core.sources)
+    return found
 
 
 def core_fmax(core: Core) -> float:

@@ -1,8 +1,7 @@
-"""What is measured: the scripts of every synthesis flow, what counts as a cell, the ports that are timed."""
+"""What is measured: the scripts of every synthesis flow, and the ports that are timed."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from quadrance.cores import Core, Port
@@ -23,26 +22,6 @@ PLACE = ("--25k", "--speed", "6", "--package", "CABGA381", "--freq", "200", "--l
          "--timing-allow-fail")  # nextpnr-ecp5
 SEEDS = (1, 2, 3)
 AGREE = 0.03  # the median of three lies between the first two: where these differ by less, the third is not placed
-
-
-def count(target: str, cells: dict[str, int]) -> dict[str, int]:
-    """The four columns of the report from a cell histogram.
-
-    Cyclone V: LUT = every MISTRAL_ALUT* cell, registers pack beside them (a proxy for LE).
-    iCE40: LUT = logic cells, SB_LUT4 and the carries that no LUT shares (upper bound: Yosys'
-    own estimate is SB_LUT4). ECP5: LUT4, and two for each CCU2C carry cell.
-    """
-    def total(pattern: str) -> int:
-        return sum(n for cell, n in cells.items() if re.fullmatch(pattern, cell))
-
-    if target.startswith("cyclonev"):
-        return {"lut": total("MISTRAL_ALUT.*"), "ff": total("MISTRAL_FF"),
-                "dsp": total("MISTRAL_MUL.*"), "mem": total("MISTRAL_M(10K|LAB)")}
-    if target == "ice40":
-        return {"lut": total("SB_LUT4"), "ff": total("SB_DFF.*"),
-                "dsp": total("SB_MAC16"), "mem": total("SB_RAM40.*")}
-    return {"lut": total("LUT4") + 2 * total("CCU2C"), "ff": total("TRELLIS_FF"),
-            "dsp": total("MULT18X18D|ALU54B"), "mem": total("DP16KD|PDPW16KD|TRELLIS_DPR16X4")}
 
 
 def timed_ports(core: Core) -> tuple[list[Port], list[Port]]:

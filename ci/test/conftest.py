@@ -6,7 +6,7 @@ import pytest
 
 from tb.lib import tools
 
-AREA = {"lut": 300, "ff": 100, "dsp": 1, "mem": 0}
+AREA = {"lut": 300, "ff": 100, "dsp": 1, "mem": 0, "lutram": 0}
 
 
 def row(core, family, function, architecture, lut, cycles, mhz=100.0, error=0.7, words=2.0, total=2.5):

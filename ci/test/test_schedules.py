@@ -80,6 +80,15 @@ def test_every_instance_of_a_player_is_read():
     assert not any("kernel_chain.v" in line for line in left)
 
 
+def test_a_table_without_a_player_is_found():
+    texts = {path: path.read_text() for path in RTL.rglob("*.v")}
+    assert schedules.loose(texts) == []
+    path = next(one for one in texts if one.stem == "kernel_chain")
+    said = schedules.loose({path: texts[path].replace("schedule #(", "player #(")})
+    assert said == ["rtl/kernel/kernel_chain.v: it has a table of control words, and nothing says what plays it"]
+    assert sum(bool(schedules.TABLE.search(text)) for text in texts.values()) > 30
+
+
 def test_a_core_with_a_switch_turned_plays_the_table_that_no_set_plays():
     at = {one.at for core in schedules.turned(find("arm_ik3")) for one in schedules.played((core,))[core]}
     assert len(at) == 3
@@ -105,3 +114,26 @@ def test_clocks_shared_with_the_sample_before_are_no_lines_of_the_table() -> Non
     assert core.ii < core.latency and {len(one.words) for one in tables()[core]} == {5}
     assert schedules.latency_problems(core, {5}) == []
     assert "gives 6" in schedules.latency_problems(core, {4})[0]
+
+
+@pytest.mark.parametrize("kind, function", [("$add", int.__add__), ("$sub", int.__sub__), ("$mul", int.__mul__)])
+def test_arithmetic_is_exact_for_constants_and_undefined_from_the_first_undefined_bit_on(kind, function):
+    params = {key: f"{value:b}" for key, value in {"A_WIDTH": 4, "B_WIDTH": 4, "Y_WIDTH": 6, "A_SIGNED": 0,
+                                                   "B_SIGNED": 0}.items()}
+    compute = dataflow._arithmetic(kind, params)
+    for a in range(16):
+        for b in range(16):
+            bits = [a >> i & 1 for i in range(4)] + [b >> i & 1 for i in range(4)]
+            assert sum(bit << i for i, bit in enumerate(compute(bits))) == function(a, b) % 64
+    found = compute([1, 0, dataflow.STALE, 0, 1, 1, 0, 0])
+    assert found[:2] == [function(1, 3) >> i & 1 for i in range(2)] and found[2:] == [dataflow.STALE] * 4
+
+
+def test_gates_let_a_stale_bit_through_only_where_it_decides():
+    zero, one, defined, stale = dataflow.ZERO, dataflow.ONE, dataflow.DEFINED, dataflow.STALE
+    assert dataflow.AND[4 * zero + stale] == zero and dataflow.AND[4 * one + stale] == stale
+    assert dataflow.OR[4 * one + stale] == one and dataflow.OR[4 * defined + stale] == stale
+    assert dataflow.XOR[4 * stale + zero] == stale and dataflow.NOT[defined] == defined
+    assert dataflow.MUX[16 * zero + 4 * defined + stale] == defined  # select, then what it takes at 0 and at 1
+    assert dataflow.MUX[16 * one + 4 * defined + stale] == stale == dataflow.MUX[16 * defined + 4 * defined + stale]
+    assert dataflow.MUX[16 * stale + 4 * one + one] == one

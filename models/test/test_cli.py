@@ -37,7 +37,7 @@ def test_the_table_of_cores(quadrance):
     text = quadrance("cores", "--function", "ik2", "--word", "angle")
     assert "table_ik2" in text and "vector_ik2" not in text and "rational_ik2" not in text
     row = next(row for row in catalogue.rows() if row["core"] == "table_ik2")
-    assert str(row["figures"]["alut"]) in next(line for line in text.splitlines() if "table_ik2" in line)
+    assert str(row["figures"]["ecp5"]["lut"]) in next(line for line in text.splitlines() if "table_ik2" in line)
 
 
 def test_a_narrow_table_leaves_columns_out_and_cuts_no_figure():
@@ -303,7 +303,10 @@ def test_figures_are_those_of_the_report():
     report = json.loads((cores.ROOT / "reports" / "report.json").read_text())
     row = next(row for row in report["cores"] if (row["core"], row["set"]) == ("classic_ik2", "iter-A16"))
     found = catalogue.figures(cores.find("classic_ik2"))
-    assert found["alut"] == row["area"]["cyclonev"]["lut"] and found["error_mm"] == row["total_mm"]
+    assert found["ecp5"] == {"lut": (area := row["area"]["ecp5"])["lut"], "ff": area["ff"], "mult18x18": area["dsp"],
+                             "ebr": area["mem"], "lutram": area["lutram"], "mhz": row["fmax_mhz"]["ecp5"],
+                             "ns": row["latency_ns"]}
+    assert found["cyclonev"]["alut"] == row["area"]["cyclonev"]["lut"] and found["error_mm"] == row["total_mm"]
     assert catalogue.figures(catalogue.find("classic_ik2", {"A": 15})) is None
 
 

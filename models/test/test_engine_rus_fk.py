@@ -1,8 +1,6 @@
-"""engine_rus_fk: its answers against float64, within derived bounds; flags, bad inputs; its program's hazards."""
+"""engine_rus_fk: its answers against float64, within derived bounds; flags, bad inputs."""
 
 from __future__ import annotations
-
-import re
 
 import numpy as np
 import pytest
@@ -220,48 +218,3 @@ def test_words_that_do_not_fit_are_refused():
         fk.loads(p, geometry.load("klipper_delta"), 512.0, np.eye(3), [0, 0, 0], np.zeros(3))
     with pytest.raises(PoseError):
         fk.start(p, robot, 512.0, np.eye(3) * 1.1, [0, -300, 0])
-
-
-# The program
-
-
-def _program() -> tuple[dict[str, int], list[list[str]]]:
-    """First line of each section, and the lines: A, B, C, D, DEST, operation, ACT."""
-    text = (cores.RTL / "engine" / "rus" / "engine_rus_fk_program.v").read_text()
-    body = text[text.index("LINES = {"):text.index("reg [39:0] lines")]
-    sections, lines = {}, []
-    for title, line in re.findall(r"/\* (.*?) \*/ ([^\n]*)", body):
-        if re.match(r"[A-Z]{3}", title):
-            sections[title.split(":")[0].strip()] = len(lines)
-        words = re.findall(r"[\w]+", line)
-        lines += [["O", "O", "O", "O", "nil", "ADD", "LOOSE"]] * len(words) if words[0] in ("NOP", "NEXT") else [words]
-    return sections, lines
-
-
-def test_the_program_reads_no_word_that_is_still_on_its_way():
-    """Along every jump of engine_rus_fk_steps; t, in PAIR, is read as it was before, but never while it is written."""
-    sections, lines = _program()
-    steps = (cores.RTL / "engine" / "rus" / "engine_rus_fk_steps.v").read_text()
-    named = {name: int(value) for name, value in re.findall(r"([A-Z]+) = 8'd(\d+)[,;]", steps)}
-    assert named == {name: line for name, line in sections.items() if name != "MOVE"} | {"END": len(lines)}
-    order = sorted(sections, key=sections.get)
-    last = {name: sections[then] - 1 for name, then in zip(order, order[1:])} | {"DONE": len(lines) - 1}
-    jumps = {last["ELBOW"]: ["ELBOW", "COPY"], last["LEG"]: ["LEG", "JUDGE"], last["JUDGE"]: ["NORM", "DONE"],
-             last["NORM"]: ["DOT", "SIDE"], last["PAIR"]: ["PAIR", "NORM"], last["SCALE"]: ["NORM"],
-             last["MOVE"]: ["TURN"], last["DONE"]: []}
-
-    def follow(line: int) -> list[int]:
-        then = [sections[name] for name in jumps.get(line, [])] if line in jumps else [line + 1]
-        return then + [sections["SCALE"]] * (line == sections["NORM"] + 6)
-
-    old = set()
-    for number, (*_, dest, _, _) in enumerate(lines):
-        paths = [[one] for one in follow(number)]
-        for _ in range(2):
-            paths = [[*path, one] for path in paths for one in follow(path[-1])]
-        for path in paths:
-            for distance, at in enumerate(path, 1):
-                if dest != "nil" and dest in lines[at][:4]:
-                    assert dest == "t" and distance < 3, (number, dest, at)
-                    old.add(at - sections["PAIR"])
-    assert old == {8, 9}

@@ -245,6 +245,20 @@ def test_the_law_out_of_reach(core, robot, branch):
     assert np.all(off <= law) and np.any(off > 0.06 * law)
 
 
+@pytest.mark.xfail(strict=True, reason="1 - cos^2 is then 1.0, whose double wraps: the sine has the other sign")
+@cores(INVERSE)
+def test_the_elbow_asked_for_at_a_right_angle(core):
+    """The cosine of the elbow within 2^-13 of 0."""
+    unit, arm = _arm("kr6_r700", core)
+    q = np.random.default_rng(9).uniform(-1, 1, (2000, 6))
+    q[:, 2] = np.pi / 2 - arm.psi + q[:, 2] * 1e-4
+    words, _, _ = _words(core, *truth_six.fk6(q, arm))
+    cfg = six.config(core.params, **unit._asdict())
+    for branch in (0, 2):
+        answer = core.model(core.params, **words, in_branch=np.int64(branch), **cfg)
+        assert np.all(np.sin(_angles(answer)[:, 2] + arm.psi) * (1 - branch) > 0)
+
+
 @ROBOTS
 @cores(INVERSE)
 def test_unreachable_answers_the_nearest_point(core, robot):

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operands of product_engine that come from ports: one of COUNT words, in a register.
-//   out_word = word in_select of in_words, one clock later; any value from COUNT on
-// Formats: words s2.25, word 0 in the lowest bits. Error 0. Model: none, it moves words.
+// Operands of product_engine that come from ports: a registered multiplexer of COUNT words.
+//   out_word = word in_select of in_words, one clock later; any value for in_select from COUNT on
+// Formats: words s2.25, word 0 in the lowest bits. Exact. Latency 1. Model: none, it moves words.
 `default_nettype none
 module engine_ports #(
-    parameter COUNT = 2  // words, 1 to 32
+    parameter COUNT = 2  // words, 1 to 32 (default 2)
 ) (
     input  wire                clk,
     input  wire [COUNT*27-1:0] in_words,

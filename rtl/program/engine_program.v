@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control of a long program: plays a table of LINES control words, one a clock, from a memory block. For tables of some
-// sixty lines on that differ in most bits: as logic (schedule, schedule_counter) these cost hundreds of cells.
-//   out_op = line i of TABLE in the i-th clock after the one with in_start; line 1 while idle, 0 behind the last one.
-//   The lines from AGAIN on are played twice
-// out_done: the DRAIN-th clock behind the last line; the program is idle in the next one. in_start in a clock with rst
-// is not taken; the user starts it only when out_idle.
-// Latency of a user that raises its out_valid behind out_done: LINES + (LINES - AGAIN) + DRAIN + 1.
+// Control of a long program: it plays a table of LINES control words, one a clock, from a memory block. Use it for
+// tables of about sixty lines and more whose lines differ in most bits; as logic (schedule, schedule_counter) they cost
+// hundreds of cells.
+//   out_op = line i of TABLE in the i-th clock after the one with in_start; line 1 while idle, 0 after the last one
+// The lines from AGAIN on are played twice. out_done: the DRAIN-th clock after the last line; the program is idle in
+// the next clock. in_start in a clock with rst is ignored; start it only with out_idle.
+// Latency of a user that raises its out_valid after out_done: LINES + (LINES - AGAIN) + DRAIN + 1.
 `default_nettype none
 module engine_program #(
-    parameter LINES = 2,                  // lines of the table, 2 or more: one clock each
-    parameter BITS = 1,                   // control bits of a line, 1 or more
-    parameter DRAIN = 3,                  // clocks that the last line takes to its end, 1 or more: 3, product_engine
-    parameter AGAIN = LINES,              // first line, from 0 on, of those played twice: LINES, none
-    parameter [LINES*BITS-1:0] TABLE = 0  // the control words, the first line in the top BITS bits
+    parameter LINES = 2,                  // lines of the table, 2 or more (default 2); one clock each
+    parameter BITS = 1,                   // control bits of a line, 1 or more (default 1)
+    parameter DRAIN = 3,                  // clocks until the last line is done, 1 or more (default 3: product_engine)
+    parameter AGAIN = LINES,              // first line that is played twice, 0 to LINES (default LINES: none)
+    parameter [LINES*BITS-1:0] TABLE = 0  // control words, the first line in the top BITS bits (default 0)
 ) (
     input  wire            clk,
     input  wire            rst,
@@ -35,8 +35,8 @@ module engine_program #(
         for (i = 0; i < 1 << N; i = i + 1)
             lines[i] = i < LINES ? TABLE[BITS*(LINES-1-i) +: BITS] : {BITS{1'b0}};
 
-    reg          busy, second;  // the second time
-    reg  [N-1:0] line;          // the line that out_op is
+    reg          busy, second;  // second pass over the lines from AGAIN on
+    reg  [N-1:0] line;          // number of the line in out_op
     wire         turn = AGAIN < LINES && line == TURN[N-1:0];
     wire [N-1:0] next = !busy || out_done || rst ? {N{1'b0}} : turn && !second ? BACK[N-1:0] : line + 1'b1;
     assign       out_idle = !busy;

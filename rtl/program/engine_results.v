@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of product_engine that are outputs: COUNT registers, DEST 2 and on, each rounded to U fraction bits.
-// Formats: in_word s2.25; words of out_words s2.U, nearest (ties upward), of 2 - 2^-U and above it wraps; the word of
-// DEST 2 in the lowest bits. Latency 1. Model: six.fk6
+// Results of product_engine that are outputs: COUNT registers, written by DEST 2 and on, each rounded to U fraction
+// bits.
+// Formats: in_word s2.25; words of out_words s2.U, rounded to nearest (ties upward), wrapping from 2 - 2^-(U+1) on; the
+// word of DEST 2 in the lowest bits. Error: 1/2 LSB. Latency 1. Model: six.fk6
 `default_nettype none
 module engine_results #(
-    parameter COUNT = 2,  // words, 1 to 62
-    parameter U = 16      // fraction bits of a word, 1 to 24: 16
+    parameter COUNT = 2,  // words, 1 to 62 (default 2)
+    parameter U = 16      // fraction bits of a word, 1 to 24 (default 16)
 ) (
     input  wire                   clk,
     input  wire [26:0]            in_word,

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What product_engine needs for roots and lengths: the power of two that normalises words, and a reciprocal root.
-//   in_first, in_more: the magnitude in_fold alone, or with those before; in_wrist: of its bits from WRIST on
-//   out_power = 2^s brings the leading one of them to bit 25; out_four = 2^(2 j), out_twice = 2^(j + 1),
-//   j = (s - 1) / 2 to zero, bring a word to [1/4, 1), and its root back; 0 for no bit at all, out_empty
+// Normalisation and reciprocal root for product_engine.
+//   in_first, in_more: the magnitude in_fold alone, or ORed with those before; in_wrist: only its bits from WRIST on
+//   out_power = 2^s brings the leading one of them to bit 25; out_four = 2^(2 j) and out_twice = 2^(j + 1), with
+//   j = (s - 1) / 2 toward 0, bring a word to [1/4, 1) and its root back; without any bit all are 0, out_empty 1
 //   in_read: 1 / sqrt(in_q) = out_w out_slope / 2^36 one clock later, held; in_q u2.18 from 1/4 to 2
-// Latency of the powers: two clocks behind in_fold. Model: product_engine.power_of, product_engine.reciprocal
+// Error of a root: 0.8 * 2^-16, relative. Latency of the powers: two clocks after in_fold.
+// Models: product_engine.power_of, product_engine.reciprocal
 `default_nettype none
 module engine_roots #(
-    parameter WRIST = 12  // lowest bit that counts with in_wrist, 0 to 25: 12, 8 units of 2^-16
+    parameter WRIST = 12  // lowest bit that counts with in_wrist, 0 to 25 (default 12, 8 units of 2^-16)
 ) (
     input  wire        clk,
     input  wire        in_first,
@@ -24,7 +25,7 @@ module engine_roots #(
     output reg  [13:0] out_twice,
     output wire        out_empty
 );
-    // Magnitudes stand the other way round, so that the leading one is the lowest, which x & -x leaves
+    // Magnitudes are bit-reversed, so that the leading one is the lowest, which x & -x isolates
     reg  [25:0] seen, turned;
     integer     i;
     always @*

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of two products a clock on a register file of 64 words, for programs that engine_program plays.
-//   word = A B [+- C D] [+ the sum before] to nearest 2^-25, written to DEST; products of one term shifted for roots
-// A line reads in one clock, chooses its operands in the next and computes in the third; its word can be read from the
-// third line behind on, by the next line as LAST. Formats: words s2.25; sum s4.28, it wraps; products cut to 2^-28.
-//   in_op {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}: rtl/engine/README.md
-//   in_port: the word of a PORT operand, one clock after its line; in_signs: BACK, DOWN, FLIP take SLOPE's complement;
-//   in_run: not idle, or nothing is done but writing to registers
-//   out_word, out_dest: the word of the line before, and its register, 0 for none. out_status: unreachable and singular
-//   as the last ABOVE, FAR and HOLD lines found it; bit 3 a failed CHECK since in_start
-// The register file is stored four times, for four reads a clock. Models: product_engine.dot, .unit, .root
+// Sums of two products, one line a clock, on a register file of 64 words, for programs that engine_program plays.
+//   word = A B [+- C D] [+ the sum before] rounded to 2^-25, written to DEST; a single product may be shifted
+// A line reads in one clock, selects its operands in the next and computes in the third. Its word can be read from the
+// third line after it on, and by the next line as LAST. Formats: words s2.25; sum s4.28, it wraps; products truncated
+// to 2^-28. in_op {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}: rtl/program/README.md. in_port: word of
+// a PORT operand, one clock after its line. in_signs: BACK, DOWN, FLIP use the complement of SLOPE. in_run: the program
+// is not idle; without it only registers are written. out_word, out_dest: word of the line before, and its register, 0
+// for none. out_status: unreachable and singular as the last ABOVE, FAR and HOLD lines found them; bit 3 a failed CHECK
+// since in_start. The register file is stored four times, for four reads a clock. Models: product_engine.dot, .unit,
+// .root
 `default_nettype none
 module product_engine #(
-    parameter ROOTS = 1,   // 0: sums alone: no ACT, no ALIGN, no tables; 1
-    parameter WRIST = 12,  // ACT WRIST: lowest bit of a vector that gives it a direction, 0 to 25: 12, 8 units of 2^-16
-    parameter SLACK = 13   // ACT CHECK: lowest bit that is an error, 0 to 25: 13, 16 units of 2^-16
+    parameter ROOTS = 1,   // 0 or 1 (default 1); 0: sums only, without ACT, ALIGN and root tables
+    parameter WRIST = 12,  // lowest bit that counts with act WRIST, 0 to 25 (default 12, 8 units of 2^-16)
+    parameter SLACK = 13   // lowest bit that is an error with act CHECK, 0 to 25 (default 13, 16 units of 2^-16)
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -26,22 +26,22 @@ module product_engine #(
     output wire [5:0]  out_dest,
     output wire [3:0]  out_status
 );
-    reg  [46:0] chosen;  // the line whose operands are chosen
-    reg  [18:0] op;      // of the clock in which it computes
+    reg  [46:0] chosen;  // the line whose operands are selected
+    reg  [18:0] op;      // fields of the line that computes
     reg  [5:0]  written;
     assign      out_dest = written & {6{in_run}};
     wire [8:0]  act = op[8:0] & {9{ROOTS != 0 && in_run}};
     wire [5:0]  dest = op[14:9];
     wire        low = op[15] && ROOTS != 0, mid = op[16] && ROOTS != 0, keep = op[17], subtract = op[18];
 
-    // Register file; an operation never reads a register that is being written
+    // Register file; no line reads a register in the clock in which it is written
     (* no_rw_check *) reg [26:0] file_a[0:63];
     (* no_rw_check *) reg [26:0] file_b[0:63];
     (* no_rw_check *) reg [26:0] file_c[0:63];
     (* no_rw_check *) reg [26:0] file_d[0:63];
     reg  [26:0] read_a, read_b, read_c, read_d;
     wire [26:0] word;
-    reg         skip;  // a held word is not written
+    reg         skip;  // the register keeps its word
     always @(posedge clk) begin
         read_a <= file_a[in_op[44:39]];
         read_b <= file_b[in_op[37:32]];
@@ -63,8 +63,8 @@ module product_engine #(
     wire [13:0] twice;
     wire        turned = chosen[36:35] == 2'd1 && in_signs[0] || chosen[36:35] == 2'd2 && in_signs[1]
                       || chosen[36:35] == 2'd3 && in_signs[2];
-    wire       far, minus, none;  // of a bounded line and of a held one: known two lines before it
-    wire [3:1] fresh;             // no direction yet: joints 1, 2 and 4, by bits of DEST
+    wire       far, minus, none;  // outcome of FAR and of ROOT, known two lines later
+    wire [3:1] fresh;             // joints 1, 2 and 4 (by bits of DEST) never had a direction
     wire       never = chosen[12] ? fresh[3] : chosen[11] ? fresh[2] : fresh[1];
     wire       bound = chosen[7] && far && ROOTS != 0, lost = chosen[5] && none && ROOTS != 0;
     reg  [26:0] a, b, c, d;
@@ -85,16 +85,16 @@ module product_engine #(
                 2'd2: b <= {1'b0, four};
                 default: b <= {13'd0, twice};
             endcase
-        c <= chosen[19] ? read_c : 27'd0;  // 0: one product alone
+        c <= chosen[19] ? read_c : 27'd0;  // 0: a single product
         d <= chosen[19] ? read_d : 27'd0;
-        if (bound || lost && never) begin  // +-1 times 1 out of reach; (1, 0) for a direction that never was defined
+        if (bound || lost && never) begin  // +-1 times 1 out of reach; (1, 0) for a direction that was never defined
             a <= {bound && minus, bound || !chosen[9], 25'd0};
             b <= 27'h2000000;
         end
         skip <= lost && !never;
     end
 
-    reg  [31:0]        kept;  // the sum before, or half a unit of a word
+    reg  [31:0]        kept;  // the sum of the line before, or half a unit of a word
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [53:0] product1 = $signed(a) * $signed(b), product2 = $signed(c) * $signed(d);
     /* verilator lint_on UNUSEDSIGNAL */
@@ -105,7 +105,7 @@ module product_engine #(
     generate
         if (ROOTS != 0) begin : g_roots
             wire       empty;
-            wire       wide = low && product1[53:25] != {29{product1[53]}};  // a word beyond +-1
+            wire       wide = low && product1[53:25] != {29{product1[53]}};  // the word is beyond +-1
             reg        long, below, sign, unknown, read, check, off;
             reg [19:0] q;
             reg  [3:1] first, held;

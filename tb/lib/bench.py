@@ -25,11 +25,12 @@ with open(os.environ["QUADRANCE_CORE"], "rb") as _file:
 CLOCKED = CORE.clocked
 FIXED = CLOCKED and CORE.latency is not None
 LATENCY, II = CORE.latency or min(CORE.ii or 1, 100), CORE.ii or 1  # where the latency varies, a moment inside it
-# A clock here costs as much as a thousand in the bulk run: here is every kind of sample, there is their number.
-RESETS = min(60, 15 * LATENCY) if FIXED else 200  # few where a sample takes one clock, many in a long program
+# A clock here costs as much as a thousand in the bulk run: here is every kind of sample, and registers that are unknown
+# until they are written; there is their number, and a reset at every clock.
+RESETS = 12 if FIXED else 24
 WORK = 600  # clocks, where the latency varies: words are written, and some iterations run
 CLOCKS = 1_000  # about as many for the corners of all configurations
-SAMPLES = max(6, min(20, 1_000 // max(LATENCY, II)))
+SAMPLES = max(4, min(20, 1_000 // max(LATENCY, II)))
 
 
 def _rng() -> np.random.Generator:
@@ -104,7 +105,7 @@ async def corners_back_to_back(dut):
     """
     bench = await _fresh(dut)
     configs = stimulus.configs(CORE, _rng())
-    count = min(max(CLOCKS // (len(configs) * max(II, 10)), 6), 120)  # of each; the bulk run takes all of them
+    count = min(max(CLOCKS // (len(configs) * max(II, 10)), 3), 120)  # of each; the bulk run takes all of them
     for index, cfg in enumerate(configs):
         bench.configure(cfg)
         words = _cut(stimulus.corners(CORE, cfg), count)
@@ -155,7 +156,8 @@ async def stalled_output_loses_nothing(dut):
 async def reset_in_flight(dut):
     """A reset at any moment drops what is in flight, takes nothing, and touches nothing that comes after it.
 
-    Every other group of three resets, one with each of `offers`, meets a result that waits for out_ready.
+    Every other group of three resets, one with each of `offers`, meets a result that waits for out_ready. The bulk run
+    has a reset at every clock; here every register is unknown until it is written.
     """
     bench = await _fresh(dut)
     rng = _rng()

@@ -13,10 +13,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 from cocotb_test.simulator import Icarus, Simulator, Verilator
 from quadrance.cores import Core
 
-from tb.lib import program, tools
+from tb.lib import program, stimulus, tools
 
 SIMULATORS = ("icarus", "verilator")
 LONGEST = 800  # characters of what a failed test said
@@ -76,6 +77,17 @@ def available(simulator: str) -> bool:
     return simulator != "icarus" or shutil.which("iverilog", path=tools.environment()["PATH"]) is not None
 
 
+def unconfigured(core: Core) -> str:
+    """What the samples of a core lack: one line where `configs` of its family has no word for a port, else empty."""
+    try:
+        found, port = stimulus.configs(core, np.random.default_rng(1)), ""
+        port = next((port.name for words in found for port in core.cfg if port.name not in words), "")
+    except (KeyError, AttributeError, TypeError) as error:
+        port = f"{type(error).__name__}: {error}"
+    return f"{core.name}: configs() in tb/{core.family}/stimulus.py gives no word for {port}; add it there" if port \
+        else ""
+
+
 def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests: str | None = None,
              seed: int | None = None, waves: bool = False, label: str = "", compile_only: bool = False,
              parameters: bool = True, failures: int | None = None, plusargs: Sequence[str] = ()) -> Path:
@@ -99,6 +111,8 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
     """
     if not available(simulator):
         tools.require("iverilog")
+    if missing := unconfigured(core):
+        raise RuntimeError(missing)
     if simulator == "verilator" and not waves:
         runner = Built
         folder = _built(core if parameters else replace(core, params={}), label) / "bench"

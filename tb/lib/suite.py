@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 import pytest
@@ -24,6 +25,9 @@ ROUNDS = 120  # at least, where a sample is short
 VARYING = 1000  # clocks of a sample that meet a reset, where their number varies
 MEMORY = 6  # samples looked at behind a reset: more than any core takes to answer from what it holds
 CONFIGS = 4  # beside the first one that meet resets; fewer of a core of many clocks
+IN_ORDER = 128  # samples
+# The tests of tb/lib/bench.py for the second simulator, Verilator, which has the bulk runs: what they have less of
+AGAIN = r"\.(idle_and_back_pressure|stalled_output_loses_nothing|corners_and_random_combinational)$"
 STARTS = 16  # different ones, for each is a run of the model
 
 
@@ -40,14 +44,20 @@ def bulk_samples(core: Core) -> int:
     return min(BULK_SAMPLES, BULK_CLOCKS // (core.ii or 1))
 
 
-def _again(rng: np.random.Generator, result: bulk.Result, few: int) -> np.ndarray:
-    """Indices of samples for the run with stalls; half of them have every status alike: flags change often."""
+def _again(core: Core, rng: np.random.Generator, result: bulk.Result, few: int) -> np.ndarray:
+    """Indices of samples for the run with stalls; half of them have every status alike: flags change often.
+
+    Where samples may build on each other, some as they follow each other as well: what a stall loses is seen later.
+    """
     size = result.latency.size
     pick = rng.integers(0, size, max(size // STALLED, few))
     status = result.outputs.get("out_status", np.zeros(size, int))
     kinds = [np.flatnonzero(status == kind) for kind in np.unique(status)]
     for place in np.flatnonzero(rng.random(pick.size) < 0.5):
         pick[place] = rng.choice(kinds[rng.integers(len(kinds))])
+    if core.latency is None:
+        runs = rng.integers(0, max(size - IN_ORDER, 1), (2, 1)) + np.arange(min(IN_ORDER, size))
+        pick = np.concatenate([pick, runs.ravel()])
     return pick
 
 
@@ -80,8 +90,7 @@ def _starts(core: Core, cfg: dict[str, int], corners: stimulus.Vectors, rng: np.
     return picks
 
 
-def reset_run(core: Core, cfg: dict[str, int], seed: int, *, built: Core | None = None, label: str = "",
-              plusargs: Sequence[str] = ()) -> int:
+def reset_run(core: Core, cfg: dict[str, int], seed: int, built: Core | None = None, **options) -> int:
     """Resets at every clock of a sample, each followed by samples that must answer as those of a core just started."""
     rng = np.random.default_rng(seed)
     rounds, corners = _rounds(core, rng), stimulus.corners(core, cfg)
@@ -103,7 +112,7 @@ def reset_run(core: Core, cfg: dict[str, int], seed: int, *, built: Core | None 
         return (f"sample {i % MEMORY + 1} behind reset {i // MEMORY} (at clock {clock} of a sample, flags {flags})" if
                 i >= MEMORY else f"sample {i + 1} of the run")
 
-    result = bulk.resets(built or core, follow(starts), later, rounds, cfg, seed=seed, label=label, plusargs=plusargs)
+    result = bulk.resets(built or core, follow(starts), later, rounds, cfg, seed=seed, **options)
     bulk.compare(core, follow(starts), cfg, result, follow(answers), about)
     return result.latency.size
 
@@ -113,8 +122,15 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
     """Corners and random words (all words of a narrow input) at every configuration; how many were compared.
 
     `built` is what is compiled in place of `core`, in folders that bear `label`: the same ports from other sources,
-    which may read `plusargs`.
+    which may read `plusargs`. AssertionError, with the seed, where they differ or the core breaks its contract.
     """
+    try:
+        return _bulk_run(core, samples, seed, built or core, {"label": label, "plusargs": plusargs})
+    except AssertionError as error:
+        raise AssertionError(f"{error} [seed {seed} of the bulk run]") from None
+
+
+def _bulk_run(core: Core, samples: int, seed: int, built: Core, options: dict) -> int:
     rng = np.random.default_rng(seed)
     configs = stimulus.configs(core, rng)
     every = stimulus.input_bits(core) <= EXHAUSTIVE_BITS
@@ -125,16 +141,16 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
         corners = stimulus.corners(core, cfg)
         inputs = {name: np.concatenate([corners[name], words]) for name, words in inputs.items()}
         # every configuration at the full rate, and a part of it with idle cycles and stalls
-        result = bulk.stream(built or core, inputs, cfg, label=label, plusargs=plusargs)
+        result = bulk.stream(built, inputs, cfg, **options)
         bulk.compare(core, inputs, cfg, result)
         total += result.latency.size
         if not core.clocked:
             continue
         if core.latency is not None:
             bulk.timing(core, result)
-        pick = _again(rng, result, few)
+        pick = _again(core, rng, result, few)
         picked = {name: words[pick] for name, words in inputs.items()}
-        result = bulk.stream(built or core, picked, cfg, seed=seed + index + 1, label=label, plusargs=plusargs)
+        result = bulk.stream(built, picked, cfg, seed=seed + index + 1, **options)
         bulk.compare(core, picked, cfg, result)
         if core.ii == core.latency > 1:  # one sample at a time: a stall delays the next one, never the one inside
             bulk.timing(core, result, stalled=True)
@@ -142,8 +158,17 @@ def bulk_run(core: Core, samples: int, seed: int, *, built: Core | None = None, 
     if core.clocked:
         some = max(1, min(CONFIGS, BULK_CLOCKS // (RESETS * MEMORY * (core.ii or 1))))
         for cfg in [configs[0], *rng.permutation(configs[1:])[:some]]:
-            total += reset_run(core, cfg, seed, built=built, label=label, plusargs=plusargs)
+            total += reset_run(core, cfg, seed, built, **options)
     return total
+
+
+@contextlib.contextmanager
+def repeated(command: str) -> Iterator[None]:
+    """A failure inside names the command that repeats it."""
+    try:
+        yield
+    except AssertionError as error:
+        raise AssertionError(f"{error}\nrepeat it with: {command}") from None
 
 
 def _marks(core: Core, simulator: str, usable: list[str]) -> list[pytest.MarkDecorator]:
@@ -164,16 +189,18 @@ def benches():
 
     @pytest.mark.parametrize(("simulator", "core"), benches)
     def bench(core: Core, simulator: str) -> None:
-        simulate(core, simulator, seed=SEED)
+        simulate(core, simulator, tests=None if simulator == usable[0] or not core.first_set else AGAIN, seed=SEED)
 
     @pytest.mark.full
     @pytest.mark.parametrize("core", smoke)
     def bulk_bench(core: Core) -> None:
-        assert bulk_run(core, bulk_samples(core), SEED) > 0
+        with repeated(f"make test CORE={core.id} SEED={SEED}"):
+            assert bulk_run(core, bulk_samples(core), SEED) > 0
 
     @pytest.mark.slow
     @pytest.mark.parametrize("core", cores, ids=ids)
     def exhaustive(core: Core) -> None:
-        assert bulk_run(core, LONG_SAMPLES, SEED + 1) > 0
+        with repeated(f"make exhaustive CORE={core.id} SEED={SEED}"):
+            assert bulk_run(core, LONG_SAMPLES, SEED + 1) > 0
 
     return bench, bulk_bench, exhaustive

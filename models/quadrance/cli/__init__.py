@@ -66,21 +66,23 @@ def _cores(args: argparse.Namespace) -> None:
     rows = catalogue.rows(args.family, args.function, args.word, args.all)
     if args.json:
         return _json(rows)
-    columns = [Column("core", True), Column("function", True), Column("joint word", True, 5), Column("ALUT"),
-               Column("DSP", rank=2), Column("mem", rank=2), Column("cycles"), Column("II", rank=4),
+    columns = [Column("core", True), Column("function", True), Column("joint word", True, 5), Column("LUT"),
+               Column("MULT18X18", rank=2), Column("EBR", rank=2), Column("cycles"), Column("II", rank=4),
                Column("ns", rank=1), Column("MHz", rank=6), Column("error mm", rank=1), Column("error LSB", rank=7)]
     lines = []
     for row in rows:
         f = row["figures"] or {}
+        here = f.get("ecp5", {})
         lines.append((row["id"] if args.all else row["core"], row["function"],
-                      ", ".join(catalogue.WORDS[kind] for kind in row["word"]), f.get("alut", "–"), f.get("dsp", "–"),
-                      f.get("mem", "–"), row["latency"], row["ii"], *(_figure(f.get(key)) for key in
-                                                                     ("ns", "mhz", "error_mm", "error_lsb"))))
+                      ", ".join(catalogue.WORDS[kind] for kind in row["word"]),
+                      *(here.get(key, "–") for key in ("lut", "mult18x18", "ebr")), row["latency"], row["ii"],
+                      *(_figure(value) for value in (here.get("ns"), here.get("mhz"), f.get("error_mm"),
+                                                     f.get("error_lsb")))))
     out = tables.console()
     out.print(tables.grid(columns, lines, out.width))
     if catalogue.report():
-        out.print(f"Area: Cyclone V by Yosys; clock: ECP5; error: worst at the tip on {catalogue.report()['arm']}, "
-                  "rounding of the words included, for other functions in LSB.")
+        out.print(f"Area and clock: ECP5 by Yosys and nextpnr; error: worst at the tip on "
+                  f"{catalogue.report()['arm']}, rounding of the words included, for other functions in LSB.")
     else:
         out.print("There is no report at hand: no measured figures.")
 
@@ -98,8 +100,11 @@ def _show(args: argparse.Namespace) -> None:
               f"  (sets: {', '.join(about['sets'])})")
     out.print(f"timing      {catalogue.timing(core)}")
     if f := about["figures"]:
-        out.print(f"cost        {f['alut']} ALUT, {f['dsp']} DSP, {f['mem']} memory blocks (Cyclone V); "
-                  f"{f['mhz']:.4g} MHz, {f['ns']:.4g} ns (ECP5)")
+        out.print("ECP5        {lut} LUT, {ff} FF, {mult18x18} MULT18X18, {ebr} EBR, {lutram} LUTRAM; "
+                  "{mhz:.4g} MHz, {ns:.4g} ns".format(**f["ecp5"]))
+        out.print("Cyclone V   {alut} ALUT, {ff} FF, {dsp} DSP, {m10k} M10K; {alut_no_dsp} ALUT without DSP".format(
+            **f["cyclonev"]))
+        out.print("iCE40       {lc} LC, {ff} FF, {ram4k} RAM4K".format(**f["ice40"]))
         error = [text.format(**f) for key, text in (("error_lsb", "{error_lsb:.3g} LSB"),
                                                     ("error_mm", "{error_mm:.3g} mm on {arm}")) if f[key] is not None]
         out.print(f"worst error {', '.join(error) or 'not measured'}")

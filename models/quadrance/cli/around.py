@@ -126,7 +126,7 @@ def _target(core: Core, arm: Arm) -> tuple[tuple[str, ...], str, tuple[str, ...]
     scaled = f"({flat}{plus(-a)})/r" if a else f"{flat}/r"
     yaw = f"atan2({number(b)}, {flat})" if b else ""
     return (("r = hypot(x, y)", f"k = {scaled}", "x = k*x", "y = k*y", *height), yaw,
-            ("the formulas hold where k is positive; arm_ik3 has the offsets inside",))
+            ("the formulas hold where k is positive; " * bool(a) + "arm_ik3 has the offsets inside",))
 
 
 def _velocity(core: Core, arm: Arm, machine: list[tuple[Joint, str]]) -> Around:
@@ -143,14 +143,13 @@ def _velocity(core: Core, arm: Arm, machine: list[tuple[Joint, str]]) -> Around:
         taken = tuple(_taken(i, *one).replace("j", "w", 1) for i, one in enumerate(named, 1))
         more = ()
         if yawing:
-            across = f"{_times(a, 'sin(j3)')}{_times(b, 'cos(j3)')}".lstrip(" +")
-            along = f"{_times(a, 'cos(j3)')}{_times(-b, 'sin(j3)')}".lstrip(" +")
-            more = f"x = x - w3*({across})", f"y = y + w3*({along})"
+            more = (f"x = x{_times(-a, 'w3*sin(j3)')}{_times(-b, 'w3*cos(j3)')}",
+                    f"y = y{_times(a, 'w3*cos(j3)')}{_times(-b, 'w3*sin(j3)')}")
         return Around((*angles, *taken), more, remarks)
     before, names = [*angles], [f"w{i}" for i in range(1, len(machine) + 1)]
     if yawing:
         before += [f"rho = {number(arm.l1)}*cos(j1) + {number(arm.l2)}*cos(j1 + j2)",
-                   f"w = (y*cos(j3) - x*sin(j3))/(rho{plus(a)})"]
+                   f"w = (y*cos(j3) - x*sin(j3))/{f'(rho{plus(a)})' if a else 'rho'}"]
         before += [f"x = x + w*{number(b)}*cos(j3)", f"y = y + w*{number(b)}*sin(j3)"] if b else []
         names[2] = "w"
         remarks = ("the core has no offsets: w is the rate of joint 3, its own w3 is not used",)

@@ -108,13 +108,17 @@ def report() -> dict:
 
 
 def figures(core: Core) -> dict | None:
-    """Measured figures of a core: area, clock, latency and errors; None where the report has no such row."""
+    """Measured figures of a core: area by device, clock and latency on ECP5, errors; None where there is no row."""
     for row in report().get("cores", ()):
         if (row["core"], row["params"]) == (core.name, core.params):
-            area = row["area"]["cyclonev"]
-            return {"alut": area["lut"], "dsp": area["dsp"], "mem": area["mem"],
-                    "alut_no_dsp": row["area"]["cyclonev_nodsp"]["lut"], "mhz": row["fmax_mhz"]["ecp5"],
-                    "ns": row["latency_ns"], "error_mm": row["total_mm"],
+            area = row["area"]
+            ecp5 = dict(zip(("lut", "ff", "mult18x18", "ebr", "lutram"),
+                            (area["ecp5"][key] for key in ("lut", "ff", "dsp", "mem", "lutram"))))
+            alm = {"alut": area["cyclonev"]["lut"], "ff": area["cyclonev"]["ff"], "dsp": area["cyclonev"]["dsp"],
+                   "m10k": area["cyclonev"]["mem"], "alut_no_dsp": area["cyclonev_nodsp"]["lut"]}
+            return {"ecp5": ecp5 | {"mhz": row["fmax_mhz"]["ecp5"], "ns": row["latency_ns"]}, "cyclonev": alm,
+                    "ice40": {"lc": area["ice40"]["lut"], "ff": area["ice40"]["ff"], "ram4k": area["ice40"]["mem"]},
+                    "error_mm": row["total_mm"],
                     "error_lsb": (row["total_lsb"] if row["total_lsb"] is not None else
                                   (row["error_lsb"] or {}).get("max")), "arm": report()["arm"]}
     return None

@@ -104,7 +104,8 @@ def _note(core: Core, port: Port, arm: Arm, value: int) -> str:
     if known := _lengths(core, arm).get(port.name):
         length, key = known
         held = value * 2.0 ** -(core.params["F"] + (six.MORE if core.family == "six" else 0)) * arm.mm_per_unit
-        return f"{length:.6g} mm, {key}" + ("" if abs(held - length) < 1e-6 else f", held as {held:.6g} mm")
+        said, kept = f"{length:.6g}", f"{held:.6g}"
+        return f"{said} mm, {key}" + ("" if said == kept else f", held as {kept} mm")
     angle = -arm.elbow_angle if core.family == "six" else arm.elbow_angle
     turn = f"{angle:.6g} degrees, atan2(constants.elbow, links.l2)"
     if limited := re.fullmatch(r"cfg_(mc|mn|h)(\d)", port.name):

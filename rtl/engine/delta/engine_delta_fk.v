@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of a rotary delta, three crank vectors to the tip: the lower or upper point where three spheres of
-// radius LB about the shifted elbows meet. Formats: in_c*, in_n* cos and sin of a crank, s2.U; out_x, out_y, out_z
-// s(W-F).F, nearest (ties upward), saturated, from the middle of the crank axes' plane; cfg_base, cfg_la, cfg_lb
-// s(W-F).(F+4), cfg_c*, cfg_n* azimuths s2.25: engine_delta.config. Error: page. Latency, II: 66.
-// Status: unreachable (the spheres do not meet: LB from elbow 1 towards the middle of the circle through the elbows),
+// radius LB about the shifted elbows E, E + a, E + b meet, without a division.
+//   N = a x b, V = |a|^2 b - |b|^2 a, D = 4 LB^2 N^2 - V^2, Q = V x N -+ N sqrt(D), tip = E + LB Q / |Q|
+// Formats: in_c*, in_n* cos and sin of a crank, s2.U; out_x, out_y, out_z s(W-F).F, rounded to nearest (ties upward),
+// saturated, from the middle of the plane of the crank axes; cfg_base, cfg_la, cfg_lb s(W-F).(F+4), cfg_c*, cfg_n*
+// azimuths s2.25: engine_delta.config. Error: 1/2 LSB and bounds.engine.delta_tip. Latency and II: 66.
+// Status: unreachable (the spheres do not meet: LB from elbow 1 towards the centre of the circle through the elbows),
 // singular (the elbows meet in one point: the last tip is held, elbow 1 before there was one), overflow (saturated).
-// Source: three spheres, without a division. Model: engine_delta.fk
+// Source: three spheres. Model: engine_delta.fk
 `default_nettype none
 module engine_delta_fk #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, 1024 mm at 1/64 mm
-    parameter F = 6,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 6, millimetres
-    parameter U = 16   // fraction bits of a unit vector, 8 to 18: 16, 0.0009 degrees
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16: 1024 mm at 1/64 mm)
+    parameter F = 6,   // fraction bits of a coordinate, 0 to W - 1 (default 6); they change no logic
+    parameter U = 16   // fraction bits of a unit vector, 8 to 18 (default 16, 0.0009 degrees)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -52,7 +54,7 @@ module engine_delta_fk #(
     engine_delta_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
         .out_op(op));
 
-    // Ports as words of the engine, 1.0 of a length 2^(W + 2) LSB: what is formed of lengths stays within a word
+    // Ports as words of the engine; a length of 1.0 is 2^(W + 2) LSB, so that no word formed of lengths overflows
     reg  [6*U+11:0]  cranks;
     wire [3*W+11:0]  lengths = {cfg_lb, cfg_la, cfg_base};
     wire [17*27-1:0] words;
@@ -72,7 +74,7 @@ module engine_delta_fk #(
     assign words[27*10 +: 7*27] = {27'h2000000, cfg_n3, cfg_c3, cfg_n2, cfg_c2, cfg_n1, cfg_c1};
     engine_ports #(.COUNT(17)) operands (.clk(clk), .in_words(words), .in_select(op[43:39]), .out_word(port));
 
-    // The root is taken negative, for the lower point, where the normal of the elbows' plane points upwards
+    // The root is negative for the lower point where the normal of the plane of the elbows points upwards
     localparam [5:0] NZ = 6'd24, X = 6'd3, Y = 6'd7, Z = 6'd11;  // registers of engine_delta_program
     reg         down;
     product_engine #(.WRIST(7)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle), .in_op(op),

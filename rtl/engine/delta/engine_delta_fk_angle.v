@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// engine_delta_fk with binary angles: one angle_to_vector takes the three cranks one after the other, before it.
-// Formats: in_j* angles of A bits, a full turn is 2^A; U fraction bits of their vectors inside; else as there.
-// Error: as there, the vectors as angle_to_vector gives them. Latency, II: 73. Status: as there.
-// Model: engine_delta.fk_angle
+// Forward kinematics of a rotary delta, three binary angles to the tip: one angle_to_vector converts the three cranks
+// one after the other for engine_delta_fk.
+// Formats: in_j* angles of A bits, a full turn is 2^A; U fraction bits of their vectors inside; out_x, out_y, out_z
+// s(W-F).F, rounded to nearest, saturated; cfg_base, cfg_la, cfg_lb s(W-F).(F+4), cfg_c*, cfg_n* azimuths s2.25:
+// engine_delta.config.
+// Error: 1/2 LSB and bounds.engine.delta_tip, with 0.83 2^-U in each coordinate of a crank vector. Latency and II: 73.
+// Status: unreachable (the spheres do not meet: LB from elbow 1 towards the centre of the circle through the elbows),
+// singular (the elbows meet in one point: the last tip is held, elbow 1 before there was one), overflow (saturated).
+// Source: three spheres. Model: engine_delta.fk_angle
 `default_nettype none
 module engine_delta_fk_angle #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16: 16, 1024 mm at 1/64 mm
-    parameter F = 6,   // fraction bits of a coordinate, 0 to W - 1; changes no logic: 6, millimetres
-    parameter A = 18,  // bits of an angle, 12 to 24: 18, 0.0014 degrees
-    parameter U = 16   // fraction bits of a unit vector inside, 12 to 18: 16
+    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16: 1024 mm at 1/64 mm)
+    parameter F = 6,   // fraction bits of a coordinate, 0 to W - 1 (default 6); they change no logic
+    parameter A = 18,  // bits of an angle, 12 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter U = 16   // fraction bits of a unit vector inside, 12 to 18 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -40,9 +45,9 @@ module engine_delta_fk_angle #(
         end
     endgenerate
 
-    reg  [3*A-1:0]      angles;  // the crank in hand in the lowest bits
-    reg  [3:1]          left;    // one-hot: the crank that the codec gives next, 0 between samples
-    reg  [3:1]          feed;    // one-hot: the crank that the codec is offered
+    reg  [3*A-1:0]      angles;  // the crank that is offered is in the lowest bits
+    reg  [3:1]          left;    // one-hot: crank that the codec answers next, 0 between samples
+    reg  [3:1]          feed;    // one-hot: crank that is offered to the codec
     wire                ready, have, kernel_ready;
     wire signed [U+1:0] c, n;
     wire                accept = in_valid && in_ready;
@@ -50,7 +55,7 @@ module engine_delta_fk_angle #(
     angle_to_vector #(.A(A), .U(U)) codec (.clk(clk), .rst(rst), .in_valid(feed != 3'd0), .in_ready(ready),
         .in_j(angles[A-1:0]), .out_valid(have), .out_ready(1'b1), .out_c(c), .out_n(n));
 
-    reg  [4*U+7:0] first;  // vectors of cranks 1 and 2, the last one on top
+    reg  [4*U+7:0] first;  // vectors of cranks 1 and 2, the later one in the top bits
     always @(posedge clk) begin
         if (accept)
             angles <= {in_j3, in_j2, in_j1};

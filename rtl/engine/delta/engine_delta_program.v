@@ -2,9 +2,8 @@
 // Program of engine_delta_fk: three cranks of a rotary delta to its tip, in sums of two products and two roots.
 //   elbows e1, e1 + a, e1 + b; n = a x b; v = |a|^2 b - |b|^2 a; d = (2 lb n)^2 - v^2; q = v x n -+ n sqrt(d);
 //   tip = e1 + lb q / |q|. up: times the power of two that brings the greater of |a|^2, |b|^2 to 1 ... 2
-// Registers have the names of their words, ports I_. Line: word = A * B [+- C * D], DEST, and what else is done with
-// it. One line a clock; a register is read from the third line behind its writer on.
-// Model: engine_delta.fk
+// A register has the name of its word, a port I_. A line is word = A * B [+- C * D], its DEST, and its acts. One line
+// is played a clock; a register is read from the third line after its writer on. Model: engine_delta.fk
 `default_nettype none
 module engine_delta_program (
     input  wire        clk,

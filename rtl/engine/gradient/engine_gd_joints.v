@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Joints and lengths of a chain in the plane, in memory blocks, and the chords of the angles of its links: the sum of
-// the joints from the base on. Number 0 is a joint that stays 0.
-// in_take: in_j is taken, and goes to joint in_link where in_set follows, in_length to its length where in_load does.
-// in_read: joint out_j and its length; behind it in_step: the joint moves by in_move; behind it in_next: it is stored,
-// and read into out_chord, in the next clock, is the sine's chord; then the cosine's.
-// Formats: angles of A bits; lengths of W bits; chords of angle_chord. Latency: one clock each.
+// Joints and link lengths of a planar chain, in memory blocks, and the sine and cosine segments of the angle of each
+// link. That angle is the sum of the joints from the base on. Number 0 is a joint that stays 0. in_take loads in_j; in
+// the next clock in_set writes it to joint in_link, and in_load writes in_length to its length. in_read reads joint
+// in_link to out_j, and its length. In the next clock in_step adds in_move to the joint. In the clock after that
+// in_next stores it and reads the sine's segment; the clock after reads the cosine's. in_place copies the length that
+// was read to out_length; in_base sets the angle of the chain to 0.
+// Formats: angles of A bits; lengths of W bits; segments {knot, step, offset} of angle_chord. Exact. Latency: one clock
+// for each operation. Model: iterative.plane.gd
 `default_nettype none
 module engine_gd_joints #(
-    parameter W = 16,  // bits of a length, 14 to 20
-    parameter A = 24,  // bits of a joint word, 16 to 24
-    parameter K = 17,  // fraction bits of a root: W + 1
-    parameter T = 10,  // address bits of its table: a step has K - T + 4 bits
-    parameter I = 6    // bits of a number of a link, 6 to 8
+    parameter W = 16,  // bits of a length, 14 to 20 (default 16)
+    parameter A = 24,  // bits of a joint word, 16 to 24 (default 24)
+    parameter K = 17,  // fraction bits of a sine or cosine: W + 1
+    parameter T = 10,  // address bits of the sine table; a segment's step has K - T + 4 bits
+    parameter I = 6    // bits of a link's number, 6 to 8 (default 6)
 ) (
     input  wire              clk,
     input  wire              in_take,
@@ -23,11 +25,11 @@ module engine_gd_joints #(
     input  wire              in_read,
     input  wire              in_step,
     input  wire              in_next,
-    input  wire              in_place,    // the length is kept
-    input  wire              in_base,     // the angle is that of the base, 0
+    input  wire              in_place,    // copies the length to out_length
+    input  wire              in_base,     // sets the angle of the chain to that of the base, 0
     input  wire [A-1:0]      in_move,
     output reg  [A-1:0]      out_j,
-    output reg  [W-1:0]      out_length,  // the length that is kept
+    output reg  [W-1:0]      out_length,  // held until the next in_place
     output wire [2*K-T+19:0] out_chord
 );
     reg  [A-1:0] joints[0:(1<<I)-1];
@@ -36,7 +38,7 @@ module engine_gd_joints #(
         joints[0] = {A{1'b0}};
 
     reg  [W-1:0] length;
-    reg  [A-1:0] moved, turn;           // the joint, 0 but in the clock behind in_step; the angle of the link
+    reg  [A-1:0] moved, turn;           // moved joint, 0 except one clock after in_step or in_take; angle of the link
     wire [A-1:0] angle = turn + moved;
     angle_chord #(.A(A), .K(K), .T(T)) codec (.clk(clk), .in_read(1'b1), .in_keep(1'b0), .in_cos(!in_next),
         .in_j(angle), .out_chord(out_chord));

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a gradient engine is: range of the error, steps taken, and the end of a sample.
-// A sample begins in the fine range. A pass that finds the square too wide for it counts for nothing and is made again
-// in the coarse one; only the fine range can converge. So a saturated square is never called converged.
-// The answer waits in out_valid; out_failed: the limit came before the tolerance.
+// End of a sample of a gradient engine: it holds the range of the error and counts the steps. A sample begins in the
+// fine range. A pass whose square is too wide for it does not count and is repeated in the coarse range. Only the fine
+// range can converge, so a saturated square is never called converged. out_halt, in the clock of in_stop, ends the
+// sample: the square is below cfg_tol, or the limit is reached. out_failed: the limit came first. The answer waits in
+// out_valid. Formats: cfg_tol and in_square in 1/256 LSB^2, in the coarse range in LSB^2. Exact. Model:
+// iterative.fixed.gd
 `default_nettype none
 module engine_gd_judge #(
-    parameter W = 16  // bits of a coordinate, 14 to 20; a square has 2 W: in 1/256 LSB^2, or LSB^2 in the coarse range
+    parameter W = 16  // bits of a coordinate, 14 to 20 (default 16); a square has 2 W
 ) (
     input  wire           clk,
     input  wire           rst,
     input  wire [21:0]    cfg_tol,
     input  wire [9:0]     cfg_limit,
     input  wire           in_start,   // a sample is accepted
-    input  wire           in_stop,    // the square is there: is this the end?
+    input  wire           in_stop,    // the square is complete: decide
     input  wire           in_step,    // the pass ends here, unless out_halt
     input  wire [2*W-1:0] in_square,
     input  wire           out_ready,
-    output reg            out_fine,   // the range
-    output wire           out_wide,   // may be saturated: the pass does not count
-    output wire           out_halt,   // the answer is there
+    output reg            out_fine,   // the range is fine
+    output wire           out_wide,   // the square may be saturated: the pass does not count
+    output wire           out_halt,   // the answer is complete
     output reg            out_valid,
     output reg  [9:0]     out_iters,
     output reg            out_failed

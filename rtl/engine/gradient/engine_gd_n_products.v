@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of four products a clock on a register file, for engine_gd_n_program: one coordinate of a quaternion product.
-//   word = A B + C D + E F - G H to nearest 2^-25, written to DEST; with STEP 16 times that, between -1/4 and 1/4
-// A line reads in one clock, multiplies in the next and adds in the third: its word can be read three lines later.
-// Formats: words s2.25; sum s4.28, each product truncated to 2^-28; it wraps, and out_over says where the word did.
-//   in_op {A, B, C, D, E, F, G, H, DEST: 6 bits each; ACT: 0, 1 an error, 2 STEP, 3 a square}: 0 to 31 a register, 32
-//   to 47 a word of page in_page, 48 to 63 of page in_next; in_still: STEP gives 0
-//   in_set: in_word goes to address in_own; in_fetch: out_read is the word there
-// Registers 4 to 7 are 1, 1/2, 3/2, 0. The file is stored eight times, for eight reads a clock. Model: iterative.space
+// Sums of four products on a register file, one line a clock, for engine_gd_n_program: a coordinate of a quaternion
+// product.
+//   word = A B + C D + E F - G H rounded to 2^-25, written to DEST; with STEP 16 times that, limited to +-1/4
+// A line reads in one clock, multiplies in the next and adds in the third. Its word can be read three lines later.
+// Formats: words s2.25; sum s4.28, each product truncated to 2^-28. The sum wraps; out_over marks a word that did.
+//   in_op {A, B, C, D, E, F, G, H, DEST: 6 bits each; ACT: 0 none, 1 an error, 2 STEP, 3 a square}. 0 to 31 is a
+//   register, 32 to 47 a word of page in_page, 48 to 63 of page in_next. With in_still STEP gives 0.
+// in_set writes in_word to address in_own; in_fetch reads out_read there. Registers 4 to 7 are 1, 1/2, 3/2, 0. The file
+// is stored eight times, for eight reads a clock. Model: iterative.space.gd
 `default_nettype none
 module engine_gd_n_products #(
-    parameter P = 4  // bits of a page of 16 words, 2 to 7: 4
+    parameter P = 4  // bits of a page number, 2 to 7 (default 4); a page has 16 words
 ) (
     input  wire         clk,
     input  wire [21:0]  cfg_tol,
@@ -23,13 +24,13 @@ module engine_gd_n_products #(
     input  wire [26:0]  in_word,
     input  wire         in_fetch,
     output wire [26:0]  out_read,
-    output wire [26:0]  out_word,   // of the line that adds; out_error: that is marked an error
+    output wire [26:0]  out_word,   // word of the line that adds; with out_error it is a coordinate of E
     output wire         out_error,
     output wire         out_over,
-    output wire         out_close,  // its magnitude is below cfg_tol
-    output wire         out_off     // a square that is off 1 by 2^-12
+    output wire         out_close,  // the magnitude of the word is below cfg_tol
+    output wire         out_off     // a square is off 1 by 2^-12 or more
 );
-    // the line that multiplies, the line that adds
+    // State of the line that multiplies and of the line that adds
     reg          write0, step0, still0, error0, square0, write, step, still, error, square;
     reg  [P+3:0] dest0, dest;
     wire [P+3:0] dest_now;
@@ -41,10 +42,10 @@ module engine_gd_n_products #(
         still0  <= in_still;
         dest0   <= dest_now;
         {write, step, still, square, dest} <= {write0, step0, still0, square0, dest0};
-        error <= error0 && in_run;  // not from before a reset: the next answer would have it
+        error <= error0 && in_run;  // a line from before a reset must not reach the next answer
     end
 
-    // register file
+    // Register file
     wire [P+3:0]        to = in_set ? in_own : dest;
     wire [26:0]         value = in_set ? in_word : out_word;
     wire [8*27-1:0]     read;
@@ -66,7 +67,7 @@ module engine_gd_n_products #(
                 file[7] = 27'h0000000;
             end
             always @(posedge clk) begin
-                if (i != 7 || in_run || in_fetch)  // a word that was fetched waits
+                if (i != 7 || in_run || in_fetch)  // a fetched word is held
                     data <= file[i == 7 && in_fetch ? in_own : at[(P+4)*(i+1) +: P+4]];
                 if (write || in_set)
                     file[to] <= value;
@@ -77,7 +78,7 @@ module engine_gd_n_products #(
     assign dest_now = at[P+3:0];
     assign out_read = read[27*7 +: 27];
 
-    // products, then their sum; half a unit is added to EF
+    // Products, then their sum; half a unit is added to E F
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [53:0] ab_now = $signed(read[27*7 +: 27]) * $signed(read[27*6 +: 27]);
     wire signed [53:0] cd_now = $signed(read[27*5 +: 27]) * $signed(read[27*4 +: 27]);

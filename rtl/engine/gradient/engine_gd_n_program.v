@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program of engine_quaternion_gd_n: 11 lines that begin a pass, 30 of a joint; out_op is line in_line, a clock later.
-// A line is DEST = A B + C D + E F - G H. Q = (q0, q) is the turn of all joints before, u = target - place of this one,
-// (ax, ay, az) = STEP(step E). A joint: (c, s) turned by d = STEP(alpha E . J of the pass before) and normalised,
-// R = Q axis, but r0 is that of -R; w = R Q~ the axis in space, g = w x u the column of J, Q = Q (c + s axis); then
-// t = q x 2 link, v = link + q0 t + q x t the link in space, u = u - v, and behind the last joint u = E. The d of a
-// joint is made in the lines of the one before, so that no line of (c, s) waits for it.
-// A register is read from the third line behind its writer on. Model: iterative.space
+// Program of engine_quaternion_gd_n: 11 lines that begin a pass and 30 for a joint; out_op is line in_line, a clock
+// later. A line is DEST = A B + C D + E F - G H. Q = (q0, q) is the rotation of all joints before, u = target -
+// position of this joint, (ax, ay, az) = STEP(step E). For a joint, (c, s) turns by d = STEP(alpha E . J of the pass
+// before) and is normalised; R = Q axis (r0 is that of -R); w = R Q~ is the axis in space; g = w x u is the column of
+// J; Q becomes Q (c + s axis); t = q x 2 link, v = link + q0 t + q x t is the link in space; u becomes u - v, which is
+// E after the last joint. The d of a joint is formed in the lines of the joint before, so that no line of (c, s) waits
+// for it. A register is read from the third line after its writer on. Model: iterative.space.gd
 `default_nettype none
 module engine_gd_n_program (
     input  wire        clk,

@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two multipliers of engine_quaternion_gd: from chords of both links to the tip's error E, its square, and the steps of
-// the joints. J is never formed: with link i as the vector (xi, yi) and (ax, ay) = alpha E, link i asks for
+// Two multipliers of engine_quaternion_gd: from table segments of both links to the error E of the tip, its square, and
+// the steps of the joints. J is not formed. With link i as the vector (xi, yi) and (ax, ay) = alpha E, link i asks for
 // ei = xi ay - yi ax; joint 2 moves by e2, joint 1 by e1 + e2.
-// Formats: chords of angle_chord, root sQ1.K; links in 1/2 LSB; E in 1/64 LSB; fine: its W + 2 lower bits, saturated at
-// 2^(W-5) LSB, else 1/4 LSB, saturated at 2^(W-1) LSB; squares in 1/256 LSB^2, not fine in LSB^2. All truncated.
-// Operands are in registers, so a product is there in the clock after the line that names its factors.
+// Formats: in_chord of angle_chord, sines s2.K; links in 1/2 LSB; E in 1/64 LSB. In the fine range E has its lower W +
+// 2 bits, saturated at 2^(W-5) LSB, and its square 1/256 LSB^2; in the coarse range 1/4 LSB, saturated at 2^(W-1) LSB,
+// and LSB^2. All are truncated. Operands are in registers: a product is complete in the clock after the line that names
+// its factors. Error of a tip: bounds.iterative.tip. Model: iterative.fixed.gd
 `default_nettype none
 module engine_gd_path #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20
-    parameter A = 24,  // bits of a joint word, 16 to 24
-    parameter K = 17,  // fraction bits of a root: W + 1
-    parameter T = 10   // address bits of its table: a step has K - T + 4 bits
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter A = 24,  // bits of a joint word, 16 to 24 (default 24)
+    parameter K = 17,  // fraction bits of a sine or cosine: W + 1
+    parameter T = 10   // address bits of the sine table; a segment's step has K - T + 4 bits
 ) (
     input  wire                clk,
     input  wire [W-1:0]        cfg_l1,
     input  wire [W-1:0]        cfg_l2,
     input  wire [W:0]          cfg_alpha,
-    input  wire                in_shift,    // steps are a fourth
-    input  wire                in_fine,     // the range of E
-    input  wire                in_still,    // a step is 0
-    input  wire [11:0]         in_op,       // columns of the table in engine_quaternion_gd.v
+    input  wire                in_shift,    // steps are divided by 4
+    input  wire                in_fine,     // the range of E is fine
+    input  wire                in_still,    // the step is 0
+    input  wire [11:0]         in_op,       // operand and sum columns of the table of engine_quaternion_gd
     input  wire [2*K-T+19:0]   in_chord,
     input  wire signed [W-1:0] in_x,
     input  wire signed [W-1:0] in_y,
-    output reg  [A-1:0]        out_step,    // of the products of two clocks before
+    output reg  [A-1:0]        out_step,    // from the products of two clocks before
     output reg  [2*W-1:0]      out_square
 );
-    localparam N = W + 9, O = W + 2;  // bits of an error, of an operand
+    localparam N = W + 9, O = W + 2;  // bits of an error and of an operand
     localparam CUT = 2 * W - A;       // bits of a product below a step
 
     wire [1:0] left_op, right_op;
@@ -34,11 +35,11 @@ module engine_gd_path #(
     wire [2:0] unused_op;
     assign {left_op, right_op, unused_op, square, clear, tip, second, first} = in_op;
 
-    // products
+    // Products
     reg  signed [O-1:0]   al, ar, bl, br;
     wire signed [2*O-1:0] a = al * ar, b = bl * br;
 
-    // chord to root
+    // Table segment to sine or cosine
     wire [K:0]     knot;
     wire [K-T+3:0] rise;
     wire [14:0]    offset;
@@ -46,17 +47,17 @@ module engine_gd_path #(
     reg  [K:0]     base;
     wire [O-1:0]   root = base + a[15+:O];
 
-    // links: the last four of x1 y1 x2 y2
+    // The last four of x1 y1 x2 y2
     reg [O-1:0] x1, y1, x2, y2;
 
-    // error
+    // Error
     reg  signed [N-1:0] e, back;
     wire [N-1:0]        from = first ? {{3{in_x[W-1]}}, in_x, 6'd0} : second ? {{3{in_y[W-1]}}, in_y, 6'd0} : back;
     wire                over = in_fine ? e[N-1:W+1] != {8{e[N-1]}} : e[N-1:W+5] != {4{e[N-1]}};
     wire [O-1:0]        f = over ? {e[N-1], {(O-1){!e[N-1]}}} : in_fine ? e[W+1:0] : e[W+5:4];
     reg  [O-1:0]        ax;
 
-    // step
+    // Step
     reg  signed [A+4:0] exact;
     always @* case ({in_fine, in_shift})
         2'd0: out_step = exact[A-1:0];

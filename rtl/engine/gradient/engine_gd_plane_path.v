@@ -1,54 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two multipliers of engine_quaternion_gd_plane: from the chords of all links to the tip's error E, its square, and the
-// step of every joint. With link k as the vector (xk, yk) and (ax, ay) = alpha E, joint i moves by
+// Two multipliers of engine_quaternion_gd_plane: from table segments of all links to the error E of the tip, its
+// square, and the step of every joint. With link k as the vector (xk, yk) and (ax, ay) = alpha E, joint i moves by
 //   (target - links before i) x alpha E = target x alpha E - sum over k < i of (xk ay - yk ax)
-// The tip is the target less E, and E x alpha E is 0: so the target stands in the tip's place.
-// Formats: links, target in 1/2 LSB; E in 1/64 LSB; in_fine: its W + 2 lower bits, saturated at 2^(W-5) LSB, else 1/4
-// LSB, saturated at 2^(W-1) LSB; squares in 1/256 LSB^2, not fine in LSB^2. All truncated.
-// Operands are in registers, so a product is there in the clock after the line that names its factors.
-// Model: iterative.plane
+// The tip is the target less E, and E x alpha E is 0, so the target replaces the tip.
+// Formats: in_chord of angle_chord, sines s2.K; links and target in 1/2 LSB; E in 1/64 LSB. In the fine range E has its
+// lower W + 2 bits, saturated at 2^(W-5) LSB, and its square 1/256 LSB^2; in the coarse range 1/4 LSB, saturated at
+// 2^(W-1) LSB, and LSB^2. All are truncated. Operands are in registers: a product is complete in the clock after the
+// line that names its factors. Error of a step: bounds.iterative.plane_step. Model: iterative.plane.gd
 `default_nettype none
 module engine_gd_plane_path #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20
-    parameter A = 24,  // bits of a joint word, 16 to 24
-    parameter N = 8,   // most links, 1 to 128: E has room for all of them at full length
-    parameter K = 17,  // fraction bits of a root: W + 1
-    parameter T = 10,  // address bits of its table: a step has K - T + 4 bits
-    parameter I = 6    // bits of a number of a link
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter A = 24,  // bits of a joint word, 16 to 24 (default 24)
+    parameter N = 8,   // most links, 1 to 128 (default 8): E holds all of them at full length
+    parameter K = 17,  // fraction bits of a sine or cosine: W + 1
+    parameter T = 10,  // address bits of the sine table; a segment's step has K - T + 4 bits
+    parameter I = 6    // bits of a link's number, 6 to 8 (default 6)
 ) (
     input  wire                clk,
     input  wire [W:0]          cfg_alpha,
-    input  wire [1:0]          in_shift,    // steps are divided by 4 to this power
-    input  wire                in_fine,     // the range of E
-    input  wire                in_still,    // steps are 0
+    input  wire [1:0]          in_shift,    // steps are divided by 4^in_shift
+    input  wire                in_fine,     // the range of E is fine
+    input  wire                in_still,    // all steps are 0
     input  wire                in_clear,    // a sample begins
-    input  wire [8:0]          in_op,       // columns of the tables in engine_gd_plane_program.v
+    input  wire [8:0]          in_op,       // out_op of engine_gd_plane_program
     input  wire                in_first,    // E begins with the target
-    input  wire                in_read,     // link in_link + 1 of the pass before
+    input  wire                in_read,     // read link in_link + 1 of the pass before
     input  wire [I-1:0]        in_link,
-    input  wire                in_store,    // the link is complete
-    input  wire                in_begin,    // the next to store is link 1
+    input  wire                in_store,    // the link is complete and is stored
+    input  wire                in_begin,    // the next link to store is link 1
     input  wire [2*K-T+19:0]   in_chord,
     input  wire [W-1:0]        in_length,
     input  wire [W-1:0]        in_x,
     input  wire [W-1:0]        in_y,
-    output wire                out_fits,    // E, one coordinate, in the fine range
+    output wire                out_fits,    // this coordinate of E fits the fine range
     output wire [A-1:0]        out_move,
     output reg  [2*W-1:0]      out_square
 );
     localparam MORE = N < 5 ? 1 : $clog2(N) - 1;              // bits of an error beyond those of two links
-    localparam N_E = W + 9 + MORE, O = W + 2, S = A + 6;      // of an error, of an operand, of a lever times alpha E
+    localparam N_E = W + 9 + MORE, O = W + 2, S = A + 6;      // bits of an error, an operand, a lever times alpha E
     localparam CUT = 2 * W - A;                               // bits of a product below a step
 
     wire [1:0] a_op, b_op;
     wire       clear, add, tip, plus, minus;
     assign {a_op, b_op, clear, add, tip, plus, minus} = in_op;
 
-    // products
+    // Products
     reg  signed [O-1:0]   al, ar, bl, br;
     wire signed [2*O-1:0] a = al * ar, b = bl * br;
 
-    // chord to root
+    // Table segment to sine or cosine
     wire [K:0]     knot;
     wire [K-T+3:0] rise;
     wire [14:0]    offset;
@@ -56,13 +56,13 @@ module engine_gd_plane_path #(
     reg  [K:0]     start;
     wire [O-1:0]   root = start + a[15+:O];
 
-    // links of the pass before
+    // Links of the pass before
     reg [2*O-1:0] links[0:(1<<I)-1];
     reg [2*O-1:0] link;
     reg [I-1:0]   to;
     reg [O-1:0]   y;
 
-    // error: every other link loses a unit more, so that truncation costs nothing on average
+    // Error: every other link loses a unit more, so that truncation has no mean error
     reg  signed [N_E-1:0] e, other;
     wire [W-1:0]          goal = in_store ? in_x : in_y;
     wire [N_E-1:0]        from = in_first ? {{(N_E-W-6){goal[W-1]}}, goal, 6'd0} : other;
@@ -72,7 +72,7 @@ module engine_gd_plane_path #(
     wire [O-1:0]          f = over ? {e[N_E-1], {(O-1){!e[N_E-1]}}} : in_fine ? e[W+1:0] : e[W+5:4];
     reg  [O-1:0]          ax, ay;
 
-    // step
+    // Step
     reg  signed [S-1:0] lever;
     reg  [A+3:0]        exact;
     wire [S-1:0]        left = {{(S-2*O+CUT){a[2*O-1]}}, a[2*O-1:CUT]}, right = {{(S-2*O+CUT){b[2*O-1]}}, b[2*O-1:CUT]};
@@ -133,7 +133,7 @@ module engine_gd_plane_path #(
             out_square <= out_square + {1'b0, b[4+:2*W-1]};
         if (clear || in_still)
             lever <= {{(S-10){1'b0}}, in_shift == 2'd3, 1'b0, in_shift == 2'd2, 1'b0, in_shift == 2'd1, 1'b0,
-                      in_shift == 2'd0, 3'd0};  // half of a step's unit in the fine range
+                      in_shift == 2'd0, 3'd0};  // half a unit of a step in the fine range
         else if (plus || minus)
             lever <= lever + (plus ? left : ~right) + {{(S-1){1'b0}}, !plus};
     end

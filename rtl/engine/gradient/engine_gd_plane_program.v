@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program of engine_quaternion_gd_plane: the table of a link and that of the end of a pass, which overlap.
-// in_start: link 1 begins in the next clock; in_last, with NEXT: the end of the pass follows, not a link; in_halt, with
-// STOP: link 1 of the next pass, which has begun, ends. out_op: columns of engine_gd_plane_path, of both tables;
-// out_link {STORE, PLACE, NEXT, STEP, READ}, out_tail {STOP, GO, FITS, BASE, RANGE}: the last column of each.
+// Program of engine_quaternion_gd_plane: the table of a link and that of the end of a pass, which overlap. In the clock
+// after in_start link 1 begins. With in_last, NEXT starts the end of the pass instead of a link. in_halt, with STOP,
+// ends link 1 of the next pass, which has begun. out_op holds the columns of engine_gd_plane_path, of both tables;
+// out_link {STORE, PLACE, NEXT, STEP, READ} and out_tail {STOP, GO, FITS, BASE, RANGE} are the last column of each.
 // Model: iterative.plane.gd
 `default_nettype none
 module engine_gd_plane_program (

@@ -1,45 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two multipliers of engine_quaternion_gd_touch: from chords of the three joints to the tip's error E, its square, and
-// the steps. In the plane of the links, rho = L1 c2 + L2 s3 out, E has v = c1 z - s1 x - rho outward,
-// u = c1 x + s1 z across, w = y - L1 s2 + L2 c3 up; with a = alpha E the joints move by e1 = -rho au,
-// e2 = L1 c2 aw - L1 s2 av, e3 = L2 s3 aw + L2 c3 av. Neither the tip nor J is formed.
-// Roots come as -c1, s1, c2, s3, s2, -c3, so every product is subtracted; u is kept negated.
-// Formats and truncation as in engine_gd_path.
+// Two multipliers of engine_quaternion_gd_touch: from table segments of three joints to the error E of the tip, its
+// square, and the steps. With rho = L1 c2 + L2 s3, E has v = c1 z - s1 x - rho along the plane of the links, u = c1 x +
+// s1 z across it, and w = y - L1 s2 + L2 c3 upward. With a = alpha E the joints move by e1 = -rho au, e2 = L1 c2 aw -
+// L1 s2 av and e3 = L2 s3 aw + L2 c3 av. Neither the tip nor J is formed. The sines come as -c1, s1, c2, s3, s2, -c3,
+// so every product is subtracted; u is kept negated.
+// Formats: in_chord of angle_chord, sines s2.K; links in 1/2 LSB; E in 1/64 LSB. In the fine range E has its lower W +
+// 2 bits, saturated at 2^(W-5) LSB, and its square 1/256 LSB^2; in the coarse range 1/4 LSB, saturated at 2^(W-1) LSB,
+// and LSB^2. All are truncated. Error of a tip: bounds.iterative.tip_touch. Model: iterative.fixed.gd_touch
 `default_nettype none
 module engine_gd_touch_path #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20
-    parameter A = 24,  // bits of a joint word, 16 to 24
-    parameter K = 17,  // fraction bits of a root: W + 1
-    parameter T = 10   // address bits of its table: a step has K - T + 4 bits
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter A = 24,  // bits of a joint word, 16 to 24 (default 24)
+    parameter K = 17,  // fraction bits of a sine or cosine: W + 1
+    parameter T = 10   // address bits of the sine table; a segment's step has K - T + 4 bits
 ) (
     input  wire                clk,
     input  wire [W-1:0]        cfg_l1,
     input  wire [W-1:0]        cfg_l2,
     input  wire [W:0]          cfg_alpha,
-    input  wire                in_shift,    // steps are a fourth
-    input  wire                in_fine,     // the range of E
-    input  wire                in_finer,    // that of the step
-    input  wire                in_alone,    // the step takes no product of the first multiplier
-    input  wire [17:0]         in_op,       // columns of the table in engine_quaternion_gd_touch.v
+    input  wire                in_shift,    // steps are divided by 4
+    input  wire                in_fine,     // the range of E is fine
+    input  wire                in_finer,    // the range of the step is fine
+    input  wire                in_alone,    // the step has no product of the first multiplier
+    input  wire [17:0]         in_op,       // operand and sum columns of the table of engine_quaternion_gd_touch
     input  wire [2*K-T+19:0]   in_chord,
     input  wire signed [W-1:0] in_x,
     input  wire signed [W-1:0] in_y,
     input  wire signed [W-1:0] in_z,
-    output reg  [A-1:0]        out_step,    // of the products of the clock before
+    output reg  [A-1:0]        out_step,    // from the products of the clock before
     output reg  [2*W-1:0]      out_square
 );
-    localparam N = W + 9, O = W + 2;  // bits of an error, of an operand
+    localparam N = W + 9, O = W + 2;  // bits of an error and of an operand
     localparam CUT = 2 * W - A;       // bits of a product below a step
 
     wire [1:0] left_op, right_op, seen_op, e_op;
     wire       prior, keep, goal, far, across, link, pair, side, square, clear;
     assign {left_op, prior, right_op, keep, goal, far, across, seen_op, e_op, link, pair, side, square, clear} = in_op;
 
-    // products
+    // Products
     reg  signed [O-1:0]   al, ar, bl, br;
     wire signed [2*O-1:0] a = al * ar, b = bl * br;
 
-    // chord to root
+    // Table segment to sine or cosine
     wire [K:0]     knot;
     wire [K-T+3:0] rise;
     wire [14:0]    offset;
@@ -48,11 +50,11 @@ module engine_gd_touch_path #(
     wire [O-1:0]   root = base + a[15+:O];
     reg  [O-1:0]   root1, root2;  // -c1 s1
 
-    // links: L1 c2, L2 s3, L1 s2, -L2 c3
+    // Links: L1 c2, L2 s3, L1 s2, -L2 c3
     reg  [O-1:0]   c2, s3, s2, c3;
     wire [O-1:0]   rho = c2 + s3;
 
-    // error: v, then w, in e; -u
+    // Error: e is v, then w; u is negated
     reg  signed [N-1:0] e, v, u, part;
     wire [N-1:0]        from = e_op[1] ? {{3{in_y[W-1]}}, in_y, 6'd0} : e_op[0] ? e : {N{1'b0}};
     wire [N-1:0]        seen = seen_op[1] ? u : seen_op[0] ? e : v;
@@ -60,11 +62,11 @@ module engine_gd_touch_path #(
     wire [O-1:0]        f = over ? {seen[N-1], {(O-1){!seen[N-1]}}} : in_fine ? seen[W+1:0] : seen[W+5:4];
     reg  [O-1:0]        av;
 
-    // words
+    // Coordinate or length that is multiplied
     wire [W-1:0] target = across ? in_x : in_z;
     wire [W:0]   word = goal ? {target[W-1], target} : {1'b0, far ? cfg_l2 : cfg_l1};
 
-    // step
+    // Step
     reg  signed [A+3:0] ea, eb;
     wire signed [A+4:0] exact = {eb[A+3], eb} - {ea[A+3], ea};
     always @* case ({in_finer, in_shift})

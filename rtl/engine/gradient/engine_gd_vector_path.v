@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two multipliers of engine_quaternion_gd_vector, A for cosines and x, B for sines and y: from both links' directions
-// (c, n) to the tip's error E, its square, the steps d of both, the turned directions and their length.
-// c - d n, n + d c, then c - g c, n - g n with g = (c^2 + n^2 - 1) / 2: one Newton step. Both subtract a product.
-// Formats: directions s2.(W+4), 2^-(W+1) more than they mean, so the upper W + 2 bits, the operands, are rounded; links
-// in 1/2 LSB; E in 1/64 LSB, and its operands, as in engine_gd_path; d and g s0.(W+4), d saturated. All truncated.
-// The two links take turns: `c n` is the one in work, `ct nt` the other; each line that reads or turns one swaps them.
+// Two multipliers of engine_quaternion_gd_vector, A for cosines and x, B for sines and y: from the directions (c, n) of
+// both links to the error E of the tip, its square, the steps d, the turned directions and their lengths.
+//   (c - d n, n + d c), then (c - g c, n - g n) with g = (c^2 + n^2 - 1) / 2, a Newton step. Both subtract a product.
+// Formats: directions s2.(W+4), kept half a unit of the operand too high, so that their upper W + 2 bits, the operands,
+// are rounded; links in 1/2 LSB; E in 1/64 LSB: fine its lower W + 2 bits, saturated at 2^(W-5) LSB, coarse 1/4 LSB,
+// saturated at 2^(W-1) LSB; d and g s0.(W+4), d saturated. All are truncated. Links take turns: c, n is the one in
+// work, ct, nt the other, and each line that reads or turns a direction swaps them. Error of a tip:
+// bounds.iterative.tip_vector.
+// Model: iterative.fixed.gd_vector
 `default_nettype none
 module engine_gd_vector_path #(
-    parameter W = 16  // bits of a coordinate and of a length, 14 to 20
+    parameter W = 16  // bits of a coordinate and of a length, 14 to 20 (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
     input  wire [W-1:0]        cfg_l1,
     input  wire [W-1:0]        cfg_l2,
     input  wire [W:0]          cfg_alpha,
-    input  wire                in_shift,    // steps are a fourth
-    input  wire                in_fine,     // the range of E
-    input  wire                in_keep,     // the directions do not turn
-    input  wire                in_load,     // the start
-    input  wire                in_clear,    // no step was taken yet
-    input  wire [13:0]         in_op,       // columns of the table in engine_quaternion_gd_vector.v
+    input  wire                in_shift,    // steps are divided by 4
+    input  wire                in_fine,     // the range of E is fine
+    input  wire                in_keep,     // the directions are not turned
+    input  wire                in_load,     // the start is loaded
+    input  wire                in_clear,    // the last step is cleared
+    input  wire [13:0]         in_op,       // line of the table of engine_quaternion_gd_vector
     input  wire signed [W+1:0] in_c1,
     input  wire signed [W+1:0] in_n1,
     input  wire signed [W+1:0] in_c12,
@@ -34,22 +37,22 @@ module engine_gd_vector_path #(
     output reg  [W+3:0]        out_d12,
     output reg  [2*W-1:0]      out_square
 );
-    localparam O = W + 2, N = W + 9, D = W + 4;   // bits of an operand, of an error, of a step
-    localparam S = D + 2;                         // of a direction
-    localparam M = W + 14;                        // of a sum of steps
+    localparam O = W + 2, N = W + 9, D = W + 4;   // bits of an operand, an error and a step
+    localparam S = D + 2;                         // bits of a direction
+    localparam M = W + 14;                        // bits of a sum of steps
 
     wire [1:0] left_op, right_op, k_op;
     wire       unused_last, stop, sum_op, add, ask, first, tip, move;
     assign {left_op, right_op, k_op, unused_last, stop, sum_op, add, ask, first, tip, move} = in_op;
     wire       gain = right_op[1];
-    reg        second;  // d of link 2 is in the operands
+    reg        second;  // the operands hold d of link 2
 
-    // products
+    // Products
     reg  signed [O-1:0]   al, bl;
     reg  signed [D-1:0]   ar, br;
     wire signed [O+D-1:0] a = al * ar, b = bl * br;
 
-    // directions
+    // Directions
     localparam [S-O-1:0] HALF = 1 << S - O - 1;  // half a unit of an operand
     reg [S-1:0] c, n, ct, nt;
     assign out_c1 = c[S-1-:O];
@@ -57,7 +60,7 @@ module engine_gd_vector_path #(
     assign out_c12 = ct[S-1-:O];
     assign out_n12 = nt[S-1-:O];
 
-    // error
+    // Error
     reg  signed [N-1:0] ex, ey;
     wire [N-1:0]        fromx = first ? {{3{in_x[W-1]}}, in_x, 6'd0} : ex;
     wire [N-1:0]        fromy = first ? {{3{in_y[W-1]}}, in_y, 6'd0} : ey;
@@ -68,12 +71,12 @@ module engine_gd_vector_path #(
             operand = fine ? e[W+1:0] : e[W+5:4];
     endfunction
 
-    // links: x1 x2, y1 y2
+    // Links: x1 x2, y1 y2
     reg [O-1:0] x, y, x2, y2;
 
-    // steps: e1 + e2 for link 1, e2 more for link 2
+    // Steps: e1 + e2 for link 1, e2 for link 2 in addition
     reg  signed [M-2:0] exact;  // of a link, before the shift of its range
-    reg  [M-1:0]        prior;  // sum of the steps before
+    reg  [M-1:0]        prior;  // sum of the earlier steps
     reg  [M-2:0]        step;
     wire [M-1:0]        sum = prior + {step[M-2], step};
     wire                over = sum[M-1:D-1] != {(M-D+1){sum[M-1]}};
@@ -86,7 +89,7 @@ module engine_gd_vector_path #(
         default: step = {{6{exact[M-2]}}, exact[M-2:6]};
     endcase
 
-    // operands: left ones of A and B, one right one for both
+    // Operands: a left one each for A and B, one right one for both
     reg [O-1:0] lefta, leftb;
     reg [D-1:0] k;
     always @* begin
@@ -129,7 +132,7 @@ module engine_gd_vector_path #(
             prior <= sum;
         if (sum_op)
             out_square <= a[2*W+3:4] + b[2*W+3:4];
-        // turns
+        // Turned and swapped directions
         if (left_op[1] || in_load) begin
             {ct, nt} <= in_load ? {in_c12, HALF, in_n12, HALF} : {c, n};
             {c, n} <= in_load ? {in_c1, HALF, in_n1, HALF}

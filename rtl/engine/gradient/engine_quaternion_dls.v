@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of two joints in the plane by damped least squares, where engine_quaternion_gd descends: the steps
-// of link 1 and of both joints, in units of their lengths, are (J^T J + lambda)^-1 J^T E. cfg_lambda = 0: Newton's.
-// Ports as of engine_quaternion_gd, but cfg_r1, cfg_r2, cfg_lambda, cfg_mu (newton_fixed.config) in place of alpha.
-// Formats: joints angle of A bits, joint 2 relative to link 1; in_x, in_y sQ(W-F).F; cfg_l1, cfg_l2 uQ(W-F).F; cfg_tol,
-// out_error in 1/256 unit^2, with out_coarse in unit^2, unit 2^-(16-W) LSB; out_d1, out_d2 sA: the last step's joints.
-// in_warm: start from the last answer, 0 after reset. It is engine_newton_3r without link 3, and the last step.
+// Inverse kinematics of two joints in the plane by damped least squares. The steps of link 1 and of both joints, in
+// units of their lengths, are (J^T J + lambda)^-1 J^T E with the error E of the tip; cfg_lambda = 0 gives Newton's
+// step.
+// Formats: joints angle of A bits, joint 2 relative to link 1; in_x, in_y sQ(W-F).F; cfg_l1, cfg_l2 uQ(W-F).F; cfg_r1,
+// cfg_r2, cfg_lambda, cfg_mu by newton_fixed.config; cfg_tol, out_error in 1/256 unit^2, with out_coarse in unit^2,
+// unit 2^-(16-W) LSB; out_d1, out_d2 sA: moves of joints 1 and 2 in the last step. in_warm: start from the last answer,
+// 0 after reset.
 // Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.07 + 3.0 (L1 + L2) / 2^17 units.
 // Latency 16 a pass and 3, II the same. Passes: out_iters + 1.
-// Status: not converged (the limit was reached), and then singular (|sin j2| < 1/16, or a link of 0).
+// Status: not converged (the limit was reached); with it singular, where |sin j2| < 1/16 or a link is 0.
 // Source: quaternion gradient paper, eq. 24; the step of Wampler 1986. Model: iterative.damped.solve
 `default_nettype none
 module engine_quaternion_dls #(
-    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16: 16, what the multipliers take
-    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
-    parameter A = 24   // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
+    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 24   // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
 ) (
     input  wire         clk,
     input  wire         rst,
@@ -57,9 +58,9 @@ module engine_quaternion_dls #(
         .out_ready(out_ready), .out_j1(out_j1), .out_j2(out_j2), .out_j3(unused_j3), .out_iters(out_iters),
         .out_error(out_error), .out_coarse(out_coarse), .out_status(out_status));
 
-    // The last step: the joints behind it, less those behind the step before or at the start
+    // The last step: the joints after it, less those after the step before or at the start
     reg         begins;
-    reg         odd;       // bit 0 of the steps that are in here
+    reg         odd;       // bit 0 of the number of steps counted here
     reg [A-1:0] at1, at2;
     always @(posedge clk) begin
         begins <= in_valid && in_ready;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of two joints in the plane by quaternion gradient descent: theta <- theta + alpha E J, with the
-// tip's error E and the Jacobian J. It stops when |E|^2 < cfg_tol, or after cfg_limit steps.
-// Formats: in_j1, in_j2, out_j1, out_j2 angle of A bits, joint 2 relative to link 1; in_x, in_y sQ(W-F).F;
-// cfg_l1, cfg_l2 uQ(W-F).F; cfg_alpha, cfg_shift by iterative.fixed.config; cfg_tol and out_error in 1/256 LSB^2, with
-// out_coarse in LSB^2; out_d1, out_d2 sA: the last step moved joint 1 by their sum, joint 2 by out_d2. in_warm: start
-// from the last answer, 0 after reset, not from in_j1, in_j2.
+// error E of the tip and the Jacobian J. It stops when |E|^2 < cfg_tol, or after cfg_limit steps.
+// Formats: in_j1, in_j2, out_j1, out_j2 angle of A bits, joint 2 relative to link 1; in_x, in_y sQ(W-F).F; cfg_l1,
+// cfg_l2 uQ(W-F).F; cfg_alpha, cfg_shift by iterative.fixed.config; cfg_tol, out_error in 1/256 LSB^2, with out_coarse
+// in LSB^2; out_d1, out_d2 sA: the last step moved joint 1 by their sum, joint 2 by out_d2. in_warm: start from the
+// last answer, 0 after reset, not from in_j1, in_j2.
 // Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.05 + 3.0 (L1 + L2) / 2^(W+1) LSB, lengths in LSB.
 // Latency 12 a pass less 1, II the same. Passes: out_iters + 1, and those that only change the range.
-// Status: not converged (the limit was reached: out of reach, alpha too great, or a start along the arm).
+// Status: not converged (the limit was reached: out of reach, alpha too large, or a start along the arm).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd
 `default_nettype none
 module engine_quaternion_gd #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter A = 24   // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 24   // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
 ) (
     input  wire           clk,
     input  wire           rst,
@@ -94,8 +94,8 @@ module engine_quaternion_gd #(
     schedule #(.LINES(12), .BITS(14), .TABLE(PASS)) control (.clk(clk), .rst(rst || halt), .in_start(accept || move2),
         .out_idle(idle), .out_op(op));
 
-    // joints
-    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a root, address bits of its table
+    // Joints
+    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a sine, address bits of its table
     reg  [A-1:0]       th1, th2, th12;
     wire [A-1:0]       step;
     wire [2*K-T+19:0]  chord;
@@ -115,7 +115,7 @@ module engine_quaternion_gd #(
         end
     end
 
-    // work, end
+    // Datapath and end of a sample
     reg  [W-1:0] x, y;
     wire         fine, wide, failed;
     engine_gd_path #(.W(W), .A(A), .K(K), .T(T)) path (.clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),

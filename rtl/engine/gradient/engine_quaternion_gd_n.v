@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of any number of revolute joints in space by quaternion gradient descent, without sine or cosine.
-// A joint is the unit vector (c, s) of half its angle; it turns to (c - d s, s + d c), d = alpha E . J / 2, at most
-// 1/4, and is normalised by one Newton step. out_word: word in_k of joint in_n, behind the operation.
-// in_op: 0 solve with joints 1 to in_n; 1 write in_word; 2, 3 read. Joint 0: target x, y, z, step (k = 0 to 3); others:
-// axis (0 to 2), twice the link (3 to 5), c, s (6, 7). Words are written from (0, 0) on; a reset forgets them.
-// Formats: words s2.25; cfg_tol 2^-25, on each coordinate of E; step and unit of length: iterative.space.config.
-// Error: a converged tip is within cfg_tol and bounds.space_end. Latency 3; of a solution 14 + (30 in_n + 11) a pass,
+// A joint is the unit vector (c, s) of half its angle. It turns to (c - d s, s + d c), d = alpha E . J / 2, at most
+// 1/4, and is normalised by one Newton step. in_op: 0 solve with joints 1 to in_n; 1 write in_word; 2, 3 read.
+// out_word: word in_k of joint in_n after the operation. Joint 0: target x, y, z, step (k = 0 to 3); others: axis (0 to
+// 2), twice the link (3 to 5), c, s (6, 7). Words are first written in order from (0, 0) on; a reset forgets them.
+// Formats: words s2.25; cfg_tol in 2^-25, for each coordinate of E; the step is alpha / 512 in 1/unit^2.
+// Error: a converged tip is within bounds.iterative.space_end. Latency 3; of a solution 14 + (30 in_n + 11) a pass,
 // out_iters + 1 passes; II the same. Status: unreachable (joint in_n is not written: nothing is done, out_word is 0),
-// overflow (a link ends beyond 2 in some coordinate), not converged (the limit was reached).
+// overflow (a link ends beyond 2 units in some coordinate), not converged (the limit was reached).
 // Source: quaternion gradient paper, eqs. 9, 18, 31. Model: iterative.space.gd
 `default_nettype none
 module engine_quaternion_gd_n #(
-    parameter N = 8  // most joints, 1 to 126: 8, a redundant arm; up to 14 cost nothing
+    parameter N = 8  // most joints, 1 to 126 (default 8); up to 14 cost nothing
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -38,14 +38,14 @@ module engine_quaternion_gd_n #(
         end
     endgenerate
 
-    // Samples: the number of a word is checked in the clock behind the one that takes it
-    localparam P = N < 15 ? 4 : $clog2(N + 2);  // bits of a page: the registers have 0 and 1, joint i has i + 1
+    // Samples: the number of a word is checked one clock after the sample is accepted
+    localparam P = N < 15 ? 4 : $clog2(N + 2);  // bits of a page number: registers are in 0 and 1, joint i in i + 1
     reg         busy, check, answer, run, no_word;
     reg  [1:0]  op;
     reg  [7:0]  n;
     reg  [2:0]  k;
     reg  [26:0] word;
-    reg  [10:0] fill;  // the word to be written next, {n, k}
+    reg  [10:0] fill;  // {n, k} of the next word to write
     wire        accept = in_valid && in_ready;
     wire        solve_op = op == 2'd0, write_op = op == 2'd1;
     wire        there = {n, k | {3{solve_op}}} < fill, next = {n, k} == fill && n <= N[7:0];
@@ -54,16 +54,16 @@ module engine_quaternion_gd_n #(
     wire        halt;
     assign      in_ready = !busy && (!out_valid || out_ready);
 
-    // Program: line 0 begins a pass, line 11 a joint; the next line is read while one is played
+    // Program: line 0 begins a pass, line 11 a joint; the next line is read while this one is played
     localparam [5:0] JOINT = 6'd11, END = 6'd40;
     reg  [5:0]   line;
-    reg  [P-1:0] page, behind;  // of the joint, and of the next: joint 1 where a pass begins
+    reg  [P-1:0] page, behind;  // page of the joint and of the next one: joint 1 where a pass begins
     wire         over_pass = line == JOINT - 6'd1, over_joint = line == END, last = page == n[P-1:0] + 1'b1;
     wire [5:0]   then = !run || (over_joint && last) ? 6'd0 : over_joint ? JOINT : line + 6'd1;
     wire [55:0]  control;
     engine_gd_n_program program_ (.clk(clk), .in_line(then), .out_op(control));
 
-    // Registers: a sample's own word is read before its answer; where there is none, the 0
+    // Registers: the word of the sample is read before its answer; without one, register 7, which is 0
     wire [P+3:0] own = no_word ? {{P{1'b0}}, 4'd7} : n == 8'd0 ? {{P{1'b0}}, 1'b0, k} : {n[P-1:0] + 1'b1, 1'b0, k};
     wire         error, over, close, off;
     wire [26:0]  result;
@@ -73,12 +73,12 @@ module engine_quaternion_gd_n #(
         .in_word(word), .in_fetch(answer), .out_read(out_word), .out_word(result), .out_error(error),
         .out_over(over), .out_close(close), .out_off(off));
 
-    // End
+    // End of a solution
     reg  [80:0] e;
     reg  [9:0]  iters;
-    reg  [2:0]  near;  // the last three coordinates are within the tolerance: of the last link when its pass is over
+    reg  [2:0]  near;  // the last three coordinates are within the tolerance: those of E when the pass is over
     reg         beyond, failed, flag;
-    reg         uneven;  // some (c, s) is not of length 1 to 2^-25: E is not to be trusted yet
+    reg         uneven;  // some c^2 + s^2 was off 1 by 2^-12 or more: E does not count
     wire        decide = run && over_pass && !still;
     wire        done = near == 3'd7 && !beyond && !uneven;
     assign      halt = decide && (done || iters == cfg_limit);

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of any number of joints in the plane by quaternion gradient descent: theta <- theta + alpha E J.
 // in_op: 0 solve for (in_x, in_y) with links 1 to in_n, from the joints as they are; 1 load link in_n: length in_x,
-// joint in_j; 2 set joint in_n to in_j; 3 read it. Links are loaded from 1 on; a reset forgets them.
-// Formats: angles of A bits, each relative to the link before it; coordinates sQ(W-F).F, lengths uQ(W-F).F; cfg_alpha,
+// joint in_j; 2 set joint in_n to in_j; 3 read it. Links are first loaded in order from 1 on; a reset forgets them.
+// Formats: angles of A bits, each relative to the link before; coordinates sQ(W-F).F, lengths uQ(W-F).F; cfg_alpha,
 // cfg_shift by iterative.plane.config; cfg_tol, out_error in 1/256 LSB^2, with out_coarse in LSB^2; out_j: joint in_n,
-// of a solution joint 1. Error: a converged tip is off by sqrt(out_error+2) / 16 + (n + 1) / 90 + 3 sum / 2^(W+1) LSB,
-// n links of that sum. Latency 3; of a solution 4 + (3 in_n + 6) a pass, II the same. Passes: out_iters + 1, and
+// of a solution joint 1. Error: a converged tip is within sqrt(out_error+2) / 16 + (n + 1) / 90 + 3 sum / 2^(W+1) LSB,
+// sum the length of n links. Latency 3; of a solution 4 + (3 in_n + 6) a pass; II the same. Passes: out_iters + 1, and
 // those that only change the range.
-// Status: unreachable (in_n is 0 or no link that is loaded: nothing is done, out_j is 0), not converged (the limit).
+// Status: unreachable (in_n is 0 or no loaded link: nothing is done, out_j is 0), not converged (the limit was
+// reached).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.plane.gd
 `default_nettype none
 module engine_quaternion_gd_plane #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter A = 24,  // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
-    parameter N = 8    // most links, 1 to 128: 8, a redundant arm; up to 63 cost nothing but a bit of the error
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 24,  // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
+    parameter N = 8    // most links, 1 to 128 (default 8); up to 63 cost nothing but a bit of the error
 ) (
     input  wire           clk,
     input  wire           rst,
@@ -43,8 +44,8 @@ module engine_quaternion_gd_plane #(
         end
     endgenerate
 
-    // Samples: a number of a link is checked in the clock behind the one that takes it
-    localparam I = N < 64 ? 6 : 8;  // bits of a number of a link; fewer would not be put in a memory block
+    // Samples: the number of a link is checked one clock after the sample is accepted
+    localparam I = N < 64 ? 6 : 8;  // bits of a link's number; fewer would not be put in a memory block
     reg           busy, check, answer, no_link;
     reg  [1:0]    op;
     reg  [7:0]    n;
@@ -65,7 +66,7 @@ module engine_quaternion_gd_plane #(
         .out_op(path_op), .out_link({store, place, next, step, read}), .out_tail({stop, go, fits, base, range}));
 
     // Joints and links
-    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a root, address bits of its table
+    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a sine, address bits of its table
     wire [2*K-T+19:0] chord;
     wire [W-1:0]      length;
     wire [A-1:0]      move;
@@ -75,7 +76,7 @@ module engine_quaternion_gd_plane #(
         .in_read(read || answer), .in_step(step), .in_next(next), .in_place(place), .in_base(base || check),
         .in_move(move), .out_j(out_j), .out_length(length), .out_chord(chord));
 
-    // Error, steps
+    // Error and steps
     reg            first, fine, big, still;
     wire           fit;
     wire [2*W-1:0] s;
@@ -85,7 +86,7 @@ module engine_quaternion_gd_plane #(
         .in_begin(go || check), .in_chord(chord), .in_length(length), .in_x(x), .in_y(y), .out_fits(fit),
         .out_move(move), .out_square(s));
 
-    // End
+    // End of a solution
     reg  [9:0] iters;
     reg        failed;
     wire       done = fine && s[2*W-1:22] == 0 && s[21:0] < cfg_tol;
@@ -111,7 +112,7 @@ module engine_quaternion_gd_plane #(
             loaded <= loaded + 1'b1;
         if (check)
             no_link <= !ok;
-        // the first pass begins in the fine range, and moves nothing
+        // The first pass begins in the fine range and moves nothing
         if (accept || range)
             fine <= accept || !big;
         if (accept || range || fits)

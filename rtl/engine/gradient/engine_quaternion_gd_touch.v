@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of the Geomagic Touch by quaternion gradient descent: joint 1 yaws about y, joint 2 lifts link 1,
 // joint 3 is the absolute angle of link 2. tip = (-s1 rho, L1 s2 - L2 c3, c1 rho) with rho = L1 c2 + L2 s3.
-// Formats: in_x, in_y, in_z sQ(W-F).F, from the point between the axes; out_d1, out_d2, out_d3 sA: the last step; the
-// rest as in engine_quaternion_gd. L1 + L2 below 2^W LSB.
-// Error: a converged tip is within bounds.iterative.tip_touch: 0.85 LSB beyond its out_error at lengths of 2^13 LSB.
-// Latency 14 a pass, II the same. Passes: out_iters + 1, and those that only change the range.
-// Status: not converged (the limit was reached: out of reach, alpha too great, or a start where the gradient is 0).
+// Formats: joints angle of A bits; in_x, in_y, in_z sQ(W-F).F, from the point between the axes; cfg_l1, cfg_l2
+// uQ(W-F).F, L1 + L2 below 2^W LSB; cfg_alpha, cfg_shift by iterative.fixed.config; cfg_tol, out_error in 1/256 LSB^2,
+// with out_coarse in LSB^2; out_d1, out_d2, out_d3 sA: the last step. in_warm: start from the last answer, 0 after
+// reset.
+// Error: a converged tip is within bounds.iterative.tip_touch: 0.85 LSB more than sqrt(out_error + 3) / 16 at lengths
+// of 2^13 LSB. Latency 14 a pass, II the same. Passes: out_iters + 1, and those that only change the range.
+// Status: not converged (the limit was reached: out of reach, alpha too large, or a start where the gradient is 0).
 // Source: quaternion gradient paper, eqs. 28, 31, its Jacobian corrected. Model: iterative.fixed.gd_touch
 `default_nettype none
 module engine_quaternion_gd_touch #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
-    parameter F = 8,   // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
-    parameter A = 24   // bits of a joint word, 16 to 24: a full turn is 2^A; 24 move the tip of 2^14 LSB by 0.006 LSB
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 24   // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -106,9 +108,9 @@ module engine_quaternion_gd_touch #(
         /* e3; step 1             */ {SINK,   AGAIN,  L1,   V,    STAY, MOVE}};
     wire [22:0] op;
     wire        idle, fine, wide, halt, failed, stop, move, minus, cosine, third;
-    reg         again;  // the same pass, in the other range
-    reg         finer;  // range of the step
-    reg  [1:0]  late;   // steps 2 and 3, in the first lines of the next pass
+    reg         again;  // repeat the pass in the other range
+    reg         finer;  // range of the step is fine
+    reg  [1:0]  late;   // steps 2 and 3 follow in the first lines of the next pass
     wire        accept = in_valid && in_ready, last = move && op[22], leave = halt || (stop && wide);
     wire        steps = last || late != 0;
     assign      {stop, move, minus, cosine, third} = op[9:5];
@@ -122,8 +124,8 @@ module engine_quaternion_gd_touch #(
             finer <= fine;
     end
 
-    // joints: at an answer 1, 2, 3, in line 1 of a pass 2, 3, 1; each move puts the next one in front
-    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a root, address bits of its table
+    // Joints: th1 to th3 are joints 1, 2, 3 at an answer and 2, 3, 1 in line 1 of a pass; each move rotates them
+    localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a sine, address bits of its table
     reg  [A-1:0]      th1, th2, th3;
     reg  [W-1:0]      x, y, z;
     wire [A-1:0]      joint = third ? th3 : th2;
@@ -149,7 +151,7 @@ module engine_quaternion_gd_touch #(
             {out_d1, out_d2, out_d3} <= {out_d2, out_d3, step};
     end
 
-    // work, end
+    // Datapath and end of a sample
     engine_gd_touch_path #(.W(W), .A(A), .K(K), .T(T)) path (.clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),
         .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_finer(finer), .in_alone(stop),
         .in_op({op[22:10], op[4:0]}), .in_chord(chord), .in_x(x), .in_y(y), .in_z(z), .out_step(step),

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of two joints in the plane by quaternion gradient descent, without an angle: a link's direction is
-// turned by (c, n) <- (c - d n, n + d c) and brought to length 1 by one Newton step. No sine, no table.
-// Formats: in_c1, in_n1 direction of link 1, in_c12, in_n12 of link 2, both absolute, s2.W, as the answers; out_d1,
-// out_d12 s0.(W+4) radians, what the last step turned the links by, at most 1/2; cfg_alpha, cfg_shift by
-// iterative.fixed.config_vector; the rest as in engine_quaternion_gd. in_warm after reset: from (1, 0).
-// Error: a converged tip of the answered words is within sqrt(out_error + 2) / 16 + 0.05 LSB; their length is 1 within
-// 3/8 d^4 of the last step and 1.8 2^-W.
-// Latency 13 a step, 10 at the end, and 10 a pass that only changes the range; II the same. Steps: out_iters.
-// Status: not converged (as engine_quaternion_gd); singular (a start far from length 1, held until the next start).
+// Inverse kinematics of two joints in the plane by quaternion gradient descent, without an angle: the direction of a
+// link turns by (c, n) <- (c - d n, n + d c) and is normalised by one Newton step. No sine, no table.
+// Formats: in_c1, in_n1 direction of link 1, in_c12, in_n12 of link 2, both absolute, s2.W, and answers alike; in_x,
+// in_y sQ(W-F).F; cfg_l1, cfg_l2 uQ(W-F).F; cfg_alpha, cfg_shift by iterative.fixed.config_vector; cfg_tol, out_error
+// in 1/256 LSB^2, with out_coarse in LSB^2; out_d1, out_d12 s0.(W+4) rad: last turn of each link, at most 1/2. in_warm:
+// start from the last answer, (1, 0) after reset. Error: a converged tip of the answered words is within sqrt(out_error
+// + 2) / 16 + 0.05 LSB; their length is 1 within 3/8 d^4 of the last step and 1.8 2^-W.
+// Latency 13 a step, 10 at the end, and 10 for a pass that only changes the range; II the same. Steps: out_iters.
+// Status: not converged (the limit was reached), singular (a start far from length 1, held until the next start).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd_vector
 `default_nettype none
 module engine_quaternion_gd_vector #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20: 16 are common in servo control
-    parameter F = 8    // fraction bits of both, 0 to W-1: 8 resolve 1/256 unit
+    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter F = 8    // fraction bits of both, 0 to W - 1 (default 8); they change no logic
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -92,8 +92,8 @@ module engine_quaternion_gd_vector #(
         /* length 2        */ {SELF,   GAIN,   MOVE | LAST}};
     wire [13:0] op;
     wire        idle, fine, wide, halt, failed;
-    reg         again;  // the same pass, in the other range
-    reg         fresh;  // line 1, and no link was turned in a pass before
+    reg         again;  // repeat the pass in the other range
+    reg         fresh;  // line 1 of a pass without an earlier turn
     wire        accept = in_valid && in_ready, stop = op[6];
     wire        keep = stop && wide || halt;
     assign      in_ready = idle && !again && (!out_valid || out_ready);
@@ -104,12 +104,12 @@ module engine_quaternion_gd_vector #(
         fresh <= accept || again;
     end
 
-    // start
+    // Start
     reg  [W-1:0] x, y;
     reg          singular;
-    // not 0.5 <= length < 1.25, which a turn by 1/2 leaves below sqrt(2)
+    // Length below 0.5 or from 1.25 on; below 1.25 a turn by 1/2 leaves it below sqrt(2)
     function none(input [W+1:0] c, input [W+1:0] n);
-        reg [3:0] u, v;  // sizes in 1/8
+        reg [3:0] u, v;  // magnitudes in 1/8
         begin
             u = c[W:W-3] ^ {4{c[W+1]}};
             v = n[W:W-3] ^ {4{n[W+1]}};
@@ -128,7 +128,7 @@ module engine_quaternion_gd_vector #(
             singular <= none(in_c1, in_n1) || none(in_c12, in_n12);
     end
 
-    // work, end
+    // Datapath and end of a sample
     engine_gd_vector_path #(.W(W)) path (.clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha),
         .in_shift(cfg_shift), .in_fine(fine), .in_keep(keep || fresh), .in_load(accept && !in_warm),
         .in_clear(accept), .in_op(op), .in_c1(in_c1), .in_n1(in_n1), .in_c12(in_c12), .in_n12(in_n12), .in_x(x),

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of three joints in the plane by Newton's method: tip (x, y) and orientation phi of the last link.
-// The orientation is linear, j3 = phi - j1 - j2, so it holds from the first step on; with the wrist's error E,
+// The orientation is linear, j3 = phi - j1 - j2, so it holds from the first step on. With the error E of the wrist,
 //   (d1, d12) = (D adj(J) + lambda J^T) E / (D^2 + mu), D = det J / l1 l2 = sin j2; cfg_lambda = 0: J^-1 E
 // Formats: joints, in_phi angle of A bits; in_x, in_y s(W-F).F; cfg_l1..l3 uQ(W-F).F; cfg_r1, cfg_r2, cfg_lambda,
-// cfg_mu by newton_fixed.config; cfg_tol, out_error in 1/256 unit^2, out_coarse: in unit^2, unit 2^-(16-W) LSB.
+// cfg_mu by newton_fixed.config; cfg_tol, out_error in 1/256 unit^2, with out_coarse in unit^2, unit 2^-(16-W) LSB.
 // in_warm: start from the last answer, 0 after reset, not from in_j1, in_j2.
 // Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.07 + 3.0 (L1 + L2 + L3) / 2^17 units.
 // Latency 16 a pass and 3, II the same. Passes: out_iters + 1.
-// Status: not converged (the limit was reached), and then singular (|sin j2| < 1/16, or a link of 0).
+// Status: not converged (the limit was reached); with it singular, where |sin j2| < 1/16 or a link is 0.
 // Source: Newton-Raphson paper, eqs. 12, 14. Model: iterative.newton_fixed.solve
 `default_nettype none
 module engine_newton_3r #(
-    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16: 16, what the multipliers take
-    parameter F = 8,   // fraction bits of both, 0 to W-1; changes no logic: 8 resolve 1/256 unit
-    parameter A = 20   // bits of a joint word, 16 to 24: a full turn is 2^A; 20 move the tip of 2^14 LSB by 0.1 LSB
+    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16 (default 16)
+    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 20   // bits of a joint word, 16 to 24 (default 20, 0.1 LSB at 2^14 LSB); a full turn is 2^A
 ) (
     input  wire         clk,
     input  wire         rst,
@@ -50,16 +50,16 @@ module engine_newton_3r #(
         end
     endgenerate
 
-    // program
+    // Program
     wire [22:0] op;
     wire        idle, halt;
     wire        stop = op[6], move = op[7];
-    reg         first;  // nothing to stop for or to move yet
+    reg         first;  // first pass: neither a stop nor a step
     wire        accept = in_valid && in_ready;
     assign      in_ready = idle && (!out_valid || out_ready);
     engine_newton_program program_ (.clk(clk), .rst(rst || halt), .in_start(accept), .out_idle(idle), .out_op(op));
 
-    // joints
+    // Joints
     reg  [A-1:0] th1, th2, th12, phi;
     wire [A-1:0] word = op[22] ? op[21] ? th2 : th12 : op[21] ? th1 : phi;
     wire [A-1:0] step;
@@ -82,7 +82,7 @@ module engine_newton_3r #(
         end
     end
 
-    // error, steps
+    // Error and steps
     localparam Z = 16 - W;
     reg  [W-1:0] x, y;
     wire         fine, near;
@@ -91,7 +91,7 @@ module engine_newton_3r #(
         .in_op(op[19:0]), .in_chord(chord), .in_x({x, {Z{1'b0}}}), .in_y({y, {Z{1'b0}}}),
         .out_step(step), .out_square(out_error), .out_fine(fine), .out_near(near));
 
-    // end
+    // End of a sample
     reg  [9:0] iters;
     reg        failed;
     wire       done = fine && out_error[31:22] == 0 && out_error[21:0] < cfg_tol;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Three multipliers of engine_newton_3r: from chords to roots, the wrist's error E, its square, and the steps. Two are
-// added. With E seen along (u) and across (p) link 1 and both joints: d1 = (D u12 + lambda p1) / (D^2 + mu) l1, and
-// d12 = (lambda p12 - D u1) / (D^2 + mu) l2.
-// Formats: root s1.17; lengths u16; E in 1/64 unit; fine: its 18 lower bits, else 1/4 unit, saturated; square in 1/256
-// unit^2, not fine in unit^2; D^2 + mu u1.23, normalised by 4^j into [1/4, 2). All truncated.
-// The step of both joints is shifted alike: left by 2 j, but only until neither is above a quarter turn; else right.
-// Operands are in registers, so a product is there in the clock after the line that names its factors.
+// Three multipliers of engine_newton_3r: from table segments to sines, the error E of the wrist, its square, and the
+// steps. With E seen along (u) and across (p) link 1 and both joints, d1 = (D u12 + lambda p1) / (D^2 + mu) l1 and d12
+// = (lambda p12 - D u1) / (D^2 + mu) l2. The first two products are added.
+// Formats: in_chord of angle_chord, sines s1.17; lengths u16; E in 1/64 unit: fine its lower 18 bits, coarse 1/4 unit,
+// saturated; square in 1/256 unit^2, coarse in unit^2; D^2 + mu u1.23, normalised by 4^j to [1/4, 2). All are
+// truncated. Both steps are shifted alike: left by 2 j, but only until neither exceeds a quarter turn, or right.
+// Operands are in registers: a product is complete in the clock after the line that names its factors. Error of a step:
+// bounds.iterative.newton_step. Model: iterative.newton_fixed.solve
 `default_nettype none
 module engine_newton_path #(
-    parameter A = 20  // bits of a joint word, 16 to 24
+    parameter A = 20  // bits of a joint word, 16 to 24 (default 20)
 ) (
     input  wire               clk,
     input  wire [15:0]        cfg_l1,
@@ -18,11 +19,11 @@ module engine_newton_path #(
     input  wire [15:0]        cfg_r2,
     input  wire [15:0]        cfg_lambda,
     input  wire [16:0]        cfg_mu,
-    input  wire [19:0]        in_op,      // columns of the table in engine_newton_program.v
+    input  wire [19:0]        in_op,      // out_op of engine_newton_program without the table column
     input  wire [43:0]        in_chord,
     input  wire signed [15:0] in_x,
     input  wire signed [15:0] in_y,
-    output wire [A-1:0]       out_step,   // of joint 1, back; with the line MOVE of both joints, on
+    output wire [A-1:0]       out_step,   // step of joint 1, negated; with MOVE that of both joints
     output reg  [31:0]        out_square,
     output wire               out_fine,
     output reg                out_near    // |sin j2| < 1/16
@@ -32,7 +33,7 @@ module engine_newton_path #(
     assign {length_op, one, neg, left_op, right_op, rate2, third_op, unused_again, second, unused_stop, test, det_op,
         sine, keep, first, tip} = in_op;
 
-    // products
+    // Products
     reg  signed [17:0] al, ar, bl, br;
     reg  signed [25:0] cl;
     reg  signed [20:0] cr;
@@ -40,7 +41,7 @@ module engine_newton_path #(
     wire signed [46:0] c = cl * cr;
     wire [31:0]        sum = a[35:4] + b[35:4];
 
-    // roots
+    // Sines and cosines
     wire [17:0] knot;
     wire [10:0] rise;
     wire [14:0] offset;
@@ -52,9 +53,9 @@ module engine_newton_path #(
     wire [17:0] cosine = one ? c1 ^ {18{neg}} : c12;
     wire [17:0] across = one ? s1 : s12 ^ {18{neg}};
     wire [15:0] length = length_op[1] ? cfg_l2 : length_op[0] ? cfg_l1 : cfg_l3;
-    reg  [17:0] minus;  // -sin j2, less a unit
+    reg  [17:0] minus;  // the one's complement of sin j2
 
-    // error: of x and y in turn
+    // Error: x and y in turn
     reg  signed [24:0] e, back;
     wire [15:0]        goal = keep ? in_y : in_x;
     wire [24:0]        from = first ? {{3{goal[15]}}, goal, 6'd0} : back;
@@ -62,7 +63,7 @@ module engine_newton_path #(
     assign out_fine = e[24:17] == {8{e[24]}} && back[24:17] == {8{back[24]}};
     assign ex = out_fine ? back[17:0] : back[24:21] == {4{back[24]}} ? back[21:4] : {back[24], {17{!back[24]}}};
     assign ey = out_fine ? e[17:0] : e[24:21] == {4{e[24]}} ? e[21:4] : {e[24], {17{!e[24]}}};
-    reg  [17:0] seen0, seen1, seen2;  // E along and across links, the last three
+    reg  [17:0] seen0, seen1, seen2;  // E seen along and across the links: the last three
 
     // 1 / (D^2 + mu)
     reg  [23:0] det;
@@ -73,7 +74,7 @@ module engine_newton_path #(
     wire [19:0] slope;
     reciprocal_pair inverse (.clk(clk), .in_q({1'b0, q}), .out_w(w), .out_slope(slope));
 
-    // steps: the last two
+    // The last two steps
     reg  [42:0] move0, move1;
     reg  [2:0]  shift1;
     wire [11:0] used = move0[41:30] ^ {12{move0[42]}} | move1[41:30] ^ {12{move1[42]}};

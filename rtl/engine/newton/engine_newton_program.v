@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program of engine_newton_3r: from the clock after in_start on a pass of 16 lines, one a clock, and the next pass
-// behind it, until rst. out_op is one line of the table, column by column: the first is the address in the table of
-// sines, the other 20 bits are those of engine_newton_path. The joints obey STOP and MOVE.
-// Model: iterative.newton_fixed.solve
+// Program of engine_newton_3r: from the clock after in_start on a pass of 16 lines, one a clock, then the next pass,
+// until rst. out_op is a line of the table, column by column. The first column is the address in the table of sines,
+// the other 20 bits are the operations of engine_newton_path. The joints obey STOP and MOVE. Model:
+// iterative.newton_fixed.solve
 `default_nettype none
 module engine_newton_program (
     input  wire        clk,

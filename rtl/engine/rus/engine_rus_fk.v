@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of a parallel robot with six RUS legs: six crank vectors to the platform's pose, by Newton.
+// Forward kinematics of a parallel robot with six RUS legs: six crank vectors to the platform's pose, by Newton's
+// method.
 //   rows (d, R c x d), d = R c + p - B, of the Jacobian of |d|^2 - LB^2, made orthonormal one by one: x = -sum y q
-// out_word: word in_k of page in_n, behind the operation. in_op: 0 solve; 1 write in_word; 2, 3 read.
-// Page 0: start, then pose: w, x, y, z, position (k = 0 to 6); link angle (7, 8). Pages 1 to 6, a leg: ball joint, foot
-// (0 to 5), crank's azimuth cos, sin (6, 7), link, crank, rod (8 to 10), crank vector cos, sin (11, 12). Written from
-// (0, 0) on; a reset forgets them. Formats: words s2.(W-2); cfg_tol, of |d|^2 - LB^2, 2^-25. Error: page.
-// Latency 3; of a solution 183 + 675 a step + 14 each time a row is scaled; II the same.
-// Status: unreachable (word not written: nothing is done, out_word is 0), singular (a row depends on those before, or a
-// singularity lies between start and end), overflow, not converged; but for 0 the start stays. Model: engine_rus_fk.fk
+// in_op: 0 solve; 1 write in_word; 2, 3 read. out_word: word in_k of page in_n after the operation. Page 0: start, then
+// pose: w, x, y, z, position (k = 0 to 6); link angle (7, 8). Pages 1 to 6, a leg: ball joint, foot (0 to 5), azimuth
+// cos, sin (6, 7), link, crank, rod (8 to 10), crank cos, sin (11, 12). First written in order from (0, 0) on; a reset
+// forgets. Formats: words s2.(W-2); cfg_tol 2^-25, of |d|^2 - LB^2. Error of a rod: ((cfg_tol + 1) / 2 LB + 4.0 + 36.2
+// |c|) 2^-25 (bounds.rus_fk.rod). Latency 3; of a solution 183 + 675 a step + 14 each time a row is scaled; II the
+// same. Status: unreachable (word not written: nothing is done, out_word is 0), singular (a row depends on those
+// before, or a singularity lies between start and end), overflow, not converged; with not converged the start is kept.
+// Source: Newton's method on the rods of engine_rus_ik. Model: engine_rus_fk.fk
 `default_nettype none
 module engine_rus_fk #(
-    parameter W = 27  // bits of a word, 18 to 27: 27, those inside; 18 are those of engine_rus_ik
+    parameter W = 27  // bits of a word, 18 to 27 (default 27, as inside; 18 are those of engine_rus_ik)
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -34,14 +36,14 @@ module engine_rus_fk #(
         end
     endgenerate
 
-    // Samples: the number of a word is checked in the clock behind the one that takes it
-    localparam [3:0] POSE = 4'd9, LEG = 4'd13;  // words of page 0, of a leg
+    // Samples: the number of a word is checked one clock after the sample is accepted
+    localparam [3:0] POSE = 4'd9, LEG = 4'd13;  // words of page 0 and of a leg
     reg         busy, check, answer, no_word;
     reg  [1:0]  op;
     reg  [2:0]  n;
     reg  [3:0]  k;
     reg  [26:0] word;
-    reg  [6:0]  fill;   // the word to be written next, {n, k}; page 7: all are there
+    reg  [6:0]  fill;   // {n, k} of the next word to write; page 7: all are written
     wire        accept = in_valid && in_ready;
     wire        solve_op = op == 2'd0, write_op = op == 2'd1, full = fill[6:4] == 3'd7;
     wire        there = {n, k} < fill && k < (n == 3'd0 ? POSE : LEG), next = {n, k} == fill && !full;

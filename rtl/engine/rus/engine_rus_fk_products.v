@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of two products a clock on a register file of 16 pages, for engine_rus_fk_program.
-//   word = A B +- C D [+ the sum of the line before] to nearest 2^-25, written to DEST
-// A line reads in one clock, loads operands, multiplies and adds in the next three: read its word four lines behind it.
-// Formats: words s2.25; sum s4.28, it wraps, and out_over says where a word did; products truncated to 2^-28, of one
-// that is subtracted the complement is added.
-//   in_op {A 7, B 7, C 7, D 7, DEST 7, SUB 1, KEEP 1, ACT 3}: engine_rus_fk_program; pages by in_i, in_j
-//   in_range: low bits of the constants of a SCALE line. in_set: in_word goes to address in_own; in_fetch: out_read is
-//   the word there. out_act is the line that adds; the other outputs are its.
-// The register file is stored four times, for four reads a clock. Model: engine_rus_fk
+// Sums of two products, one line a clock, on a register file of 16 pages, for engine_rus_fk_program.
+//   word = A B +- C D [+ the sum of the line before] rounded to 2^-25, written to DEST
+// A line reads in one clock, and loads operands, multiplies and adds in the next three. Its word can be read four lines
+// later.
+// Formats: words s2.25; sum s4.28, it wraps, and out_over marks a word that did; products truncated to 2^-28, and of a
+// subtracted one the complement is added. in_op {A 7, B 7, C 7, D 7, DEST 7, SUB 1, KEEP 1, ACT 3}, pages by in_i and
+// in_j. in_range: low bits of the constants of a SCALE line. in_set writes in_word to address in_own; in_fetch reads
+// out_read there. out_act is that of the line that adds, and so are the other outputs. The register file is stored four
+// times, for four reads a clock. Model: engine_rus_fk.fk
 `default_nettype none
 module engine_rus_fk_products (
     input  wire        clk,
     input  wire [21:0] cfg_tol,
     input  wire [39:0] in_op,
     input  wire        in_run,        // a line reads
-    input  wire        in_adds,       // one adds, and writes
+    input  wire        in_adds,       // a line adds and writes
     input  wire [2:0]  in_i,
     input  wire [2:0]  in_j,
     input  wire [1:0]  in_range,
@@ -23,10 +23,10 @@ module engine_rus_fk_products (
     input  wire [26:0] in_word,
     input  wire        in_fetch,
     output wire [26:0] out_read,
-    output wire [2:0]  out_act,       // 4 (LOOSE) where no line adds
+    output wire [2:0]  out_act,       // 4 (LOOSE) if no line adds
     output wire        out_over,      // the word does not fit
-    output wire        out_off,       // it is a miss of cfg_tol or more, or a quaternion not of length 1
-    output wire [1:0]  out_size,      // of a square: 0 from 1 on, 1 from 1/4, 2 from 1/16, 3
+    output wire        out_off,       // a miss beyond cfg_tol (-cfg_tol passes), or a quaternion off length 1
+    output wire [1:0]  out_size,      // range of a square: 0 from 1 on, 1 from 1/4, 2 from 1/16, else 3
     output wire        out_negative
 );
     // Addresses
@@ -47,7 +47,7 @@ module engine_rus_fk_products (
         end
     endgenerate
 
-    // The lines that load, multiply and add
+    // State of the lines that load, multiply and add
     reg [12:0] load, multiply, add;  // {DEST, SUB, KEEP, ACT}
     always @(posedge clk) begin
         load     <= {at[7:0], in_op[4:0]};
@@ -78,7 +78,7 @@ module engine_rus_fk_products (
                 file[136] = 27'd27490843;
             end
             always @(posedge clk) begin
-                if (i != 3 || in_run || in_fetch)  // a word that was fetched waits
+                if (i != 3 || in_run || in_fetch)  // a fetched word is held
                     read <= file[i == 3 && in_fetch ? in_own : at[8*i+8 +: 8]];
                 data <= read;
                 if (in_adds || in_set)
@@ -95,7 +95,7 @@ module engine_rus_fk_products (
     wire signed [53:0] product1 = $signed(operand[107:81]) * $signed(operand[80:54]);
     wire signed [53:0] product2 = $signed(operand[53:27]) * $signed(operand[26:0]);
     /* verilator lint_on UNUSEDSIGNAL */
-    reg  [31:0] ab, cd, kept;  // kept: the sum before, or half a unit of a word
+    reg  [31:0] ab, cd, kept;  // kept: the sum of the line before, or half a unit of a word
     wire [31:0] sum = ab + (cd ^ {32{subtract}}) + kept;
     wire [25:0] fold = word[25:0] ^ {26{word[26]}};
     assign      word = sum[29:3];

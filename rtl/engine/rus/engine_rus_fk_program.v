@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program of engine_rus_fk: out_op is line in_line, a clock later; engine_rus_fk_steps says which line comes next.
-// A line is DEST = A B + C D, with SUB or SUBK A B - C D; after KEEP, SUBK the next line goes on with this sum.
-// A register is kind 16 + word, kinds as below. It is read from the fourth line behind its writer on; t, in PAIR, as it
-// was before by the first two. ACT: NONE; MISS and UNIT, a miss of a rod and of the quaternion's length; SCALE, I4 is
-// I4, I1 or nearly 2 as RANGE found |row|^2; SIDE, its sign is one of two that say on which side of the singularities
-// the pose is; JUMP, j grows. LOOSE, RANGE, SIDE: the word may overflow. Model: engine_rus_fk
+// Program of engine_rus_fk: out_op is line in_line, a clock later; engine_rus_fk_steps selects the next line. A line is
+// DEST = A B + C D, or with SUB or SUBK A B - C D. After KEEP or SUBK the next line continues this sum. A register is
+// kind 16 + word; kinds are named below. It may be read from the fourth line after its writer on; in section PAIR the
+// first two lines read the old value of t. ACT: NONE; MISS and UNIT test the miss of a rod and of the quaternion's
+// length; SCALE replaces constant I4 by I4, I1 or nearly 2, by the range of |row|^2 that RANGE measured; the sign of a
+// SIDE word is one of two that tell the side of the singularities; JUMP increments j. With LOOSE, RANGE, SIDE the word
+// may overflow. Model: engine_rus_fk.fk
 `default_nettype none
 module engine_rus_fk_program (
     input  wire        clk,

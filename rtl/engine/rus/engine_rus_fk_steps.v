@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which line of engine_rus_fk_program comes next, and how a solution ends.
-//   elbows of six legs, start; passes: matrix, rows of legs, JUDGE; for each row i NORM (SCALE while its square is
-//   not from 1/4 to 1), DOT and PAIR with the rows behind it; SIDE, the move. DONE writes the pose.
-// in_jump: of the line that is read; in_act, in_over, in_off, in_size, in_negative: of the line that adds. in_forget:
-// another robot, whose side is not known. out_halt: the last clock of a solution; the flags stand from the next one on.
-// cfg_limit steps and SCALINGS of a row bound a solution. Model: engine_rus_fk
+// Sequencer of engine_rus_fk_program: it selects the next line, and ends a solution.
+//   elbows of six legs, start; passes: matrix, rows of legs, JUDGE; for each row i NORM (with SCALE while its square
+//   is not from 1/4 to 1), DOT and PAIR with the rows after it; SIDE, the move. DONE writes the pose.
+// in_jump belongs to the line that is read; in_act, in_over, in_off, in_size, in_negative to the line that adds.
+// in_forget: the robot was changed, so its side is unknown. out_halt: last clock of a solution; the flags are valid
+// from the next one on. cfg_limit steps, and SCALINGS of a row, bound a solution. Model: engine_rus_fk.fk
 `default_nettype none
 module engine_rus_fk_steps (
     input  wire       clk,
@@ -20,8 +20,8 @@ module engine_rus_fk_steps (
     input  wire [1:0] in_size,
     input  wire       in_negative,
     output reg        out_run,
-    output reg        out_adds,      // of the lines that were read three clocks ago
-    output wire [7:0] out_next,      // the line that is read, for the next clock
+    output reg        out_adds,      // a line read three clocks ago is one to add
+    output wire [7:0] out_next,      // the line for the next clock
     output reg  [2:0] out_i,
     output reg  [2:0] out_j,
     output reg  [1:0] out_range,
@@ -33,12 +33,12 @@ module engine_rus_fk_steps (
 );
     localparam [7:0] ELBOW = 8'd0, COPY = 8'd6, TURN = 8'd13, LEG = 8'd40, JUDGE = 8'd56, NORM = 8'd60, DOT = 8'd111,
                      PAIR = 8'd117, SCALE = 8'd128, SIDE = 8'd135, DONE = 8'd182, END = 8'd192;
-    localparam [7:0] SIZE = NORM + 8'd6;  // the line of NORM in which the square's size is known
-    localparam [2:0] SCALINGS = 3'd7;     // by 4, of a row: below 2^-15 there is nothing left of it
+    localparam [7:0] SIZE = NORM + 8'd6;  // the line of NORM in which the range of the square is known
+    localparam [2:0] SCALINGS = 3'd7;     // greatest number of scalings by 4: a row below 2^-15 is lost
     reg  [7:0] line;
     reg        over, off, loads, multiplies;
-    reg        side, wanted, known;  // the side of this pass, of the robot, and whether that is known
-    reg  [2:0] count;  // of scalings
+    reg        side, wanted, known;  // side of this pass, side of the robot, and whether that is known
+    reg  [2:0] count;  // number of scalings of this row
     wire       over_elbow = line == COPY - 8'd1, over_leg = line == JUDGE - 8'd1, judge = line == NORM - 8'd1,
                size = line == SIZE, over_norm = line == DOT - 8'd1, over_pair = line == SCALE - 8'd1,
                over_scale = line == SIDE - 8'd1, over_move = line == DONE - 8'd1,
@@ -49,7 +49,7 @@ module engine_rus_fk_steps (
     wire       good = !off && !over && !crossed;
     wire       lost = size && (over || !fits && count == SCALINGS);
     wire       stop = judge && (over || !off && crossed || off && out_iters == cfg_limit);
-    wire       fails = out_run && (lost || stop);  // it ends without a pose
+    wire       fails = out_run && (lost || stop);  // the solution ends without a pose
     assign     out_halt = fails || out_run && over_done;
 
     reg  [7:0] jump;
@@ -105,7 +105,8 @@ module engine_rus_fk_steps (
             out_overflow <= !in_clear && over;
             out_singular <= !in_clear && (size ? !over : crossed);
         end
-        // A line that reads when a reset comes would write behind the next sample's word; those before it do not
+        // A line that reads at a reset would write after the word of the next sample, so it is dropped; earlier lines
+        // write before it
         loads      <= out_run && !rst;
         multiplies <= loads;
         out_adds   <= multiplies;

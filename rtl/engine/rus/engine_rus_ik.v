@@ -2,14 +2,17 @@
 // Inverse kinematics of a parallel robot with six RUS legs (or three): pose and link angle to six crank vectors.
 //   (cos, sin) = (e G -+ f S, f G +- e S) / (e^2 + f^2), G = (e^2 + f^2 + h^2 + LA^2 - LB^2) / 2 LA,
 //   S = sqrt(e^2 + f^2 - G^2), (e, f, h) = R c + p - F - link (cos beta, sin beta, 0) in the frame of the leg
-// Formats: rotation, vectors s2.16; p sW; platform lengths s18, 2^(W - 18) LSB of p; out_s 2^(W - 22), root of the leg.
-// in_load: no pose but the geometry of leg in_leg (page); answered by (1, 0), S = 0. Legs not loaded since reset answer
-// (1, 0) and count as unreachable. Error: page. Latency 79, II 48.
-// Status: unreachable (out_far says which; nearest crank angle), singular (S below cfg_near), overflow (words wrap).
+// Formats: rotation, vectors s2.16; p sW; platform lengths s18, 2^(W-18) LSB of p; out_s 2^(W-22) LSB, root S of the
+// leg. in_load: the sample is the geometry of leg in_leg: r11 to r13 ball joint, r21, r22 azimuth cos, sin, r23 -link,
+// r31 = r22, r32 = -r21, r33[0] branch, p -F; (1, 0), S = 0 answers it. A leg not loaded since reset counts as
+// unreachable.
+// Error of an angle: (LB/LA dC + dG) / S + dS / sqrt(e^2 + f^2) + 1/2 LSB, dC 0.0135 LSB (bounds.engine.rus_angle).
+// Latency 79, II 48. Status: unreachable (out_far says which leg; nearest crank), singular (S below cfg_near), overflow
+// (the words of a leg are meaningless).
 // Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik
 `default_nettype none
 module engine_rus_ik #(
-    parameter W = 18  // bits of a position, 14 to 18: 18 keep the arithmetic as the greatest error
+    parameter W = 18  // bits of a position, 14 to 18 (default 18); below 18 its rounding is the greatest error
 ) (
     input  wire                clk,
     input  wire                rst,

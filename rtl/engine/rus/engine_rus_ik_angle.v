@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// engine_rus_ik with binary angles: pose and link angle of a parallel robot to the angles of six cranks (or three).
-// Formats: as there; out_j angles of A bits modulo a turn, nearest, those of vector_to_angle by a free product of
-// the legs. A leg without an answer stands at 0.
-// Error: that of the crank there and of vector_to_angle. Latency 80, II 48. Status: as there.
+// Inverse kinematics of a parallel robot with six RUS legs (or three): pose and link angle to the binary angles of six
+// cranks. It is engine_rus_ik with the codec of vector_to_angle, whose product is a free one of the legs.
+// Formats: rotation s2.16; p sW; platform lengths s18, 2^(W-18) LSB of p; out_s 2^(W-22) LSB, root S of the leg; out_j
+// angles of A bits modulo a turn, rounded to nearest, 0 where a leg has no answer. in_load: the sample is the geometry
+// of leg in_leg, in the words that engine_rus_ik lists.
+// Error of an angle: (LB/LA dC + dG) / S + dS / sqrt(e^2 + f^2), dC 0.0135 LSB (bounds.engine.rus_angle), and 0.89 LSB
+// of the angle at A = 18 (bounds.vector_to_angle). Latency 80, II 48.
+// Status: unreachable (out_far says which leg; nearest crank), singular (S below cfg_near), overflow (the word of a leg
+// is meaningless).
 // Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik_angle
 `default_nettype none
 module engine_rus_ik_angle #(
-    parameter W = 18,  // bits of a position, 14 to 18: 18 keep the arithmetic as the greatest error
-    parameter A = 18   // bits of an angle, 10 to 24: a full turn is 2^A; 18 resolve 0.0014 degrees
+    parameter W = 18,  // bits of a position, 14 to 18 (default 18); below 18 its rounding is the greatest error
+    parameter A = 18   // bits of an angle, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -47,7 +52,7 @@ module engine_rus_ik_angle #(
         .in_r33(in_r33), .in_px(in_px), .in_py(in_py), .in_pz(in_pz), .in_cb(in_cb), .in_nb(in_nb),
         .in_place(place), .in_step(step), .out_rise(rise), .out_flags(flags), .out_sine(sine), .out_last(last),
         .out_c(c), .out_word(word), .out_root(root), .out_none(none), .out_far(far), .out_near(near), .out_over(over));
-    // its second register is that of leg 6
+    // The output register of the codec is the register of leg 6
     wire [A-1:0] angle;
     reg          turned, last_turned;
     always @(posedge clk) begin

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control of one leg of engine_rus_ik: 37 clocks, of which eight pass before the next one may begin.
-//   in_start: in the next clock out_x asks for row x of the pose and the first words of the leg are there; then z, y
-//   out_turn, out_last: the words that turn it are read next; all have been read
-// Formats: engine_rus_ik, engine_rus_path. in_tag {leg 6, dead: no answer, ..} goes with the leg. When out_flags the
-// root stands with far (out of reach), none (no direction, or dead), near (to a singular leg) and over. out_word is the
-// cosine when out_cosine, the sine when out_sine.
-// in_place, in_step, out_rise: engine_rus_path. Latency 37; II 8.
-// Model: engine_rus.leg
+// Control of the legs of engine_rus_ik: a leg takes 37 clocks, and the next may begin eight clocks after it. In the
+// clock after in_start out_x asks for row x of the pose and the first words of the leg; then out_z and out_y follow.
+// out_turn: the words that turn the joint are read next; out_last: all words have been read. out_flags marks the clock
+// in which out_root and the flags are valid: out_far (out of reach), out_none (no direction, or no answer wanted),
+// out_near (close to singular), out_over (overflow). out_word is the cosine with out_cosine, the sine with out_sine.
+// in_tag {leg 6, dead (no answer), unreached} accompanies the leg to out_tag. in_place and in_step are the operands of
+// the free product out_rise.
+// Formats: in_row {r1, r2, r3, p} and in_words s18 each; out_word s2.16; out_root u18.4. Error:
+// bounds.engine.rus_angle.
+// Latency 37, II 8. Model: engine_rus.leg
 `default_nettype none
 module engine_rus_leg (
     input  wire               clk,
@@ -132,7 +134,7 @@ module engine_rus_leg (
         .in_cb(in_cb), .in_nb(in_nb), .in_dead(tag4[1]), .in_place(in_place), .in_step(in_step), .out_rise(out_rise),
         .out_word(out_word), .out_root(out_root), .out_far(out_far), .out_none(out_none), .out_near(out_near),
         .out_over(out_over));
-    // which words of the leg are read: by the line that is played
+    // The line that is played selects the words of the leg that are read
     assign out_x = op[27];
     assign out_z = op[28];
     assign out_y = op[29];
@@ -141,7 +143,7 @@ module engine_rus_leg (
     assign out_flags = op[22];
     assign out_cosine = op[17];
     assign out_sine = op[18];
-    // the tag goes with its leg, in four registers that the next leg's follows through
+    // The tag accompanies its leg through four registers, followed by that of the next leg
     always @(posedge clk) begin
         if (op[4])
             tag2 <= in_tag;

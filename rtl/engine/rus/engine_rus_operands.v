@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operands of the four multipliers of engine_rus_path and the addend behind them, from the words of a leg and from what
-// the products gave: al ar + bl br + cl cr + add, and dl dr.
-// Operands come through gates: registers that are 0 but in the clock for which they open, so that an OR selects.
-// in_op: of a line of engine_rus_leg the columns A to D and add, OUT_N, and the bits at which a word is taken here.
-// x, e, f, G, t and the reciprocal stay until their gate opens; e, f and G move on before the next leg's come.
-// Formats: engine_rus_path; in_sum s29.8 of the position word, in_f s18.8, in_g s19.4. Latency: a gate 1, behind it 1.
-// Model: engine_rus.leg
+// Operands of the four multipliers of engine_rus_path, and the addend of their sum, from the words of a leg and from
+// earlier products: al ar + bl br + cl cr + add, and dl dr. Operands come through gates: registers that are 0 except in
+// the clock for which they open, so that an OR selects. in_op: of a line of engine_rus_leg the columns A to D and add,
+// OUT_N, and the bits that write a register here. x, e, f, G, t and the reciprocal are kept until their gate opens; e,
+// f and G move on before those of the next leg come.
+// Formats: in_row, in_words, in_cb, in_nb s18 each; in_sum s29.8 of the position word, in_f s18.8, in_g s19.4. Exact.
+// Latency: 1 to a gate, 1 more to an operand. Model: engine_rus.leg
 `default_nettype none
 module engine_rus_operands (
     input  wire               clk,
@@ -43,7 +43,7 @@ module engine_rus_operands (
             out_n, rec, copy, disc, keep, to_g, to_q, to_e, to_y, to_z, to_x} = in_op;
     wire [25:0] length = in_sum[25:0];
 
-    // Registers of a leg, and those that outlive the next one's
+    // Registers of a leg, and copies that outlast those of the next leg
     reg  [25:0] x, e, f, e2, f2, e3, f3;
     reg  [22:0] g, g2;
     reg  [26:0] t, reciprocal;
@@ -124,7 +124,7 @@ module engine_rus_operands (
         out_al <= {row[71:54], 8'd0} | open_x | open_e | e_a | f_a;
         out_bl <= {row[53:36], 8'd0} | open_z | open_f | e_b | f_b;
         out_cl <= {{3{row[35] | open_cb[17]}}, row[35:18] | open_cb, 6'd0} | h | open_t | {{4{open_g[22]}}, open_g};
-        if (!y_row && !to_x) begin  // the joint's coordinates stay for three rows
+        if (!y_row && !to_x) begin  // the coordinates of the joint are held for three rows
             out_ar <= {{8{word1[17]}}, word1} | open_e | {{3{g_a[22]}}, g_a};
             out_br <= {{8{word2[17]}}, word2} | open_f | ({4'd0, open_s} ^ {26{invert}});
             out_cr <= {{7{word3[17]}}, word3, 2'd0} | h | {1'b0, open_c} | {{4{open_g[22]}}, open_g};
@@ -134,7 +134,7 @@ module engine_rus_operands (
         if (to_y || table_d || divide || out_n)
             out_dr <= {{7{word3[17]}}, word3, 2'd0} | (table_d ? {1'b0, in_slope, 6'd0} : 27'd0)
                 | (divide ? reciprocal : 27'd0);
-        // what two truncations lose
+        // The 1 restores what two truncations lose
         out_add <= with_k ? {{2{cfg_k[26]}}, cfg_k, 8'd0} : place ? {{10{away[18]}}, away, 8'd1} : 37'd1;
     end
 endmodule

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Datapath of engine_rus_leg, whose table says what happens when: in_op is its lines, column by column.
-// Lengths x, z, y, e, f, h have 8 fraction bits below the position word of 18 bits, G and S 4; sums 8, of squares 0
-// (q 8). Out of reach the root is that of e^2 + f^2 and (cos, sin) = +-(e, f) R / R^2, the sign that of G.
-// in_place at OUT_N, in_step in the clock behind: then multiplier D, its dr cleared, forms out_rise, their product.
-// Formats: engine_rus_ik, engine_rus_leg. Error: engine_rus_root, and what is truncated.
-// Model: engine_rus.leg
+// Datapath of engine_rus_leg, whose table controls it: in_op is a line, column by column.
+// Formats: x, z, y, e, f, h have 8 fraction bits below the position word of 18 bits, G and S 4; sums 8, of squares 0 (q
+// 8). in_row, in_words, in_cb, in_nb s18 each; out_word s2.16; out_root u18.4. Out of reach the root is that of e^2 +
+// f^2, and (cos, sin) = +-(e, f) R / R^2 with the sign of G. in_place with OUT_N, and in_step one clock later:
+// multiplier D, whose dr is cleared, then forms out_rise, their product.
+// Error: truncation, and that of engine_rus_root (bounds.engine.rus_angle). Model: engine_rus.leg
 `default_nettype none
 module engine_rus_path (
     input  wire               clk,
@@ -33,7 +33,7 @@ module engine_rus_path (
         = in_op[16:0];
     wire unused = &{1'b0, in_op[17]};
 
-    // Products, and the sum behind them: A + B + C
+    // Products, and their sum one clock later: A + B + C
     wire signed [25:0] al, ar, bl, br;
     wire signed [26:0] cl, cr, dl, dr;
     wire signed [36:0] add;
@@ -81,7 +81,7 @@ module engine_rus_path (
             wide <= pc[53:47] != {7{pc[47]}};
         if (copy)
             beyond2 <= beyond;
-        // overflow goes with its leg
+        // Overflow accompanies its leg
         if (to_x || to_z || to_y || to_e || height)
             over1 <= over || (to_e && f_sum[26] != f_sum[25]) || (over1 && !to_x);
         if (to_q)

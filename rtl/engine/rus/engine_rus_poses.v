@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What engine_rus_ik and engine_rus_ik_angle share: poses and geometry in, the answers of their legs out, one by one.
-//   in_free: the outputs are free in the next clock, and a pose may be taken
-// Formats: engine_rus_ik; in_place, in_step, out_rise: engine_rus_path. Root and flags stand when out_flags; out_c is
-// the cosine and out_word the sine when out_sine, of leg 6 if out_last; out_none: it is 0.
-// Latency of leg 1: 32 to its flags, 37 to its sine; II 48.
-// Model: engine_rus.ik
+// What engine_rus_ik and engine_rus_ik_angle share: poses and geometry in, the answers of the legs out, one leg after
+// the other. in_free: the outputs are free in the next clock, so a pose may be accepted. Root and flags are valid with
+// out_flags. With out_sine, out_c is the cosine and out_word the sine, of leg 6 with out_last; out_none: the sine is 0.
+// in_place and in_step are the operands of the free product out_rise.
+// Formats: rotation s2.16; p sW; geometry s18; out_c, out_word s2.16; out_root u18.4. Error: bounds.engine.rus_angle.
+// Latency of leg 1: 32 to its flags, 37 to its sine; II 48. Model: engine_rus.ik
 `default_nettype none
 module engine_rus_poses #(
-    parameter W = 18  // bits of a position, 14 to 18: as its user's
+    parameter W = 18  // bits of a position, 14 to 18 (default 18)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -36,7 +36,7 @@ module engine_rus_poses #(
     output wire                out_near,
     output wire                out_over
 );
-    // A leg begins every 8 clocks and takes 37. While legs are inside, the next pose begins such a time behind them too
+    // A leg begins every 8 clocks and takes 37. While legs are inside, the next pose keeps the same distance
     localparam [0:0]
         WAIT  = 1'b0,
         AGAIN = 1'b1;  // the next leg begins, of this pose or of the next one
@@ -50,8 +50,8 @@ module engine_rus_poses #(
     schedule #(.LINES(8), .BITS(1), .TABLE(EIGHT)) beat (
         .clk(clk), .rst(rst), .in_start(accept || again && (busy || more)), .out_idle(idle), .out_op(again));
 
-    // The pose, and its rows as the legs want them: x, z, y
-    reg                load, first;  // first: the first three clocks of the first leg, which read all rows
+    // The pose; its rows are read in the order x, z, y
+    reg                load, first;  // first: the three clocks in which the first leg reads all rows
     reg  [2:0]         to, leg, tag;
     reg  [5:0]         known;
     reg  [71:0]        row1, row2, row3;
@@ -95,7 +95,7 @@ module engine_rus_poses #(
             nb   <= in_nb;
         end
         first <= accept || (first && !y_row);
-        if (read) begin  // the geometry has been read for the last time
+        if (read) begin  // last read of the geometry
             leg <= leg == 3'd5 ? 3'd0 : leg + 3'd1;
             tag <= {leg == 3'd5, load || !known[leg], !load && !known[leg]};
         end

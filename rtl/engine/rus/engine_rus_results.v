@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of engine_rus_ik: they move in leg by leg, at leg 6 and on towards leg 1, and wait as one.
-// The results of one pose wait at the outputs, those of the next one behind them; in_last, with the last move, says
-// that a pose is complete. in_ready of the core keeps a third one out: it wants the outputs free when a pose is taken.
-// in_leg6 is a register that takes the next leg's word in the clock of in_move. Lowest bits: leg 1.
-// Model: engine_rus.ik
+// Results of engine_rus_ik: they are shifted in leg by leg, from leg 6 towards leg 1, and leave together. The results
+// of one pose wait at the outputs, those of the next one in a second set of registers. in_last, with the last in_move,
+// says that a pose is complete. in_ready of the core holds back a third pose: it requires free outputs. in_leg6 is a
+// register that accepts the word of the next leg in the clock of in_move. Leg 1 is in the lowest bits.
+// Formats: words of BITS bits and roots u18.4, moved unchanged. Model: engine_rus.ik
 `default_nettype none
 module engine_rus_results #(
-    parameter BITS = 36  // of a leg's word: 36 of a cosine and a sine, or those of an angle
+    parameter BITS = 36  // bits of the word of a leg (default 36: a cosine and a sine); those of an angle
 ) (
     input  wire              clk,
     input  wire              rst,

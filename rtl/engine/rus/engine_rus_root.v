@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Root and divisor of engine_rus_path: S^2 = q - G^2, or q = e^2 + f^2 out of reach; q; and numerators.
-// One normaliser for all four: out_word is the word in `n` times 2^(2 shift - 19). Its spare bytes are found as it is
-// loaded (find), its spare pairs of bits a clock later (fine); numerators take the shift of their divisor (kept).
+// Root and divisor of engine_rus_path: S^2 = q - G^2, or q = e^2 + f^2 out of reach; q; and the numerators. One
+// normaliser serves all four: out_word is register n times 2^(2 shift - 19). Its spare bytes are counted when it is
+// loaded (find), its spare pairs of bits one clock later (fine). Numerators use the shift of their divisor (kept).
 // Formats: in_q u44, in_num, in_square s46, 8 fraction bits; out_w, out_slope: factors of a root or a reciprocal;
-// in_product: the root's, before it is shifted back; out_root u18.4. Error: a root and a reciprocal within 2^-18, and
-// what is truncated.
-// Model: engine_rus.leg
+// in_product: that of a root, before it is shifted back; out_root u18.4.
+// Error: root and reciprocal within 2^-18, and truncation. Model: engine_rus.leg
 `default_nettype none
 module engine_rus_root (
     input  wire               clk,
@@ -49,7 +48,7 @@ module engine_rus_root (
     wire byte2 = either[43:36] != 0, byte1 = either[35:28] != 0;
     wire pair3 = coarse[30:29] != 0, pair2 = coarse[28:27] != 0, pair1 = coarse[26:25] != 0;
 
-    // As in kernel_vector_path
+    // Tangents of a root or a reciprocal
     kernel_vector_slopes slopes (.clk(clk), .in_read(root || divisor), .in_range({divisor, 1'b0}),
         .in_segment(word[24:16]), .out_slope(out_slope));
     wire [21:0] bytes = shift_s[3] ? in_product >> 8 : shift_s[2] ? in_product >> 4 : in_product;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotation matrix of a unit quaternion, for engine_rus_ik. Products only.
+// Rotation matrix of a unit quaternion, for engine_rus_ik, by products only.
 //   r_ii = 1 - 2 (q_j^2 + q_k^2), r_ij = 2 (q_i q_j - w q_k), r_ji = 2 (q_i q_j + w q_k), i, j, k cyclic
-// Formats: in_w, in_x, in_y, in_z, out_r s2.U (1.0 is 2^U), nearest but for truncated products.
-// Error of an entry: 5/8 LSB, the words of the quaternion given; a length of 1 + e scales all but the 1 by 1 + 2 e.
+// Formats: in_w, in_x, in_y, in_z, out_r s2.U (1.0 is 2^U), rounded after products truncated to an eighth of an LSB.
+// Error of an entry: 5/8 LSB for the given words; a length of 1 + e scales all but the 1 of the diagonal by 1 + 2 e.
 // Latency 9, II 9.
-// Status: singular (w^2 + x^2 + y^2 + z^2 is not within 2^-9 of 1, below U = 11 within 4 units of 2^-U, sum to half a
-// unit: the last matrix is held, at first 1)
+// Status: singular (w^2 + x^2 + y^2 + z^2, which is formed to half a unit, is not within 2^-9 of 1, below U = 11 within
+// 4 units of 2^-U: the last matrix is held, the unit matrix after reset).
 // Source: the definition. Model: engine_rus.quaternion_to_matrix
 `default_nettype none
 module quaternion_to_matrix #(
-    parameter U = 16  // fraction bits, 8 to 16: 16 as engine_rus_ik takes them
+    parameter U = 16  // fraction bits, 8 to 16 (default 16, for engine_rus_ik)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -47,7 +47,7 @@ module quaternion_to_matrix #(
     schedule #(.LINES(8), .BITS(5), .TABLE(TURN)) control (
         .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op({last, diag, pair, rest, first}));
 
-    // Two products with U + 4 fraction bits, their sum and difference with what rounds
+    // Two products with U + 4 fraction bits; their sum and difference, with half an LSB of an entry for rounding
     reg  signed [U+1:0]   w, x, y, z;
     wire signed [U+1:0]   al = rest || diag ? y : x, ar = first ? x : y, bl = rest || diag ? z : w, br = first ? w : z;
     wire signed [2*U+3:0] a = al * ar, b = bl * br;
@@ -56,13 +56,13 @@ module quaternion_to_matrix #(
     reg  [U+8:0]          total;
     wire [U+8:0]          length = total + plus;
     // A unit quaternion rounded to words has |q|^2 within 2 + 2^-U units of 1, and the sum is up to half a unit more.
-    localparam LOW = U > 11 ? U - 5 : 6;  // lowest bit that must be right: that of 2^-9, of 4 units where they are more
+    localparam LOW = U > 11 ? U - 5 : 6;  // lowest bit that must agree: that of 2^-9 or, where greater, of 4 units
     wire [U+8-LOW:0]      high = length[U+8:LOW];
     wire                  is_one = high == {5'd1, {U+4-LOW{1'b0}}} || high == {5'd0, {U+4-LOW{1'b1}}};
     reg                   unit;
     wire                  unused = &{1'b0, a, b, plus, minus, length};
 
-    // Entries move through: of the diagonal 2, 3, 1; beside it 12, 23, 31 and 21, 32, 13
+    // Entries are shifted in: of the diagonal 2, 3, 1; beside it 12, 23, 31 and 21, 32, 13
     reg  [3*U+5:0] middle, upper, lower;
     assign {out_r11, out_r33, out_r22} = middle;
     assign {out_r31, out_r23, out_r12} = upper;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Is a matrix a rotation? Its nine words, for engine_rus_ik, which takes any. Products only.
+// Tests whether a matrix is a rotation and passes its nine words on, for engine_rus_ik, which accepts any matrix.
 //   |a|^2 = |b|^2 = 1, a . b = 0, a x b = c of the columns a, b, c, each to 16 units of 2^-U
-// Formats: in_r, out_r s2.U (1.0 is 2^U), the same words. Sums are exact, but the i-th of a x b - c, i, j, k cyclic, is
-// less by b_j 2^-U: the one's complement of a_k is multiplied where a_k b_j is subtracted.
-// Latency 27, II 27.
-// Status: no rotation (one of the six sums is off by 16 units; the words pass all the same)
+// Formats: in_r, out_r s2.U (1.0 is 2^U), unchanged. Sums are exact, but the i-th of a x b - c, i, j, k cyclic, is less
+// by b_j 2^-U, because the one's complement of a_k is multiplied where a_k b_j is subtracted.
+// Error: a matrix that passes is within bounds.engine.rotation_apart of a rotation. Latency 27, II 27.
+// Status: no rotation (one of the six sums is off by 16 units or more; the words pass all the same).
 // Source: the definition. Model: engine_rus.rotation_check
 `default_nettype none
 module rotation_check #(
-    parameter U = 16  // fraction bits, 8 to 16: 16 as engine_rus_ik takes them
+    parameter U = 16  // fraction bits, 8 to 16 (default 16, for engine_rus_ik)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -86,8 +86,8 @@ module rotation_check #(
     wire [U+1:0]          c = i[1] ? out_r33 : i[0] ? out_r23 : out_r13;
     reg  signed [U+1:0]   left, right;
     reg  signed [2*U+3:0] product;
-    reg  signed [2*U+4:0] sum;  // of three products below 4, one of them that of c below 2 when it is a difference
-    wire [U:0]            high = sum[2*U+4:U+4];  // what 16 units do not reach
+    reg  signed [2*U+4:0] sum;  // of three products below 4; in a difference one is -c, below 2
+    wire [U:0]            high = sum[2*U+4:U+4];  // bits that 16 units do not reach
     wire                  off = to_one ? high != {5'd1, {U-4{1'b0}}} && high != {5'd0, {U-4{1'b1}}}
                                        : high != 0 && high != {U+1{1'b1}};
     reg                   wrong;

@@ -3,7 +3,7 @@
 // 0 sound, 1 out_valid stuck at 0, 2 drops a sample under back-pressure, 3 adds one LSB to some words,
 // 4 result changes while it waits, 5 one cycle late after some words, 6 survives a reset, 7 sends twice,
 // 8 valid waits for ready, 9 takes a word in a reset, 10 needs two clocks of reset, 11 not ready for a clock after some
-// words, 12 drops a result that waits for more than 64 clocks.
+// words, 12 and 13 drop a result that waits for more than 64 and 1000 clocks.
 `default_nettype none
 module specimen #(
     parameter W = 8,     // bits of the word
@@ -19,7 +19,7 @@ module specimen #(
     output wire [W-1:0] out_data
 );
     reg         full, late, again, rest, earlier;
-    reg [6:0]   waited;
+    reg [9:0]   waited;
     reg [W-1:0] data;
     wire        stalled = full && !out_ready;
     wire        room = FAULT == 2 || !full || out_ready && (FAULT != 7 || again);
@@ -29,14 +29,14 @@ module specimen #(
     always @(posedge clk) begin
         late   <= in_valid && data[0];
         earlier <= rst;
-        waited <= stalled ? waited + 1'b1 : 7'd0;
+        waited <= stalled ? waited + 1'b1 : 10'd0;
         rest   <= 1'b0;
         if (in_valid && in_ready) begin
             data  <= in_data;
             full  <= 1'b1;
             again <= 1'b0;
             rest  <= in_data[2:0] == 3'd5;
-        end else if (out_ready || FAULT == 12 && waited > 7'd64) begin
+        end else if (out_ready || FAULT == 12 && waited > 10'd64 || FAULT == 13 && waited > 10'd1000) begin
             full  <= FAULT == 7 && full && !again && data[1];
             again <= 1'b1;
         end else if (FAULT == 4 && stalled) data <= data + 1'b1;
