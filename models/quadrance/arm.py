@@ -58,10 +58,11 @@ def words(p: Params, arm: Arm, inverse: bool) -> dict[str, int]:
         return found
 
     unsigned, half = (0, (1 << w) - 1), 1 << w - 1
+    radial = half // 4 if inverse else half
     found = {"cfg_l1": word("links.l1", arm.l1, *unsigned),
              "cfg_l2": word("links.l2", arm.l2 if inverse else arm.forearm, *unsigned),
              "cfg_base": word("constants.base", arm.base, -half, half - 1),
-             "cfg_shoulder": word("constants.shoulder", arm.shoulder, -half // 4, half // 4 - 1),
+             "cfg_shoulder": word("constants.shoulder", arm.shoulder, -radial, radial - 1),
              "cfg_lateral": word("constants.lateral", arm.lateral, 1 - half, half - 1)}
     if not inverse:
         return found | {"cfg_elbow": word("constants.elbow", arm.elbow, -half, half - 1)}

@@ -57,12 +57,15 @@ def reciprocal(q: Ints, minus: Ints | bool = False) -> Ints:
 
 
 def root(y: Ints, minus: Ints) -> Ints:
-    """+-sqrt(y) of a word y >= 0: y 4^j in [1/4, 1), its reciprocal root, times y 2^(j + 1)."""
+    """+-sqrt(y) of a word 0 <= y <= 1: y 4^j in [1/4, 1], its reciprocal root, times y 2^(j + 1).
+
+    At y = 1 this factor wraps to -2, and the reciprocal root changes its sign too.
+    """
     power = power_of(fold(y))
     s = np.ceil(np.log2(np.maximum(power, 1) + 0.5)).astype(np.int64) - 1
     shift = np.maximum(s - 1, 0) // 2
     four, two = np.where(power > 0, np.int64(1) << 2 * shift, 0), np.where(power > 0, np.int64(2) << shift, 0)
-    return dot((low(y, two), reciprocal(low(y, four) >> 7, minus)))
+    return dot((low(y, two), reciprocal(low(y, four) >> 7, ints(minus) ^ (power == 1))))
 
 
 def unit(a: Ints, b: Ints, floor: int = 0, minus: Ints | bool = False) -> tuple[Ints, Ints, Ints, Ints]:

@@ -48,7 +48,7 @@ def slip(monkeypatch, module, function: str, what: str, by: str) -> None:
     monkeypatch.setattr(module, function, names[function])
 
 
-SLIPS = {  # the same slip in model and core would leave every bench and every bound green
+SLIPS = {  # the same slip in model and core would leave every bench green
     "reach before limits": (arm_keep, "_choose", "key = fit, not status & 1, score", "key = not status & 1, fit, score",
                             test_oracles_status.test_the_best_branch, "arm.keep3"),
     "the last of equals": (arm_keep, "_choose", "key > best[0]", "key >= best[0]",

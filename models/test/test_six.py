@@ -245,7 +245,6 @@ def test_the_law_out_of_reach(core, robot, branch):
     assert np.all(off <= law) and np.any(off > 0.06 * law)
 
 
-@pytest.mark.xfail(strict=True, reason="1 - cos^2 is then 1.0, whose double wraps: the sine has the other sign")
 @cores(INVERSE)
 def test_the_elbow_asked_for_at_a_right_angle(core):
     """The cosine of the elbow within 2^-13 of 0."""

@@ -61,8 +61,9 @@ module product_engine #(
     wire [19:0] slope;
     wire [25:0] power, four;
     wire [13:0] twice;
-    wire        turned = chosen[36:35] == 2'd1 && in_signs[0] || chosen[36:35] == 2'd2 && in_signs[1]
-                      || chosen[36:35] == 2'd3 && in_signs[2];
+    wire        whole;  // the root's argument is 1.0: its double wraps to -2.0, so the slope's sign turns as well
+    wire        turned = (chosen[36:35] == 2'd1 && in_signs[0] || chosen[36:35] == 2'd2 && in_signs[1]
+                      || chosen[36:35] == 2'd3 && in_signs[2]) ^ whole;
     wire       far, minus, none;  // outcome of FAR and of ROOT, known two lines later
     wire [3:1] fresh;             // joints 1, 2 and 4 (by bits of DEST) never had a direction
     wire       never = chosen[12] ? fresh[3] : chosen[11] ? fresh[2] : fresh[1];
@@ -106,7 +107,7 @@ module product_engine #(
         if (ROOTS != 0) begin : g_roots
             wire       empty;
             wire       wide = low && product1[53:25] != {29{product1[53]}};  // the word is beyond +-1
-            reg        long, below, sign, unknown, read, check, off;
+            reg        long, below, sign, unknown, read, check, off, one;
             reg [19:0] q;
             reg  [3:1] first, held;
             engine_roots #(.WRIST(WRIST)) roots (.clk(clk), .in_first(act[0]), .in_more(act[1]), .in_wrist(act[2]),
@@ -114,12 +115,13 @@ module product_engine #(
                 .out_w(w), .out_slope(slope), .out_power(power), .out_four(four), .out_twice(twice),
                 .out_empty(empty));
             assign {far, minus, none, fresh} = {long, sign, unknown, first};
+            assign whole = one;
             assign out_status = {off, 1'b0, held != 3'd0, below || long};
             always @(posedge clk) begin
                 if (act[3])
                     below <= sum[31];
                 if (act[4])
-                    unknown <= empty;
+                    {unknown, one} <= {empty, low && power[0]};
                 if (act[5])
                     held <= op[12] ? {none, held[2:1]} : op[11] ? {held[3], none, held[1]} : {held[3:2], none};
                 if (act[5] && !none && op[9])
@@ -138,6 +140,7 @@ module product_engine #(
         end else begin : g_sums
             assign {w, slope, power, four, twice} = 107'd0;
             assign {far, minus, none, fresh} = 6'd0;
+            assign whole = 1'b0;
             assign out_status = 4'd0;
         end
     endgenerate

@@ -565,7 +565,6 @@ def six_inverse_case(core: Core, arm: Machine, text: Printed, rng: np.random.Gen
     tip, u = frame[:, :3, 3], core.params.get("U", 16)
     fine = np.all(np.abs(tip) < step * 32760, axis=1) & (np.abs(rho) > 5 * arm.file["mm_per_unit"])
     fine &= six_bounds.position(core.params | {"U": u}, seven(core, arm), frame[:, :3, :3], tip / step, rho < 0) < 3
-    fine &= np.abs(np.cos(np.radians(line))) > 2.0**-12  # nearer it takes the other elbow: models/test/test_six.py
     pick = np.flatnonzero(fine)[:FEW // 2]
     assert len(pick) > FEW // 4
     branch = ((rho < 0) + 2 * (np.sin(np.radians(line)) > 0) + 4 * (np.sin(np.radians(q["j5"])) < 0))[pick]

@@ -135,7 +135,7 @@ def test_wrapper_in_verilator(printed, tmp_path):
 
 @ICARUS
 @pytest.mark.parametrize("what, by", [
-    pytest.param(r"I_Y = I_X \+", "I_Y = I_X + 1 +", id="field"),
+    pytest.param(r"I_Y = I_X \+", "I_Y = I_X + 1 +", id="field", marks=pytest.mark.slow),
     pytest.param(r"\.out_n2\(n2\)", ".out_n2(n1)", id="output", marks=pytest.mark.slow),
     pytest.param(r"out_ready\(m_axis_tready\)", "out_ready(1'b1)", id="stall", marks=pytest.mark.slow)])
 def test_a_broken_wrapper_fails(what, by, tmp_path):

@@ -76,6 +76,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     count = 150 if core.function == "ik6_all" else 600  # eight answers a pose
     q = angles(count, rng)
     q[::5, 4] = np.pi * rng.integers(0, 2, q[::5, 4].shape)  # straight wrist
+    psi = np.arctan2(_arm(core, cfg).a2, _arm(core, cfg).c3)
+    q[2::9, 2] = np.pi / 2 * rng.choice([-1, 1], q[2::9, 2].shape) - psi  # elbow at a right angle: 1 - cos^2 is 1.0
     found = poses(core, cfg, q, rng)
     own = rng.random(count) < 0.5
     for axis in "xyz":  # another tip: out of reach, near axis 1, the wrist's centre on the shoulder
