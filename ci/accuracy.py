@@ -1,4 +1,4 @@
-"""`make accuracy ARM=... CORE=...`: the errors of one core on an arm, by its bit-true model."""
+"""`make accuracy ARM=... CORE=...` prints the errors of one core on an arm, computed by its bit-true model."""
 
 from __future__ import annotations
 

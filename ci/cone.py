@@ -1,8 +1,7 @@
-"""What a memory word reaches in a core: in a proof of its contract such words are cut, so no register there is known.
+"""This module finds the registers of a core that a memory word reaches; a contract proof knows nothing about those.
 
 The registers of a program in a memory have one value for each age of a sample, as control has, but follow from words
-that the proof leaves free. What was observed of them is left out; that leaves a proof with less to lean on, never a
-weaker one.
+that the proof leaves free. What was observed of them is left out. The proof then has fewer lemmas, but proves the same.
 """
 
 from __future__ import annotations

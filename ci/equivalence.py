@@ -1,14 +1,15 @@
-"""Proof that a mutant behaves as its core: no input sequence after a reset tells them apart.
+"""This module proves that a mutant behaves as its core: no input sequence after a reset tells them apart.
 
-Core and mutants stand side by side with the same inputs (ci/miter.py); an output says where their handshake or, while
+Core and mutants get the same inputs (ci/miter.py); an output says where their handshake or, while
 out_valid, their results differ. Yosys writes that as one and-inverter graph for all mutants of a core, with the number
 of the mutant as an input, which is set to a constant here. ABC's `scorr` proves by induction, from registers at 0,
 which registers and nodes always agree and merges them: the mutant is equivalent when the output becomes the constant 0.
 Where more is needed than nodes that agree (a register that differs while nothing reads it), ABC's `pdr` looks for an
 invariant in what is left.
 
-Multipliers and large memories are cut out of the first graph, and of the second, which knows more of them. A mutant for
-which neither is a proof gets the whole graph. A flipped memory word gets graphs of its own, in which its memory stays.
+Multipliers and large memories are cut out of the first graph, and of the second, which has more facts about them. A
+mutant for which neither is a proof gets the whole graph. A flipped memory word gets graphs of its own, in which its
+memory stays.
 """
 
 from __future__ import annotations

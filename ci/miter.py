@@ -1,10 +1,11 @@
-"""Core and mutant side by side, with one output that says where they differ: what ci/equivalence.py proves to be 0.
+"""This module puts core and mutant into one netlist with an output that is 1 where they differ; ci/equivalence.py
+proves that it is 0.
 
 Multipliers and memories are cut out of both. What they give is an input instead, whatever it is: the same one for the
 mutant where it gives the cell the same, and any other where it does not. What is written to a memory may not differ.
-With `facts` three things are known of them besides, which cost a proof time: a product with 0 is 0; a memory keeps the
-words it begins with (a write to one of them would be a difference); and in one that begins with none what is written
-to word 0 does not count, since what is read there may be anything.
+With `facts` three facts about them are used, which cost a proof time: a product with 0 is 0; a memory keeps the words
+it begins with (a write to one of them would be a difference); and in one that begins with none what is written to
+word 0 does not count, since what is read there may be anything.
 """
 
 from __future__ import annotations
@@ -119,7 +120,7 @@ class Cell:
 
 
 def cut(design: dict, unused: set[str], names: set[str]) -> list[Cell]:
-    """Take these cells out of Yosys' JSON; what stands in their place.
+    """Take these cells out of Yosys' JSON; what replaces them.
 
     `unused` learns the ports that nobody looks at: the undefined clock of a memory without one. What is mutated there
     does not count.

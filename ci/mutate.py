@@ -1,7 +1,7 @@
-"""The mutants of a core, all in one netlist.
+"""This module makes one netlist with all mutants of a core.
 
 Yosys' `mutate` lists the mutations (inverted, stuck, swapped or shifted bits, spread over cells and ports) of the
-flattened netlist, its cells split by use and the dead ones removed. One netlist carries them all, each behind a
+flattened netlist, its cells split by use and the dead ones removed. One netlist carries them all, each selected by a
 multiplexer of its own, and some inverted bits of memory words: a plusarg chooses one, so one build serves every mutant.
 """
 
@@ -63,7 +63,7 @@ class Mutant:
 class Mutants:
     """What was made of a core.
 
-    netlist : the core that the plusarg of a mutant breaks; without one it is whole. In the same folder stand gold.v
+    netlist : the core that the plusarg of a mutant breaks; without one it is whole. In the same folder are gold.v
         (the core) and mutants.v (module `mutants` with an input `mutant`, no memory word flipped), and both as .json.
     bits : width of that input.
     every : what each mutant is.

@@ -1,4 +1,5 @@
-"""Jobs on worker processes, with a progress bar: the answers, every failure, and nothing left when the run ends.
+"""This module runs jobs on worker processes with a progress bar. It returns every answer and every failure, and leaves
+no process when the run ends.
 
 The workers are Dask's (ci/farm.py): of this machine, or of FARM=tcp://scheduler:8786.
 """
@@ -25,7 +26,7 @@ def run(work: Callable, jobs: list[tuple[Hashable, ...]], since: float = 0.0,
     Parameters
     ----------
     since : kept results that are older (seconds of the epoch) are computed again.
-    name : stands before the progress bar; what the jobs print goes to ``build/<name>.log``.
+    name : printed before the progress bar; what the jobs print goes to ``build/<name>.log``.
 
     Raises
     ------

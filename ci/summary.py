@@ -1,8 +1,8 @@
-"""A summary of pytest's JUnit file in Markdown: counts, what failed and why, what took longest.
+"""This script summarises pytest's JUnit file in Markdown: counts, failures with their reasons, the longest tests.
 
     python3 ci/summary.py build/test.xml
 
-Plain Python: it runs where the tests could not be set up, too.
+It is plain Python, so that it also runs where the tests could not be set up.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""`make figures`: the picture of the front page, and those of the papers from our models, their claims beside ours.
+"""`make figures` draws the picture of the front page and the papers' figures from our models, and compares the claims.
 
-A module a paper or two; what they write: reports/figures, and the claims on the pages of their models.
+Each module covers one or two papers. They write reports/figures and the claims on the pages of their models.
 """
 
 from __future__ import annotations

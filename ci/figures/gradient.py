@@ -1,4 +1,4 @@
-"""Paper three, quaternion gradient descent: its figures 2, 8, 9, 11, 12 from our models, and its claims beside ours."""
+"""This module draws figures 2, 8, 9, 11, 12 of paper three (quaternion gradient descent) and compares its claims."""
 
 from __future__ import annotations
 

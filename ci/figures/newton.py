@@ -1,4 +1,4 @@
-"""Paper four, Newton-Raphson of three joints: its figures 3 and 4 with its tables, and its claims beside ours."""
+"""This module draws figures 3 and 4 of paper four (Newton-Raphson of three joints) and compares its claims."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The reconfigurable robot's paper: its figures 7 to 10 from our models, and its claims beside ours."""
+"""This module draws figures 7 to 10 of the paper on the reconfigurable robot and compares its claims with ours."""
 
 from __future__ import annotations
 

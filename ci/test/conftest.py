@@ -1,4 +1,4 @@
-"""A made-up report: rows of six kinematic cores and a primitive."""
+"""This fixture is a made-up report with rows of six kinematic cores and a primitive."""
 
 import copy
 

@@ -1,4 +1,4 @@
-"""The farm: three workers on the loopback, one killed in the middle; what is refused before it begins."""
+"""These tests run the farm on three workers, kill one in the middle, and try what must be refused at the start."""
 
 import os
 import signal

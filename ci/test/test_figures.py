@@ -1,4 +1,4 @@
-"""What pages and pictures claim is what the models give; a block that is not there is an error."""
+"""Claims of pages and pictures must be what the models give, and a missing block is an error."""
 
 import numpy as np
 import pytest

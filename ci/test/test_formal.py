@@ -1,4 +1,4 @@
-"""The proofs bite: each of these cores is broken in one place, and the verdict must be FAIL, with the property."""
+"""Each of these cores is broken in one place, and the verdict must be FAIL, with the property."""
 
 import dataclasses
 import re

@@ -1,4 +1,4 @@
-"""What is kept of a report, what makes it stale, and where a report goes: on made-up figures, no tool runs."""
+"""These tests show what is kept of a report, what makes it stale and where it goes. The figures are made up."""
 
 import copy
 import json

@@ -1,4 +1,4 @@
-"""Mutants of the smallest core: each choice breaks what it says, and only what behaves alike is proved so."""
+"""Each mutant of the smallest core breaks what it says, and only an equivalent one is proved equivalent."""
 
 import dataclasses
 import re

@@ -1,4 +1,4 @@
-"""Manifests: they follow from the list, and FuseSoC builds and simulates from them outside the repository."""
+"""Manifests follow from the Verilog, and FuseSoC builds and simulates from them outside the repository."""
 
 import re
 import subprocess

@@ -1,4 +1,4 @@
-"""The workers of reports and netlists: all answers, all failures, and nothing left when the parent ends."""
+"""The workers return all answers and all failures, and none is left when the parent ends."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""`ci/setup.sh` and the Makefile on machines that are not as they should be: a sentence, and nothing made."""
+"""On a machine that lacks something, `ci/setup.sh` and the Makefile print one sentence and make nothing."""
 
 import os
 import shutil

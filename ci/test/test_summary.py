@@ -1,4 +1,4 @@
-"""The workflow: its commands exist, its shards are all tests once; the summary of its results."""
+"""The commands of the workflow exist, its shards are all tests once, and the summary of its results is right."""
 
 import re
 import subprocess

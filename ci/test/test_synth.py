@@ -1,4 +1,4 @@
-"""The synthesis flow: ports of an unlisted module, which seeds make the clock, what a result is kept by."""
+"""These tests cover the synthesis flow: an unlisted module, the seeds behind a clock, and the key of a kept result."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""docs/tutorial.md, run as it stands: every block of shell in an empty folder."""
+"""This test runs every shell block of docs/tutorial.md, unchanged, in an empty folder."""
 
 import json
 import math

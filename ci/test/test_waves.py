@@ -1,4 +1,4 @@
-"""Waveforms: a core broken on purpose is recorded, with the time and a command that repeats it; choosing tests."""
+"""A core broken on purpose is recorded, with the time of the fault and a command that repeats it."""
 
 import re
 from dataclasses import replace

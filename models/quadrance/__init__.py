@@ -1,1 +1,1 @@
-"""Bit-true integer models of the Quadrance cores and the float64 truth they are held to."""
+"""This package has the bit-true integer models of the cores and the float64 truth with which they are compared."""

@@ -86,7 +86,7 @@ def root_product(p: Params, *, in_v: Ints, in_not: Ints) -> dict[str, Ints]:
     row = np.select([v >= 1 << 20, v >= 1 << 15, v >= 1 << 9], [0, 1, 2], 3)
     width = ints(SEGMENT_BITS)[row]
     segment = v >> width & SEGMENTS - 1
-    offset = (v << 9 | flip & 0x1FF) >> width & 0x1FF  # 9 bits, behind the word come more of its kind
+    offset = (v << 9 | flip & 0x1FF) >> width & 0x1FF  # 9 bits; more of the same kind follow the word
     middle = segment << 10 | (offset & 0x100) << 1 | (~offset & 0x100) | offset & 0xFF
     w = np.where(row == 3, segment << 10 | (flip & 1) << 9, middle)
     return {"out_w": w, "out_slope": chord_slopes(p.get("B", 17))[row, segment]}

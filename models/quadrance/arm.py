@@ -1,4 +1,5 @@
-"""Bit-true models of rtl/arm: what an arm as it is built adds to two links and a yaw. Joints are unit vectors.
+"""These are the bit-true models of rtl/arm: two links and a yaw with the offsets of a real arm. Joints are unit
+vectors.
 
 The five constants, all of them words of a coordinate: base height, shoulder offset a (radial), lateral offset b, elbow
 offset e (across the forearm), absolute elbow (joint 2 is measured from the base). A switch that is 0 (`BASE`,
@@ -121,7 +122,7 @@ def _yaw(x: Ints, y: Ints, lateral: Ints, square: Ints, back: Ints) -> tuple[Int
     """Joint 3 as products with 49 fraction bits, rho with 4, and whether the point is nearer than b.
 
     Joint 3 is the point seen from (rho, b), whose length is the point's own. Nearer than b rho is 0, and a direction is
-    all that matters: a power of two stands for b, and the products are with 2 / sqrt(q') instead of 1/q'.
+    all that matters: a power of two replaces b, and the products are with 2 / sqrt(q') instead of 1/q'.
     """
     q = x * x + y * y
     near, s = q < square, kernel_vector_solve.spare_pairs(q)
@@ -147,7 +148,7 @@ def _plain_yaw(x: Ints, y: Ints, shoulder: Ints, switch: int, back: Ints) -> tup
 
 
 def turn(p: Params, c: Ints, n: Ints, by_c: Ints, by_n: Ints) -> tuple[Ints, Ints]:
-    """(c, n) turned by (by_c, by_n), U fraction bits; the one's complement stands for -by_n."""
+    """(c, n) turned by (by_c, by_n), U fraction bits; the one's complement replaces -by_n."""
     u = p["U"]
 
     def rounded(first: Ints, second: Ints) -> Ints:

@@ -1,5 +1,5 @@
-"""Bit-true models of the cores of rtl/arm that choose among the branches of an inverse: within the limits, and nearest
-to the answer before."""
+"""These are the bit-true models of arm_keep2 and arm_keep3, which choose the branch of an inverse that is within the
+limits and nearest to the last answer."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ def positions(theta: ArrayLike, lengths: ArrayLike) -> tuple[Floats, Floats]:
 
 
 def space_positions(yaw: float, theta: ArrayLike, lengths: ArrayLike) -> tuple[Floats, Floats, Floats]:
-    """`positions` in a plane that stands upright and yaws: (rho cos, rho sin, z)."""
+    """`positions` in a plane that is upright and yaws: (rho cos, rho sin, z)."""
     rho, z = positions(theta, lengths)
     return rho * np.cos(yaw), rho * np.sin(yaw), z
 
@@ -103,9 +103,9 @@ def table_chain(p: Params, *, in_j1: Ints, in_l: Ints, in_last: Ints) -> dict[st
 
 
 def vector_directions(p: Params, c: Ints, n: Ints, last: Ints) -> tuple[Ints, Ints]:
-    """Direction of every link, U + G fraction bits: all products truncated, a constant 1 behind each sum.
+    """Direction of every link, U + G fraction bits: all products truncated, a constant 1 below each sum.
 
-    -n is the one's complement with G ones behind it, so that C is low by N 2^-(U+G) more.
+    -n is the one's complement with G ones below it, so that C is low by N 2^-(U+G) more.
     """
     u, g = p["U"], sizes(p)[1]
     high, mask = 1 << u + g + 1, (1 << u + g + 2) - 1

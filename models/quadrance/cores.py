@@ -1,4 +1,4 @@
-"""Reader of ``rtl/cores.toml``, the one list of functions, their cores, ports, parameter sets and latencies."""
+"""This module reads ``rtl/cores.toml``, the list of functions, their cores, ports, parameter sets and latencies."""
 
 from __future__ import annotations
 
@@ -180,7 +180,7 @@ def _ports(kind: str, name: str, spec: str, params: dict[str, int], where: str) 
 
 
 def joints(ports: tuple[Port, ...]) -> tuple[Joint, ...]:
-    """The joints among `ports`, in their order; the ports of one joint stand side by side."""
+    """The joints among `ports`, in their order; the ports of one joint are next to each other."""
     words, found = iter([port for port in ports if port.type]), []
     for port in words:
         found.append((port, *(next(words) for _ in TYPES[port.type][0][1:])))
@@ -201,7 +201,7 @@ def expand(family: str, function: str, shared: dict, name: str, own: dict,
     Parameters
     ----------
     family, function : str
-        The tables the core stands under.
+        The tables that contain the core's.
     shared : dict
         What all cores of the function share: keys `FUNCTION_KEYS`.
     name : str

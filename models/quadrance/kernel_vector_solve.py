@@ -50,7 +50,7 @@ def slopes() -> Ints:
 
 
 def factor_word(word: Ints) -> Ints:
-    """The upper bits of a 26-bit first factor and the constant 1 behind them, 1.0 is 2^25."""
+    """The upper bits of a 26-bit first factor and the constant 1 below them, 1.0 is 2^25."""
     return (word >> 26 - FACTOR << 26 - FACTOR) + (1 << 25 - FACTOR)
 
 
@@ -102,7 +102,7 @@ def reciprocal(inverse: Ints) -> Ints:
 
 
 def direction_power(s: Ints) -> Ints:
-    """What stands for k1 where q is the quadrance of a direction alone: 2^15, or 2^16 where s is odd."""
+    """The value that replaces k1 where q is the quadrance of a direction alone: 2^15, or 2^16 where s is odd."""
     return np.int64(1) << 15 + GUARD + (s & 1)
 
 
@@ -111,7 +111,7 @@ class Solved(NamedTuple):
 
     cosine: Ints  # c2 as a product with 49 fraction bits, where it is not out of reach
     sine: Ints  # n2, likewise
-    k1: Ints  # the tip of the arm with joint 1 at 0, with the constant 1 behind it
+    k1: Ints  # the tip of the arm with joint 1 at 0, with the constant 1 below it
     k2: Ints
     s: Ints  # the shift of `seen`
     reciprocal: Ints

@@ -195,7 +195,7 @@ def ik6_all(p: Params, **ports: Ints) -> dict[str, Ints]:
     return answer | bits | {"out_status": status}
 
 
-# Behind the angle codec
+# With the angle codec
 
 
 def table_fk6(p: Params, **ports: Ints) -> dict[str, Ints]:

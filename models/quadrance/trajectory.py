@@ -1,6 +1,6 @@
-"""A working day of an arm: a circle, a line and a pick-and-place, with smooth joint profiles.
+"""This module makes the working day of an arm: a circle, a line and a pick-and-place, with smooth joint profiles.
 
-Deterministic, within the joint limits, on one side of the elbow; what the report runs through every core.
+It is deterministic, stays within the joint limits and on one side of the elbow. The report runs it through every core.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from quadrance import truth
 from quadrance.arms import Arm, ArmError
 from quadrance.truth import Floats
 
-TURNTABLE = (-170.0, 170.0)  # degrees: yaw of an arm that has none (a SCARA's two links stood on a turntable)
+TURNTABLE = (-170.0, 170.0)  # degrees: yaw of an arm that has none (a SCARA's two links on a turntable)
 CLEAR = 12.0  # degrees kept from the stretched and the folded elbow
 
 
@@ -70,7 +70,7 @@ def trajectory(arm: Arm, joints: int = 3, samples: int = 1000) -> tuple[Floats, 
     arm : Arm
     joints : 1, 2 or 3
         1: the first link alone, driven as in the two-joint motion. 2: both links in the plane.
-        3: with the yaw; an arm without one stands on a turntable.
+        3: with the yaw; an arm without one is put on a turntable.
     samples : int
         About a third of them for each of the three motions.
 

@@ -1,4 +1,4 @@
-"""Float64 kinematics and joint codings: what every model and core is held to.
+"""This module has the float64 kinematics and joint codings with which every model is compared.
 
 Angles are in radians, counter-clockwise; lengths share one unit, the same for links and coordinates.
 Every function is vectorised: its arguments broadcast, its results have the broadcast shape.
@@ -45,7 +45,7 @@ def fk3(theta1: ArrayLike, theta2: ArrayLike, theta3: ArrayLike, l1: ArrayLike,
     """Tip (x, y, z) of two links in a vertical plane that yaws by `theta3`: eqs. 24-31.
 
     rho keeps its sign (the paper squares it away), so a link that leans backwards past the yaw axis
-    lands behind it.
+    lands beyond it.
     """
     rho, z = fk2(theta1, theta2, l1, l2)
     c3, n3 = unit(theta3)

@@ -1,4 +1,4 @@
-"""Float64 kinematics of arms as they are built: what the cores of rtl/arm are held to.
+"""This module has the float64 kinematics of real arms, with which the models of rtl/arm are compared.
 
 Angles in radians, lengths in one unit. (L1, L2) are the links as `truth` has them, L2 from the elbow to the wrist;
 `Frame` holds the rest. Joint 2 of the machine is theta2 = elbow - turn, elbow being the angle from link 1 to the line

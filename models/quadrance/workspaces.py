@@ -1,9 +1,9 @@
-"""The workspace of every arm with the tip error of arm_ik3 in it, a vertical section through the yaw axis.
+"""This module draws the tip error of arm_ik3 over a vertical section through the yaw axis of every arm.
 
     python -m quadrance.workspaces       writes rtl/arm/workspaces.png and prints the greatest error of each arm
 
 Right of the axis the arm reaches forward, left of it over its shoulder (in_back = 1). Words are those of W = 16, F = 8,
-U = 16; the error is that of the directions that the words stand for.
+U = 16; the error is that of the directions that the words represent.
 """
 
 from __future__ import annotations

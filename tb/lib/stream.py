@@ -1,4 +1,4 @@
-"""Driver, sink, monitors and scoreboard of the AXI-Stream contract that every core keeps.
+"""This module has the driver, sink, monitors and scoreboard of the AXI-Stream contract.
 
 All of them sample just after the rising edge, where a signal still has the value that the edge saw.
 """
@@ -96,7 +96,7 @@ class Bench:
     async def reset(self, cycles: int = 2, offer: Callable[[], bool] = lambda: False) -> None:
         """Drop what is in flight; the results so far must still be a prefix of the right ones.
 
-        `offer()` says clock by clock whether a random word stands at the input meanwhile: it must not be taken.
+        `offer()` says clock by clock whether a random word is at the input meanwhile: it must not be taken.
         """
         self.dut.rst.value = 1
         for _ in range(cycles):

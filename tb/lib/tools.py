@@ -1,4 +1,4 @@
-"""Where the tools are, how they are called, and what to install when one is missing."""
+"""This module finds and calls the tools, and says what to install when one is missing."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""How far a core is from the truth, and where to look: `cases` to feed it, its errors at the `tip` of the arm, and
-`primitives` against their real-valued functions.
+"""This package measures how far a core is from the truth: `cases` are its inputs, `tip` its errors at the tip of the
+arm, and `primitives` compares other cores with their real-valued functions.
 
-Everything is vectorised over the samples, and nothing knows which family computed an answer: words are read by the type
-of their port (`quadrance.codecs`).
+Everything is vectorised over the samples and independent of the family that computed an answer: words are read by the
+type of their port (`quadrance.codecs`).
 """
 
 from quadrance.accuracy.arm import AXES, JOINTS, config, configure, limits, mm_per_lsb

@@ -1,4 +1,4 @@
-"""An arm as a core sees it: its joints and axes, its link lengths in words, the configuration words of the core."""
+"""This module turns an arm into what a core gets: joints and axes, link lengths in words, configuration words."""
 
 from __future__ import annotations
 

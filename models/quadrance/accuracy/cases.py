@@ -1,4 +1,4 @@
-"""What to feed a core: an arm's working day, samples over all it can be asked, its workspace, a map of it."""
+"""This module makes a core's inputs: an arm's working day, samples of the whole domain, a workspace, a map of it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from quadrance.truth import Floats
 
 @dataclass(frozen=True)
 class Case:
-    """What to feed a core, and the float64 motion it stands for.
+    """What to feed a core, and the float64 motion that it represents.
 
     inputs : words a port (N,); cfg : words; angles (N, joints) rad and tip (N, 3) units before quantisation,
     None for primitives.
@@ -159,7 +159,7 @@ def _within(places: Floats, joint: Joint, limit: Floats) -> Floats:
 
 
 def _coarsest(joint: Joint, limit: Floats, off: Floats) -> Floats:
-    """Angles `off` LSB before and behind the coarsest words within the limits; without such a word, the limits."""
+    """Angles `off` LSB before and after the coarsest words within the limits; without such a word, the limits."""
     found = _within(codecs.coarsest(joint, off), joint, limit)
     return found if found.size else limit
 

@@ -4,7 +4,7 @@
 
 * forward: distance from the answered tip to the float64 tip of the *quantised* joints and links;
 * inverse: distance from the float64 tip of the true solution (of the *quantised* target) to the tip of the solution
-  that the answered words stand for. A word stands for every direction that rounds to it, so a correctly rounded
+  that the answered words represent. A word represents every direction that rounds to it, so a correctly rounded
   answer has arithmetic error 0 and the half LSB of the word belongs to the quantisation. Of these directions, joint
   by joint the nearest to the true one, or the words' own: where the arm is stretched or folded one joint makes good
   for the other, and the nearest one by one would tear them apart.

@@ -100,7 +100,7 @@ class Arm:
 
     @property
     def yaws(self) -> bool:
-        """Whether the arm's plane stands upright and yaws; False for a SCARA."""
+        """Whether the arm's plane is upright and yaws; False for a SCARA."""
         return len(self.limits) > 2
 
     @property

@@ -1,4 +1,5 @@
-"""Error bounds as functions of the parameters, each with its derivation: what tests show, pages and reports quote.
+"""This package has the error bounds as functions of the parameters, each with its derivation. Tests show them, pages
+and reports quote them.
 
 `p` are the Verilog parameters of a core. Lengths and errors are in LSB of a coordinate, 2^-F units, where nothing else
 is said. Errors of forward cores include half an LSB of rounding in each coordinate; errors of inverse cores are at the

@@ -1,4 +1,4 @@
-"""Error bounds of rtl/arm, made of those of rtl/vector. Lengths and errors in LSB of a coordinate."""
+"""These error bounds of rtl/arm are built on those of rtl/vector. Lengths and errors are in LSB of a coordinate."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def radius(p: Params, rho: ArrayLike) -> Floats:
 
 def turned(p: Params) -> float:
     """How far one turn of joint 2 moves (c2, n2), units of 2^-U: a coordinate is cut twice to a half and rounded by a
-    half, 1 at most, and n stands for n + 1 in one of them."""
+    half, 1 at most, and n replaces n + 1 in one of them."""
     return math.hypot(2, 1)
 
 
@@ -101,7 +101,7 @@ CUT = 2.0 ** -arm_velocity.GUARD
 
 
 def _across(s: ArrayLike, w2: ArrayLike) -> Floats:
-    """Velocity in the plane: L1 + e and f are cut once, each term of v' once more and where a complement stands in it
+    """Velocity in the plane: L1 + e and f are cut once, each term of v' once more and where it has a complement
     1 of its factor; two cuts and a complement of the turn by joint 1."""
     s, w2 = np.abs(s), np.abs(w2)
     return np.hypot(s + w2 + 2, 2 * s + 1) + 3

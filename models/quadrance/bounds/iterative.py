@@ -1,4 +1,4 @@
-"""Error bounds of the iterative solvers: of where they end, and of every iterate on the way."""
+"""These are the error bounds of the iterative solvers: of the point where they end, and of every iterate."""
 
 from __future__ import annotations
 

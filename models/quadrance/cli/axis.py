@@ -1,4 +1,4 @@
-"""AXI-Stream around a core: its Verilog, written from the core's ports in the list."""
+"""This module writes the Verilog of an AXI-Stream wrapper from a core's ports in the list."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def whole_bytes(width: str, fields: int = 1) -> str:
 def wrapper(core: Core) -> str:
     """The text of ``axis_<core>.v``.
 
-    A beat is a sample. The fields of a word stand in port order from bit 0 on, each in whole bytes, signed ones
+    A beat is a sample. The fields of a word are in port order from bit 0 on, each in whole bytes, signed ones
     sign-extended; ``m_axis_tuser`` is the status; ``cfg_*`` are plain ports.
 
     Raises

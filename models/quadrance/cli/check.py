@@ -1,4 +1,4 @@
-"""Is an arm file right, and is its scale the one to take?"""
+"""This module checks an arm file and recommends its scale."""
 
 from __future__ import annotations
 

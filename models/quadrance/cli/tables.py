@@ -1,4 +1,4 @@
-"""Tables that fit the terminal: columns that matter less go first, a figure is never cut."""
+"""This module fits tables to the terminal: it drops the least important columns first and never truncates a figure."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Words of ports: degrees, encoder counts and millimetres into words and back.
+"""This module converts degrees, encoder counts and millimetres into words of ports and back.
 
 A word is named by its type and bits (``angle:18``, ``spread:24``, ``coordinate:16.8``) or by a port (``table_ik2.x``).
 """
@@ -78,7 +78,7 @@ def _entry(port: Port, value: int) -> dict:
 
 
 def encode(one: Word, value: float, counts: int | None = None, mm_per_unit: float | None = None) -> dict:
-    """The word nearest to a value, and what it then stands for.
+    """The word nearest to a value, and the value of that word.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def _no_counts(one: Word, counts: int | None) -> None:
 
 
 def decode(one: Word, words: tuple[int, ...], counts: int | None = None, mm_per_unit: float | None = None) -> dict:
-    """What words stand for: degrees (and counts), or units (and millimetres)."""
+    """The values of words: degrees (and counts), or units (and millimetres)."""
     if len(words) != len(one.ports):
         raise Refused(f"a {one.ports[0].type} is {len(one.ports)} words ({', '.join(p.name for p in one.ports)}), "
                       f"not {len(words)}: join them with a comma")

@@ -1,4 +1,4 @@
-"""Inverse kinematics by iteration, in float64: the recursions of two papers, and what is set beside them.
+"""This package solves inverse kinematics by iteration in float64, by the recursions of two papers and alternatives.
 
 `gradient` is the quaternion gradient descent theta <- theta + alpha J^T E, `newton` the Newton-Raphson of the planar
 arm of three joints. Both stop by rules that the papers lack: tolerance, limit, guard; an answer says how it ended.

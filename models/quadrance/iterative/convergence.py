@@ -1,6 +1,6 @@
-"""How long an engine takes to its answer: the grid of starts on which the report measures it.
+"""This module measures how long an engine iterates, on the grid of starts that the report uses.
 
-A new engine enters `ENTRIES`; the report's table of engines takes it from there.
+A new engine enters `ENTRIES`; the report's table of engines reads it there.
 """
 
 from __future__ import annotations

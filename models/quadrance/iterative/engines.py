@@ -1,4 +1,4 @@
-"""The iterative engines as one loop sees them: metres and radians to words, and the words of an answer back.
+"""This module gives all iterative engines one interface: metres and radians to words, and the words of an answer back.
 
 An engine of rtl/engine that answers a target with joints enters `EXAMPLES` with the example of its paper.
 """
@@ -54,7 +54,7 @@ class Example:
         return ints(np.rint((floats(goal) - self.origin) / lsb))
 
     def places(self, words: Ints, lsb: float) -> Floats:
-        """The places in metres that coordinate words stand for."""
+        """The places in metres that coordinate words represent."""
         return words * lsb + self.origin
 
 

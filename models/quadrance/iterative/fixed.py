@@ -75,7 +75,7 @@ def _seen(w: int, fine: Ints, error: Ints) -> Ints:
 
 
 def levels(warm: Ints) -> Iterator[Ints]:
-    """Indices of samples that start by themselves; then of those behind them that start from their answers; and so on.
+    """Indices of samples that start by themselves; then of those after them that start from their answers; and so on.
     """
     index = np.arange(warm.size)
     depth = index - np.maximum.accumulate(np.where(warm == 0, index, -1))
@@ -179,7 +179,7 @@ def gd_vector(p: Params, *, in_x: Ints, in_y: Ints, in_c1: Ints, in_n1: Ints, in
     start = (np.stack([c1, n1, c2, n2]) << GUARD) + half
     home = (np.array([1, 0, 1, 0]) << w + GUARD) + half
     joints, steps, out = _descend(p, start, home, warm, tol, limit, one_pass, 2)
-    # a start's flag stays for the warm samples behind it
+    # the flag of a start remains for the warm samples after it
     far = no_unit(w, c1, n1) | no_unit(w, c2, n2)
     cold = np.maximum.accumulate(np.where(warm == 0, np.arange(warm.size), -1))
     out["out_status"] |= 2 * np.where(cold >= 0, far[cold], 0)

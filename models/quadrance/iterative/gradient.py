@@ -53,7 +53,7 @@ def touch(l1: float, l2: float, origin: tuple[float, float, float] = (0.0, 0.0, 
 
 @dataclass(frozen=True)
 class Joint:
-    """A revolute joint of a chain in space: its axis, and the link behind it, both in its own frame at angle 0."""
+    """A revolute joint of a chain in space: its axis, and the link after it, both in its own frame at angle 0."""
 
     axis: tuple[float, float, float]
     link: tuple[float, float, float]

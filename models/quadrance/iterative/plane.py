@@ -36,7 +36,7 @@ def sets(joints: Ints) -> list[dict[str, int]]:
 
 
 def solve(n: int, x: int, y: int) -> list[dict[str, int]]:
-    """The sample that solves for a target, and those that read the joints behind it."""
+    """The sample that solves for a target, and those after it that read the joints."""
     return [{"in_op": SOLVE, "in_n": n, "in_x": int(x), "in_y": int(y), "in_j": 0},
             *({"in_op": READ, "in_n": i, "in_x": 0, "in_y": 0, "in_j": 0} for i in range(1, n + 1))]
 

@@ -1,4 +1,4 @@
-"""The haptic circle through an iterative solver, and a servo behind it: what lags by how much.
+"""This module sends the haptic circle through an iterative solver and a servo, and measures how far each lags behind.
 
 Paper three, section 4.3: a circle of 35 mm at pi / 4 rad/s, a target every millisecond, some iterations for each, and a
 PID at every joint (eqs. 32, 33). The paper's plant is a real Geomagic Touch. Here it is a model, `advance`: every joint
@@ -36,7 +36,7 @@ class Follower:
     """A solver on its circle: centre + RADIUS (cos u + sin v).
 
     start : joints near those of the centre, radians. solve : a sample's iterations from the state before.
-    state, theta : joints in radians to a state, and back. seen : the target that the solver's words stand for.
+    state, theta : joints in radians to a state, and back. seen : the target that the solver's words represent.
     clocks : of an engine's pass, 0 of float64.
     """
 

@@ -121,7 +121,7 @@ def coriolis(robot: Robot, rotation: ArrayLike, position: ArrayLike, beta: Array
               _screw(v, elbows), _screw(axis, ends), _screw(v, ends), _screw(w, ends)]
     known = [link, rates - link]
     rest = np.asarray(platform)[..., None, :] - sum(rate[..., None] * one for rate, one in zip(known, screws))
-    # five joints behind the crank; their screws span all but {.; S^6} = 0, which `rest` fulfils
+    # five joints after the crank; their screws span all but {.; S^6} = 0, which `rest` fulfils
     columns = np.stack(screws[2:], axis=-1)
     scale = np.array([1, 1, 1, *[1 / 100] * 3])  # lengths in 100 mm
     passive = np.linalg.pinv(columns * scale[:, None]) @ (rest * scale)[..., None]

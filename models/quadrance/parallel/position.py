@@ -1,4 +1,4 @@
-"""Position: inverse in closed form, forward by Newton."""
+"""This module solves positions: the inverse in closed form, the forward problem by Newton."""
 
 from __future__ import annotations
 
@@ -168,7 +168,7 @@ def scaled(rows: Floats) -> Floats:
 
 
 def branches(robot: Robot, rotation: ArrayLike, position: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Floats:
-    """(..., n) +1 or -1: on which branch the legs stand."""
+    """(..., n) +1 or -1: the branch of each leg."""
     d = robot.joints(rotation, position) - robot.shoulders(beta)
     e, f = np.einsum("...ni,ni->...n", d, robot.radial), d @ robot.up
     return np.where(e * np.sin(alpha) - f * np.cos(alpha) >= 0, 1.0, -1.0)

@@ -1,4 +1,4 @@
-"""Manipulability, and the angle of the reconfiguration links that makes it greatest."""
+"""This module computes the manipulability and the angle of the reconfiguration links that maximises it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Singularities by type, and how near a posture is to one."""
+"""This module finds the type of a singularity and how near a posture is to one."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Programs of the engines that play a table of control words: what a word does, and whether a program is sound."""
+"""This package reads the programs of the engines: it says what a control word does and whether a program is sound."""

@@ -1,8 +1,8 @@
-"""Checker of programs: no line reads a word that is not there, no longer there, or still on its way.
+"""This module checks programs: no line may read a word that was not written, was overwritten, or is not ready.
 
 A program is lines with successors, so that loops and jumps are followed on every path. A line reads and writes places
 (registers, the root unit, the power that normalises) at known clocks; the checker finds out which line's word each read
-gets. It knows no engine: `product_engine.decode` and its like say what a control word does.
+gets. It is independent of the engine: `product_engine.decode` and its like say what a control word does.
 
 The checker shares no code with what makes programs: neither with an assembler nor with the bit-true models.
 """
@@ -78,11 +78,11 @@ class Program:
 
     Attributes
     ----------
-    then : for each line the lines that may be played in the next clock; none behind the last.
+    then : for each line the lines that may be played in the next clock; none after the last.
     given : places that hold a word before the first line.
     results : places whose words are taken as results, so that no line has to read them.
     titles : how a message calls a place.
-    table : the number in the table of each line, where a line stands for several places; the line's own by default.
+    table : the number in the table of each line, where a line occurs in several places; the line's own by default.
     """
 
     lines: Sequence[Line]

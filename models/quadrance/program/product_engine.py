@@ -1,8 +1,8 @@
-"""What a 47-bit control word of rtl/program/product_engine.v does, and the rules of a program of such words.
+"""This module says what a 47-bit control word of rtl/program/product_engine.v does, and the rules of a program.
 
 A word is {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}. A line reads registers in its first clock (0),
 chooses operands in the next (1) and computes in the third (2), in which its word is written; so a register is read
-from the third line behind its writer on, and not at all by the second, for it is written in that clock.
+by the third line after its writer or a later one, and never by the second, since it is written in that clock.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ REGISTER, PORT, LAST, TABLE = range(4)  # sources of A
 HIGH, LOW, MID = range(3)  # ALIGN
 FOLD, MORE, WRIST, ABOVE, ROOT, HOLD, FAR, CLAMP, CHECK = (1 << i for i in range(9))  # ACT
 
-# Units beside the registers: first clock in which they show what a line has made of them. Behind them are flip-flops.
+# Units beside the registers: first clock in which they show what a line has made of them. After them come flip-flops.
 WORD, POWER, NONE, LONG, RECIPROCAL = "the word before", "the power", "the root's flag", "FAR's flag", "the root"
 READY = {WORD: 2, POWER: 3, NONE: 3, LONG: 3, RECIPROCAL: 4}
 REGISTERS = 3
@@ -108,7 +108,7 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
 
 
 def _neighbours(words: Sequence[int], then: Sequence[tuple[int, ...]]) -> dict[int, list[str]]:
-    """What is wrong between a line and the one behind it: LAST and the sum of KEEP live for one clock."""
+    """What is wrong between a line and the one after it: LAST and the sum of KEEP live for one clock."""
     wrong: dict[int, list[str]] = {}
     for number, word in enumerate(words):
         first = fields(word)
@@ -149,7 +149,7 @@ def _writers(made: Program, number: int, places: Iterable[Place]) -> set[int]:
 
 
 def _partial(words: Sequence[int], made: Program) -> list[str]:
-    """A power is used when all words of its group, FOLD and each MORE behind it, have gone into it."""
+    """A power is used when all words of its group, FOLD and each MORE after it, have gone into it."""
     changes = [number for number, word in enumerate(words) if fields(word)["act"] & (FOLD | MORE)]
     joined = {first: then for first, then in zip(changes, changes[1:]) if fields(words[then])["act"] & MORE}
     return [f"line {number + 1} '{line.label}': the power is used before line {joined[one] + 1} joins it"
