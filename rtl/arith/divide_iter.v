@@ -7,8 +7,8 @@
 // Model: arith.divide
 `default_nettype none
 module divide_iter #(
-    parameter WN = 16,  // bits of the numerator, 1 or more; 16 is the library's word
-    parameter WD = 16,  // bits of the divisor, 1 or more; 16 is the library's word
+    parameter WN = 16,  // bits of the numerator, 1 or more, WN + F to 62; 16 is the library's word
+    parameter WD = 16,  // bits of the divisor, 1 to 62; 16 is the library's word
     parameter F  = 0,   // further fraction bits of the quotient, 0 or more; 0: whole numbers
     parameter R  = 1    // digits a clock, 1 to WN + F - 1; 1, the smallest and the fastest clock
 ) (
@@ -32,8 +32,8 @@ module divide_iter #(
     localparam A = H < WD ? H : WD;          // and after the accepting clock
 
     generate
-        if (WN < 1 || WD < 1 || F < 0 || R < 1 || R >= N) begin : g_illegal
-            divide_iter_needs_R_from_1_to_below_the_quotient_bits rule ();
+        if (WN < 1 || WD < 1 || F < 0 || WN + F > 62 || WD > 62 || R < 1 || R >= N) begin : g_illegal
+            divide_iter_needs_WN_plus_F_and_WD_to_62_and_R_from_1_to_below_the_quotient_bits rule ();
         end
     endgenerate
 

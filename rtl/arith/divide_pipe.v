@@ -7,8 +7,8 @@
 // Model: arith.divide
 `default_nettype none
 module divide_pipe #(
-    parameter WN = 16,  // bits of the numerator, 1 or more; 16 is the library's word
-    parameter WD = 16,  // bits of the divisor, 1 or more; 16 is the library's word
+    parameter WN = 16,  // bits of the numerator, 1 or more, WN + F to 62; 16 is the library's word
+    parameter WD = 16,  // bits of the divisor, 1 to 62; 16 is the library's word
     parameter F  = 0,   // further fraction bits of the quotient, 0 or more; 0: whole numbers
     parameter R  = 1    // digits a stage, 1 to WN + F; 1, the fastest clock
 ) (
@@ -39,8 +39,8 @@ module divide_pipe #(
 
     genvar s;
     generate
-        if (WN < 1 || WD < 1 || F < 0 || R < 1 || R > N) begin : g_illegal
-            divide_pipe_needs_R_from_1_to_the_quotient_bits rule ();
+        if (WN < 1 || WD < 1 || F < 0 || WN + F > 62 || WD > 62 || R < 1 || R > N) begin : g_illegal
+            divide_pipe_needs_WN_plus_F_and_WD_to_62_and_R_from_1_to_the_quotient_bits rule ();
         end
         for (s = 0; s <= M; s = s + 1) begin : g_stage
             localparam K = H + s * R;        // digits known behind this stage

@@ -7,7 +7,7 @@
 // Model: arith.isqrt
 `default_nettype none
 module isqrt_iter #(
-    parameter W = 16,  // bits of the radicand, 1 or more; 16 is the library's word
+    parameter W = 16,  // bits of the radicand, 1 or more, W + 2 F to 62; 16 is the library's word
     parameter F = 0,   // further fraction bits of the root, 0 or more; 0: whole numbers
     parameter R = 1    // digits a clock, 1 to ceil(W/2) + F - 1; 1, the smallest and the fastest clock
 ) (
@@ -26,8 +26,8 @@ module isqrt_iter #(
     localparam H = N - M * R;                // digits of the accepting clock, 1 .. R
 
     generate
-        if (W < 1 || F < 0 || R < 1 || R >= N) begin : g_illegal
-            isqrt_iter_needs_R_from_1_to_below_the_root_bits rule ();
+        if (W < 1 || F < 0 || W + 2*F > 62 || R < 1 || R >= N) begin : g_illegal
+            isqrt_iter_needs_W_plus_2F_to_62_and_R_from_1_to_below_the_root_bits rule ();
         end
     endgenerate
 
