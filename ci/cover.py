@@ -14,6 +14,7 @@ harness and tools, but no comment. It is written as the run goes: one that is cu
 from __future__ import annotations
 
 import argparse
+import ast
 import json
 import os
 import re
@@ -79,6 +80,7 @@ def run(core: Core) -> None:
 
 def verdict(name: str, params: legal.Params) -> str:
     """Nothing where core `name` passes at `params`, else the reason."""
+    program.BENCH = False
     try:
         run(legal.at(_core(name), params))
     except AssertionError as error:
@@ -95,12 +97,15 @@ def _core(name: str) -> Core:
 
 @cache
 def _text(path: Path) -> str:
-    """What a file means: Verilog and C++ without comments and blank lines, Python without docstrings too."""
+    """What a file means: its text without comments, docstrings and the way its lines are broken."""
     text = path.read_text()
     if path.suffix == ".py":
-        return code.bare(text)
-    lines = re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S).splitlines()
-    return "\n".join(line.rstrip() for line in lines if line.strip())
+        tree = ast.parse(text)
+        for node in ast.walk(tree):
+            if isinstance(node, code.DOCUMENTED) and ast.get_docstring(node) is not None:
+                node.body[0] = ast.Pass()
+        return ast.unparse(tree)
+    return " ".join(re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S).split())
 
 
 def _follows(core: Core) -> str:
@@ -168,8 +173,8 @@ def cover(sets: dict[tuple[str, str], tuple[legal.Params, str]], every: bool) ->
         verdicts[name] = {label: digest for label, digest in verdicts.get(name, {}).items()
                           if not every and sets.get((name, label), ({}, ""))[1] == digest}
     verdicts = {core.name: verdicts.get(core.name, {}) for core in cores()}
-    place = {one: i for name in verdicts for i, one in enumerate(each for each in sets if each[0] == name)}
-    jobs = sorted((one for one in sets if one[1] not in verdicts[one[0]]), key=place.get)  # ends of all ranges first
+    place = {one: at for name in verdicts for at, one in enumerate(one for one in sets if one[0] == name)}
+    jobs = sorted((one for one in sets if one[1] not in verdicts[one[0]]), key=place.get)  # the ends of ranges first
     print(f"{len(sets) - len(jobs)} of {len(sets)} sets stand from before (FRESH=1 runs them again)", flush=True)
     wrong = []
     with ProcessPoolExecutor(os.cpu_count()) as pool:

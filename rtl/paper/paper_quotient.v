@@ -6,8 +6,8 @@
 // Model: paper.quotient
 `default_nettype none
 module paper_quotient #(
-    parameter Q = 22,  // bits of remainder and divisor, 1 or more; 22 is a quadrance of the forward cores at S = 8
-    parameter R = 3    // digits, 1 or more, Q + R to 62; 3 is what paper_chain takes a clock
+    parameter Q = 22,  // bits of remainder and divisor, 1 to 61; 22 is a quadrance of the forward cores at S = 8
+    parameter R = 3    // digits, 1 to 62; 3 is what paper_chain takes a clock
 ) (
     input  wire [Q-1:0] in_rem,
     input  wire [Q-1:0] in_d,
@@ -16,8 +16,8 @@ module paper_quotient #(
 );
     genvar i;
     generate
-        if (Q < 1 || R < 1 || Q + R > 62) begin : g_illegal
-            paper_quotient_needs_Q_and_R_from_1_and_Q_plus_R_to_62 rule ();
+        if (Q < 1 || R < 1 || Q > 61 || R > 62) begin : g_illegal
+            paper_quotient_needs_Q_from_1_to_61_and_R_from_1_to_62 rule ();
         end
         for (i = 0; i < R; i = i + 1) begin : g_digit
             wire [Q-1:0] rem;

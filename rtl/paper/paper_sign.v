@@ -19,8 +19,8 @@ module paper_sign #(
     wire         half;  // the bit below the word's LSB
     wire [W-1:0] x = {1'b0, in_root[N-1 -: W-1] | {(W-1){in_over}}};
     generate
-        if (N < W - 1 || N > 62) begin : g_illegal
-            paper_sign_needs_N_from_W_minus_1_to_62 rule ();
+        if (W < 2 || N < W - 1 || N > 62) begin : g_illegal
+            paper_sign_needs_W_from_2_and_N_from_W_minus_1_to_62 rule ();
         end
         if (N < W) begin : g_exact
             assign half = 1'b0;

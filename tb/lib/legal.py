@@ -27,7 +27,7 @@ Params = dict[str, int]
 WIDEST = 60  # bits, of a word that no rule limits: the models count in 64
 LIMITS = {"R": 8}  # as far as it is worth going where the rule names no number
 UNLIMITED = 150  # no rule has a number as large
-FAR = 24  # the most that a parameter is moved to make another one legal
+FAR = 64  # the most that a parameter is moved to make another one legal
 MOST = 24  # sets in a cover list
 
 

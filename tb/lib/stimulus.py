@@ -83,10 +83,12 @@ def length(rng: np.random.Generator, bits: int) -> int:
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
-    """Directed inputs: borders, extremes, every status bit."""
+    """Directed inputs: borders, extremes, every status bit; of a short word what its bits hold of them."""
     family = _family(core)
     if family and hasattr(family, "corners"):
-        return {name: np.asarray(values, dtype=np.int64) for name, values in family.corners(core, cfg).items()}
+        words = family.corners(core, cfg)
+        return {port.name: wrap(np.asarray(words[port.name], dtype=np.int64), port.width, port.signed)
+                for port in core.inputs}
     rows = list(itertools.islice(itertools.product(*map(extremes, core.inputs)), 400))
     return {port.name: np.array(column, dtype=np.int64) for port, column in zip(core.inputs, zip(*rows))}
 
