@@ -5,8 +5,8 @@
 // Formats, error, latency, II, status, source, model: divide_iter.v; cfg_* stable while a sample is inside.
 `default_nettype none
 module axis_divide_iter #(
-    parameter WN = 16,  // bits of the numerator, 1 or more; 16 is the library's word
-    parameter WD = 16,  // bits of the divisor, 1 or more; 16 is the library's word
+    parameter WN = 16,  // bits of the numerator, 1 or more, WN + F to 62; 16 is the library's word
+    parameter WD = 16,  // bits of the divisor, 1 to 62; 16 is the library's word
     parameter F  = 0,   // further fraction bits of the quotient, 0 or more; 0: whole numbers
     parameter R  = 1    // digits a clock, 1 to WN + F - 1; 1, the smallest and the fastest clock
 ) (
