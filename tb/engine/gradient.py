@@ -30,7 +30,8 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
             {"cfg_l1": 0, "cfg_l2": 0, "cfg_tol": 9, "cfg_limit": 3} | wild, words(half, 0, 50, 30),
             words(0, half, 50, 30), words(half, half, (1 << 22) - 1, 1) | wild, words(high, half, 1000, 15) | wild,
             words(half, high, 1000, 15),
-            words(half, half // 2, 8, 60, 0.5), words(high // 2, high // 2, 1600, 0x3C5)]
+            words(half, half // 2, 8, 60, 0.5),
+            *[words(high // 2, high // 2, 1600, 0x3C5)] * core.first_set]  # a thousand iterations of the model
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:

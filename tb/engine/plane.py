@@ -18,7 +18,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
             {"cfg_alpha": 1 << half - 1, "cfg_shift": 1, "cfg_tol": 0, "cfg_limit": 4},
             {"cfg_alpha": 1 << half - 1, "cfg_shift": 1, "cfg_tol": 1600, "cfg_limit": 0},
             {"cfg_alpha": (1 << half) - 1, "cfg_shift": 0, "cfg_tol": (1 << 22) - 1, "cfg_limit": 5},
-            {"cfg_alpha": 1 << half - 2, "cfg_shift": 2, "cfg_tol": 1600, "cfg_limit": 0x3D5}]
+            *[{"cfg_alpha": 1 << half - 2, "cfg_shift": 2, "cfg_tol": 1600, "cfg_limit": 0x3D5}] * core.first_set]
 
 
 def _chain(core: Core, rng: np.random.Generator, n: int, kind: int) -> list[dict[str, int]]:

@@ -10,7 +10,7 @@ import itertools
 import re
 import tempfile
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from types import CodeType
@@ -227,5 +227,5 @@ def _sets(core: Core) -> tuple[Core, ...]:
 def at(core: Core, params: Params) -> Core:
     """The core at another parameter set."""
     family, function, shared, name, own = _entries()[core.name]
-    return expand(family, function, shared, name, own | {"sets": {label(params): params}, "checks": {}},
-                  core.sources)[0]
+    own = own | {"sets": {label(params): params}, "checks": {}}
+    return replace(expand(family, function, shared, name, own, core.sources)[0], first_set=False)
