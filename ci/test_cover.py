@@ -63,3 +63,21 @@ def test_a_bug_at_one_value_is_found(name, condition, where, tmp_path):
     with pytest.raises(AssertionError, match="out_status"):
         cover.run(legal.at(core, hit))
     cover.run(legal.at(core, next(params for params in sets if not where(params))))
+
+
+@pytest.mark.full
+def test_a_verdict_that_is_missing_stale_or_was_never_run_is_found(tmp_path, monkeypatch):
+    monkeypatch.setattr(cover, "STORE", tmp_path / "cover.json")
+    sets = cover.wanted([find("isqrt_comb")])
+    assert "24 sets have no verdict" in cover.check(sets)[0]
+    rows = {label: digest for (_, label), (_, digest) in sets.items()}
+    cover.keep({"isqrt_comb": rows})
+    monkeypatch.setattr(cover, "DRAWN", 1)
+    assert cover.check(sets) == []
+    monkeypatch.setattr(legal, "verdict", lambda core, params: "a warning")  # what a run would have found
+    assert "a warning" in cover.check(sets)[0]
+    first = next(iter(rows))
+    cover.keep({"isqrt_comb": rows | {first: "stale"}})
+    assert "1 sets have no verdict" in cover.check(sets)[0]
+    cover.keep({"isqrt_comb": rows | {"W99F0": "of another list"}})
+    assert "1 verdicts are of no set" in cover.check(sets)[0]
