@@ -22,7 +22,7 @@ unexport PYTHONDONTWRITEBYTECODE
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report accuracy figures verdict report-check packages formal netlist coverage waves mutants exhaustive worker clean
+.PHONY: help setup lint test smoke report accuracy figures verdict report-check packages formal netlist coverage cover cover-check waves mutants exhaustive worker clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
@@ -71,6 +71,12 @@ netlist: setup ## every core's bench on its iCE40 and Cyclone V netlist
 
 coverage: setup ## lines and bits of every core that its benches reach
 	@$(PY) -m ci.coverage
+
+cover: setup ## every core at the ends of its legal parameters and at some between; CORE=name; FRESH=1 runs all again
+	@$(PY) -m ci.cover $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(FRESH),--fresh)
+
+cover-check: setup ## fails where a verdict of make cover is missing or stale, and runs 20 sets drawn by the commit
+	@$(PY) -m ci.cover --check
 
 waves: setup ## a waveform of CORE's bench, of its tests TEST, and the command to open it
 	@$(PY) -m ci.waves $(CORE) $(if $(TEST),--test $(TEST)) $(if $(SIM),--sim $(SIM))

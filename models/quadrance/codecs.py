@@ -323,7 +323,7 @@ def quotient(numerator: Ints, divisor: Ints, bits: int) -> Ints:
     """``floor(numerator * 2^bits / divisor)`` for numerator <= divisor < 2^62, in steps that stay inside int64."""
     result, rem = numerator // divisor, numerator % divisor
     while bits:
-        step = min(bits, 62 - int(np.max(divisor, initial=1)).bit_length())
+        step = min(bits, 63 - int(np.max(divisor, initial=1)).bit_length())
         result = result << step | (rem << step) // divisor
         rem = (rem << step) % divisor
         bits -= step

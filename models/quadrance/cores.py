@@ -8,7 +8,7 @@ import operator
 import re
 import tomllib
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
@@ -321,7 +321,7 @@ def at(core: Core, params: dict[str, int]) -> Core:
     *entry, own = next(one for one in listed((RTL / "cores.toml").read_text()) if one[3] == core.name and
                        ("MODE" not in params or params["MODE"] == MODES[one[4]["architecture"]]))
     label = "".join(f"{key}{value}" for key, value in params.items())
-    return expand(*entry, own | {"sets": {label: params}}, core.sources)[0]
+    return replace(expand(*entry, own | {"sets": {label: params}, "checks": {}}, core.sources)[0], first_set=False)
 
 
 def find(name: str) -> Core:

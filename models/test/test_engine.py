@@ -11,7 +11,6 @@ from quadrance.parallel.geometry import PoseError
 
 from tb.engine.rotation import matrices, quaternions
 from tb.engine.rus_ik import SCALE, spiral, workspace
-from tb.lib import legal
 
 CORES = [core for core in cores.all_cores() if core.name == "engine_rus_ik"]
 EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
@@ -149,7 +148,7 @@ def test_angles_are_those_of_the_vectors():
 
 def every_u(name):
     """The core at every legal U."""
-    return pytest.mark.parametrize("core", [legal.at(cores.find(name), {"U": u}) for u in range(8, 17)],
+    return pytest.mark.parametrize("core", [cores.at(cores.find(name), {"U": u}) for u in range(8, 17)],
                                    ids=lambda core: core.id)
 
 

@@ -6,7 +6,7 @@ import inspect
 
 import numpy as np
 import pytest
-from quadrance import arm_keep, arm_velocity, six, table, vector_solve
+from quadrance import arm_keep, arm_velocity, kernel_vector_solve, six, table
 from quadrance.cores import all_cores
 from quadrance.iterative import newton_fixed
 
@@ -65,7 +65,7 @@ SLIPS = {  # the same slip in model and core would leave every bench green
                      "engine.newton_3r"),
     "cfg_mu without its square": (newton_fixed, "config", "word * 2 + (word * word >> 17)", "word * 2",
                                   test_oracles_config.test_words_of_newton, "engine.newton_3r"),
-    "cfg_r rounded up": (vector_solve, "config", "((1 << 56 - 2 * e) - 1) // max(double + half, 1)",
+    "cfg_r rounded up": (kernel_vector_solve, "config", "((1 << 56 - 2 * e) - 1) // max(double + half, 1)",
                          "((1 << 56 - 2 * e) - 1) // max(double + half, 1) + 1",
                          test_oracles_status.test_reach_of_two_links, "vector.ik2"),
     "a unit that is beyond is near": (arm_velocity, "_rates", "near = size < cfg_sine", "near = size <= cfg_sine",

@@ -8,13 +8,25 @@ from fractions import Fraction
 
 import mpmath
 import pytest
-from quadrance import arm, arm_keep, arms, classic, cordic, engine_delta, engine_rus, rational, six, table, vector_solve
+from quadrance import (
+    arm,
+    arm_keep,
+    arms,
+    classic,
+    cordic,
+    engine_delta,
+    engine_rus,
+    kernel_vector_solve,
+    rational,
+    six,
+    table,
+)
 from quadrance.iterative import newton_fixed
 from quadrance.parallel import geometry
 
 from models.test.oracles import oracle
 
-DERIVE = {"vector": vector_solve.config, "table": table.config, "rational": rational.config}
+DERIVE = {"vector": kernel_vector_solve.config, "table": table.config, "rational": rational.config}
 
 
 def pairs(width: int) -> list[tuple[int, int]]:
@@ -53,7 +65,7 @@ def test_words_of_the_gap(core):
 def test_words_of_the_gap_on_the_page():
     """The instance that rtl/vector/README.md prints."""
     words = {"cfg_q": -118783999, "cfg_r": 9611115, "cfg_e": 3}
-    assert gap_words(8320, 7040) == words == vector_solve.config({"W": 16}, cfg_l1=8320, cfg_l2=7040)
+    assert gap_words(8320, 7040) == words == kernel_vector_solve.config({"W": 16}, cfg_l1=8320, cfg_l2=7040)
 
 
 @oracle("arm.arm_ik3", "arm.keep2", "arm.keep3", cfg=("q", "r", "e"))

@@ -9,13 +9,13 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from quadrance import arm, arm_keep, classic, cores, rational, table, vector_solve
+from quadrance import arm, arm_keep, classic, cores, kernel_vector_solve, rational, table
 
 from models.test.oracles import ask, flags, oracle
 from tb.lib import stimulus
 
 FAMILIES = ("vector", "table", "rational", "classic", "paper")
-DERIVE = {"vector": vector_solve.config, "table": table.config, "rational": rational.config, "classic": classic.config}
+DERIVE = {"vector": kernel_vector_solve.config, "table": table.config, "rational": rational.config, "classic": classic.config}
 
 
 def words_of(core, l1: int, l2: int = 0) -> dict[str, int]:

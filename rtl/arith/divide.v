@@ -9,8 +9,8 @@
 `default_nettype none
 module divide #(
     parameter MODE = 0,   // 0: iterative, 1: pipelined (default 0)
-    parameter WN   = 16,  // bits of the numerator, 1 or more (default 16)
-    parameter WD   = 16,  // bits of the divisor, 1 or more (default 16)
+    parameter WN   = 16,  // bits of the numerator, 1 or more, WN + F to 62 (default 16)
+    parameter WD   = 16,  // bits of the divisor, 1 to 62 (default 16)
     parameter F    = 0,   // further fraction bits of the quotient, 0 or more (default 0)
     parameter R    = 1    // digits a clock or a stage, 1 to WN + F, below that in MODE 0 (default 1, the fastest clock)
 ) (
@@ -41,8 +41,9 @@ module divide #(
 
     genvar s;
     generate
-        if (MODE < 0 || MODE > 1 || WN < 1 || WD < 1 || F < 0 || R < 1 || R >= N + MODE) begin : g_illegal
-            divide_needs_MODE_0_or_1_and_R_from_1_to_the_quotient_bits_and_below_them_in_MODE_0 rule ();
+        if (MODE < 0 || MODE > 1 || WN < 1 || WD < 1 || F < 0 || WN + F > 62 || WD > 62 || R < 1 || R >= N + MODE)
+        begin : g_illegal
+            divide_needs_MODE_0_or_1_and_WN_plus_F_and_WD_to_62_and_R_from_1_to_the_quotient_bits_and_below_them_in_MODE_0 rule ();
         end
         if (MODE == 0) begin : g_iterative
             reg  [WD-1:0]  d;

@@ -6,8 +6,8 @@
 // Model: arith.divide
 `default_nettype none
 module divide_comb #(
-    parameter WN = 16,  // bits of the numerator, 1 or more (default 16)
-    parameter WD = 16,  // bits of the divisor, 1 or more (default 16)
+    parameter WN = 16,  // bits of the numerator, 1 or more, WN + F to 62 (default 16)
+    parameter WD = 16,  // bits of the divisor, 1 to 62 (default 16)
     parameter F  = 0    // further fraction bits of the quotient, 0 or more (default 0)
 ) (
     input  wire [WN-1:0]   in_n,
@@ -20,8 +20,8 @@ module divide_comb #(
     localparam B = N < WD ? N : WD;    // bits of the remainder
     wire [B-1:0] rem;
     generate
-        if (WN < 1 || WD < 1 || F < 0) begin : g_illegal
-            divide_comb_needs_WN_and_WD_from_1_and_F_from_0 rule ();
+        if (WN < 1 || WD < 1 || F < 0 || WN + F > 62 || WD > 62) begin : g_illegal
+            divide_comb_needs_WN_from_1_F_from_0_WN_plus_F_to_62_and_WD_from_1_to_62 rule ();
         end
     endgenerate
     divide_digits #(.K(0), .R(N), .WD(WD)) digits (

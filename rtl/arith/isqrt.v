@@ -9,7 +9,7 @@
 `default_nettype none
 module isqrt #(
     parameter MODE = 0,  // 0: iterative, 1: pipelined (default 0)
-    parameter W    = 16, // bits of the radicand, 1 or more (default 16)
+    parameter W    = 16, // bits of the radicand, 1 or more, W + 2 F to 62 (default 16)
     parameter F    = 0,  // further fraction bits of the root, 0 or more (default 0)
     parameter R    = 1   // digits a clock or a stage, 1 to N, below N in MODE 0 (default 1, the fastest clock)
 ) (
@@ -34,8 +34,8 @@ module isqrt #(
 
     genvar s;
     generate
-        if (MODE < 0 || MODE > 1 || W < 1 || F < 0 || R < 1 || R >= N + MODE) begin : g_illegal
-            isqrt_needs_MODE_0_or_1_and_R_from_1_to_the_root_bits_and_below_them_in_MODE_0 rule ();
+        if (MODE < 0 || MODE > 1 || W < 1 || F < 0 || W + 2*F > 62 || R < 1 || R >= N + MODE) begin : g_illegal
+            isqrt_needs_MODE_0_or_1_and_W_plus_2F_to_62_and_R_from_1_to_the_root_bits_and_below_them_in_MODE_0 rule ();
         end
         if (MODE == 0) begin : g_iterative
             reg  [N:0]       rem;

@@ -6,7 +6,7 @@
 // Model: arith.isqrt
 `default_nettype none
 module isqrt_comb #(
-    parameter W = 16,  // bits of the radicand, 1 or more (default 16)
+    parameter W = 16,  // bits of the radicand, 1 or more, W + 2 F to 62 (default 16)
     parameter F = 0    // further fraction bits of the root, 0 or more (default 0)
 ) (
     input  wire [W-1:0]         in_d,
@@ -18,8 +18,8 @@ module isqrt_comb #(
     wire       root = |d[2*N-1 -: 2];
     wire [1:0] rem = {&d[2*N-1 -: 2], d[2*N-1] & ~d[2*N-2]};
     generate
-        if (W < 1 || F < 0) begin : g_illegal
-            isqrt_comb_needs_W_from_1_and_F_from_0 rule ();
+        if (W < 1 || F < 0 || W + 2*F > 62) begin : g_illegal
+            isqrt_comb_needs_W_from_1_F_from_0_and_W_plus_2F_to_62 rule ();
         end
         if (N == 1) begin : g_one
             assign {out_rem, out_root} = {rem, root};

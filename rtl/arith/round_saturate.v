@@ -5,8 +5,8 @@
 // Model: arith.round_saturate
 `default_nettype none
 module round_saturate #(
-    parameter WI    = 24,  // bits of the word, above SHIFT (default 24)
-    parameter WO    = 16,  // bits of the result, 2 or more (default 16)
+    parameter WI    = 24,  // bits of the word, above SHIFT, to 62 (default 24)
+    parameter WO    = 16,  // bits of the result, 2 to 62 (default 16)
     parameter SHIFT = 4    // low bits that are rounded away, 0 to WI - 1 (default 4)
 ) (
     input  wire signed [WI-1:0] in_x,
@@ -16,8 +16,8 @@ module round_saturate #(
     localparam WR = WI - SHIFT + 1;  // rounding up may need one more bit
     wire [WR-1:0] rounded;
     generate
-        if (WO < 2 || SHIFT < 0 || SHIFT >= WI) begin : g_illegal
-            round_saturate_needs_WO_from_2_and_SHIFT_from_0_to_below_WI rule ();
+        if (WO < 2 || WO > 62 || WI > 62 || SHIFT < 0 || SHIFT >= WI) begin : g_illegal
+            round_saturate_needs_WO_from_2_to_62_WI_to_62_and_SHIFT_from_0_to_below_WI rule ();
         end
         if (SHIFT == 0) begin : g_whole
             assign rounded = {in_x[WI-1], in_x};

@@ -42,7 +42,7 @@ module half_tangent_to_vector #(
                 f = (64'd65536 - n * n << 30) / q + (64'd65536 - 3 * n * n << 12) / cube;
             else
                 f = (64'd65536 - n * n << 30) / q - (3 * n * n - 64'd65536 << 12) / cube;
-            if (f > 64'd1 << 30)
+            if (!f[63] && f > 64'd1 << 30)  // half a sag beyond the axis it is negative
                 f = 64'd1 << 30;
             f = (negative ? -f : f) + (64'd1 << 30 - K) - 1 >> 30 - K;
             f = f + 4;

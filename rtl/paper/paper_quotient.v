@@ -7,8 +7,8 @@
 // Model: paper.quotient
 `default_nettype none
 module paper_quotient #(
-    parameter Q = 22,  // bits of remainder and divisor, 1 or more (default 22: a quadrance of paper_fk2 at S = 8)
-    parameter R = 3    // digits, 1 or more (default 3: what paper_chain computes a clock)
+    parameter Q = 22,  // bits of remainder and divisor, 1 to 61 (default 22: a quadrance of paper_fk2 at S = 8)
+    parameter R = 3    // digits, 1 to 62 (default 3: what paper_chain computes a clock)
 ) (
     input  wire [Q-1:0] in_rem,
     input  wire [Q-1:0] in_d,
@@ -17,8 +17,8 @@ module paper_quotient #(
 );
     genvar i;
     generate
-        if (Q < 1 || R < 1) begin : g_illegal
-            paper_quotient_needs_Q_and_R_from_1 rule ();
+        if (Q < 1 || R < 1 || Q > 61 || R > 62) begin : g_illegal
+            paper_quotient_needs_Q_from_1_to_61_and_R_from_1_to_62 rule ();
         end
         for (i = 0; i < R; i = i + 1) begin : g_digit
             wire [Q-1:0] rem;

@@ -7,15 +7,15 @@
 // Model: paper.root
 `default_nettype none
 module paper_root #(
-    parameter N = 15  // digits of the root, 2 or more (default 15: a coordinate of Q7.8 without its sign)
+    parameter N = 15  // digits of the root, 2 to 31 (default 15: a coordinate of Q7.8 without its sign)
 ) (
     input  wire [2*N-1:0] in_d,
     output wire [N-1:0]   out_root
 );
     genvar i;
     generate
-        if (N < 2) begin : g_illegal
-            paper_root_needs_N_from_2 rule ();
+        if (N < 2 || N > 31) begin : g_illegal
+            paper_root_needs_N_from_2_to_31 rule ();
         end
         for (i = 0; i < N; i = i + 1) begin : g_digit
             wire [1:0]   pair = in_d[2*(N-1-i) +: 2];

@@ -8,7 +8,7 @@
 `default_nettype none
 module paper_sign #(
     parameter W = 16,  // bits of the word, 2 or more (default 16)
-    parameter N = 16   // digits of the root, W - 1 or more (default 16: one digit rounds)
+    parameter N = 16   // digits of the root, W - 1 to 62 (default 16: one digit rounds)
 ) (
     input  wire        [N-1:0] in_root,
     input  wire                in_negative,
@@ -19,8 +19,8 @@ module paper_sign #(
     wire         half;  // the bit below the word's LSB
     wire [W-1:0] x = {1'b0, in_root[N-1 -: W-1] | {(W-1){in_over}}};
     generate
-        if (N < W - 1) begin : g_illegal
-            paper_sign_needs_N_from_W_minus_1 rule ();
+        if (W < 2 || N < W - 1 || N > 62) begin : g_illegal
+            paper_sign_needs_W_from_2_and_N_from_W_minus_1_to_62 rule ();
         end
         if (N < W) begin : g_exact
             assign half = 1'b0;

@@ -37,8 +37,8 @@ module paper_solve_path #(
     localparam N = D > 26 ? 26 : D;             // digits of the root
 
     generate
-        if (F < 1 || I < 4 || S < 4 || S > 24 || R < 1 || D > L || D > 27) begin : g_illegal
-            paper_solve_needs_S_from_4_to_24_F_from_1_to_W_minus_5_R_from_1_and_shares_up_to_quadrances rule ();
+        if (F < 1 || I < 4 || S < 4 || S > 24 || R < 1 || D > L || D > 27 || W > L) begin : g_illegal
+            paper_solve_needs_S_from_4_to_24_F_from_1_to_W_minus_5_R_from_1_and_shares_and_W_up_to_quadrances rule ();
         end
     endgenerate
 

@@ -23,10 +23,10 @@ from quadrance.bounds import arm as arm_bounds
 from quadrance.bounds import six as six_bounds
 from quadrance.cli import main
 from quadrance.cli.words import number
-from quadrance.cores import Core, all_cores, find, joints
+from quadrance.cores import Core, all_cores, at, find, joints
 
 from models.test.claims import CLAIMS
-from tb.lib import bulk, legal, simulate, tools
+from tb.lib import bulk, simulate, tools
 
 Floats = np.ndarray
 NEVER = ("chain", "mff", "fk5")  # kinematics whose lengths are not an arm file's
@@ -209,7 +209,7 @@ def run(core: Core, runs: dict[str, tuple[Printed, dict[str, Floats]]]) -> dict[
     found, rest = {}, {}
     for arm, (text, words) in runs.items():
         if text.params == core.params or not simulate.available("icarus"):
-            one = core if text.params == core.params else legal.at(core, text.params)
+            one = core if text.params == core.params else at(core, text.params)
             found[arm] = bulk.stream(one, words, text.words).outputs
         else:
             rest[arm] = text.text, words

@@ -13,7 +13,9 @@ MODELS = ("iterative.fixed.gd", "iterative.fixed.gd_vector", "iterative.fixed.gd
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """A short run first; then links that are none, longest, shortest; steps too long; tolerance 0, limit 0."""
+    """A short run first; then links that are none, longest, shortest; steps too long; tolerance 0, limit 0; a limit of
+    long bits, which the few samples that do not converge reach.
+    """
     p, high = core.params, (1 << core.params["W"]) - 1
     half = high >> 2
     step = fixed.config_vector if core.model_name.endswith("vector") else fixed.config
@@ -28,7 +30,8 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
             {"cfg_l1": 0, "cfg_l2": 0, "cfg_tol": 9, "cfg_limit": 3} | wild, words(half, 0, 50, 30),
             words(0, half, 50, 30), words(half, half, (1 << 22) - 1, 1) | wild, words(high, half, 1000, 15) | wild,
             words(half, high, 1000, 15),
-            words(half, half // 2, 8, 60, 0.5)]
+            words(half, half // 2, 8, 60, 0.5),
+            *[words(high // 2, high // 2, 1600, 0x3C5)] * core.first_set]  # a thousand iterations of the model
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:

@@ -31,6 +31,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
             words(third, 0, third, 256, 4, 0.25), words(high, third, 9, 4096, 9), words(1, 1, high, 256, 3),
             words(third, third, third, (1 << 22) - 1, 9) | wild,
             words(third, high, third, 256, 7, 0.41) | {"cfg_lambda": 65535, "cfg_mu": 0},
+            *[words(high // 2, high // 2, high // 2, 256, 0x3C5)] * core.first_set,
             words(high, high, high, 64, 5) | wild | {"cfg_mu": 511, "cfg_lambda": 0}]
     return [{port.name: cfg[port.name] for port in core.cfg} for cfg in every]
 

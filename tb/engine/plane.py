@@ -17,7 +17,8 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
             {"cfg_alpha": (1 << half) - 1, "cfg_shift": 3, "cfg_tol": 256, "cfg_limit": 40},
             {"cfg_alpha": 1 << half - 1, "cfg_shift": 1, "cfg_tol": 0, "cfg_limit": 4},
             {"cfg_alpha": 1 << half - 1, "cfg_shift": 1, "cfg_tol": 1600, "cfg_limit": 0},
-            {"cfg_alpha": (1 << half) - 1, "cfg_shift": 0, "cfg_tol": (1 << 22) - 1, "cfg_limit": 5}]
+            {"cfg_alpha": (1 << half) - 1, "cfg_shift": 0, "cfg_tol": (1 << 22) - 1, "cfg_limit": 5},
+            *[{"cfg_alpha": 1 << half - 2, "cfg_shift": 2, "cfg_tol": 1600, "cfg_limit": 0x3D5}] * core.first_set]
 
 
 def _chain(core: Core, rng: np.random.Generator, n: int, kind: int) -> list[dict[str, int]]:
@@ -45,7 +46,7 @@ def _chain(core: Core, rng: np.random.Generator, n: int, kind: int) -> list[dict
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Nothing loaded; a chain of each kind, of one link, of some, of all; what is not there, between them."""
     rng, most = np.random.default_rng(1), core.params["N"]
-    most = most if cfg["cfg_limit"] < 5 else min(most, 8)
+    most = most if cfg["cfg_limit"] < 5 else min(most, 8 if cfg["cfg_limit"] < 256 else 2)
     rows = plane.solve(1, 0, 0) + plane.loads(core.params, [1], [0], 2) + plane.loads(core.params, [5], [7])
     for n, kind in ((1, 0), (2, 0), (min(3, most), 3), (most, 0), (most, 1), (min(2, most), 2), (most, 2), (most, 0)):
         rows += _chain(core, rng, n, kind)

@@ -13,9 +13,12 @@ UNIT = {"rus_2x3": 512.0, "rotary_stewart": 128.0}  # mm
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """A short run first; a fine tolerance; tolerance 0; limit 0; any end converges."""
+    """A short run first; a fine tolerance; tolerance 0; limit 0; any end converges; a limit of six
+    bits that is reached.
+    """
     return [{"cfg_tol": 2000, "cfg_limit": 2}, {"cfg_tol": 24, "cfg_limit": 12}, {"cfg_tol": 0, "cfg_limit": 3},
-            {"cfg_tol": 300000, "cfg_limit": 0}, {"cfg_tol": (1 << 22) - 1, "cfg_limit": 63}]
+            {"cfg_tol": 300000, "cfg_limit": 0}, {"cfg_tol": (1 << 22) - 1, "cfg_limit": 63},
+            {"cfg_tol": 0, "cfg_limit": 34}]
 
 
 def poses(name: str, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

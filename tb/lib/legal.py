@@ -1,39 +1,189 @@
-"""Random legal parameters of a core: drawn within the rule of its g_illegal, and Verilator has the last word."""
+"""Legal parameters of a core, by the rule in its Verilog: their ranges, random sets, and the list that covers them.
+
+The rule is the condition of `g_illegal`, in the core's module or in one below it; Verilator has the last word
+on every set.
+"""
 
 from __future__ import annotations
 
+import itertools
 import re
 import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
+from types import CodeType
 
 import numpy as np
+from quadrance import arms
+from quadrance.arm import switches
 from quadrance.cores import Core, all_cores
 
 from tb.lib import tools
 
-WIDEST = 20  # bits, of a word that no rule limits: the models count in 64
-LIMITS = {"R": 8, "F": 12, "N": 15, "SHIFT": 12}  # as far as it is worth going where the rule names no number
+Params = dict[str, int]
+
+WIDEST = 60  # bits, of a word that no rule limits: the models count in 64
+LIMITS = {"R": 8}  # as far as it is worth going where the rule names no number
+UNLIMITED = 150  # no rule has a number as large
+FAR = 64  # the most that a parameter is moved to make another one legal
+MOST = 24  # sets in a cover list
+
+
+def _python(text: str) -> str:
+    """A Verilog constant expression of `+ - * /`, comparisons, `?:` and `$clog2` in Python."""
+    choice = re.fullmatch(r"([^?]*)\?([^?:]*):(.*)", text, re.S)
+    if choice:
+        return f"({_python(choice[2])} if {choice[1]} else {_python(choice[3])})"
+    return re.sub(r"\$clog2\b", "clog2", text.replace("/", "//")).strip()
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What makes parameters illegal: clauses, and the constants of the module that they are written in; in Python."""
+
+    constants: tuple[tuple[str, CodeType], ...]
+    clauses: tuple[tuple[str, CodeType], ...]
+
+    def broken(self, params: Params) -> list[str]:
+        """The clauses that `params` break."""
+        known = {"__builtins__": {}, "clog2": lambda value: max(value - 1, 0).bit_length()}
+        for name, value in self.constants:
+            known[name] = params[name] if name in params else eval(value, known)
+        return [text for text, clause in self.clauses if eval(clause, known)]
+
+
+@cache
+def _rule_in(path: Path) -> Rule | None:
+    """The rule of one module, None where it has none."""
+    text = re.sub(r"//[^\n]*", "", path.read_text())
+    found = re.search(r"\bif\s*\(((?:(?!\bbegin\b|;).)*)\)\s*begin\s*:\s*g_illegal\b", text, re.S)
+    if not found:
+        return None
+
+    def code(words: str) -> CodeType:
+        return compile(f"({_python(words)})", str(path), "eval")
+
+    clauses = [" ".join(clause.split()) for clause in found[1].split("||")]
+    wanted, constants = " ".join(clauses), []
+    listed = re.findall(r"\b(?:parameter|localparam)\s+(\w+)\s*=\s*(.*?)\s*(?:;|,\s*(?=parameter)|\)\s*\()",
+                        text[:found.start()], re.S)
+    for name, value in reversed(listed):  # those that the clauses need
+        if re.search(rf"\b{name}\b", wanted):
+            wanted += f" {value}"
+            constants.append((name, code(value)))
+    return Rule(tuple(reversed(constants)), tuple((clause, code(clause)) for clause in clauses))
+
+
+def rule_of(core: Core) -> Rule:
+    """The first rule about the core's parameters: its own, or that of the module that it hands them on to."""
+    for path in core.sources:
+        rule = _rule_in(path)
+        if rule and {name for name, _ in rule.constants} & set(core.params):
+            return rule
+    return Rule((), ())
+
+
+def near(core: Core, fixed: Params) -> Params | None:
+    """Legal parameters with those of `fixed`, the others moved from the core's own as little as the rule asks for."""
+    fixed = fixed | {name: value for name, value in core.params.items() if name == "MODE"}
+    rule, params = rule_of(core), core.params | fixed
+    wrong = rule.broken(params)
+    while wrong:
+        if any(set(re.findall(r"\b[A-Z]\w*", clause)) <= set(fixed) for clause in wrong):
+            return None
+        moves = (params | {name: params[name] + sign * step} for step in range(1, FAR + 1) for name in params
+                 if name not in fixed for sign in (-1, 1))
+        best = next(((one, left) for one in moves if len(left := rule.broken(one)) < len(wrong)), None)
+        if best is None:
+            return None
+        params, wrong = best
+    return params
 
 
 def ranges(core: Core) -> dict[str, tuple[int, int]]:
-    """Lowest and highest value of every parameter, by the numbers in the first rule found in the core's sources.
+    """Lowest and highest legal value of every parameter, the others being what they have to be."""
+    def end(name: str, step: int) -> int:
+        value = core.params[name]
+        while -1 < value < UNLIMITED and near(core, {name: value + step}) is not None:
+            value += step
+        return 1 if value < 0 else value if value < UNLIMITED else max(core.params[name], LIMITS.get(name, WIDEST))
 
-    A rule that compares with an expression is left to `legal`.
+    return {name: (end(name, -1), end(name, 1)) if name != "MODE" else (value, value)
+            for name, value in core.params.items()}
+
+
+def _pairs(row: Params) -> set[tuple[tuple[str, int], ...]]:
+    return set(itertools.combinations(sorted(row.items()), 2))
+
+
+def _switched(core: Core, names: list[str]) -> Iterator[Params]:
+    """Values of the switches `names`: those of every arm, then further ones until every pair has had all its values."""
+    seen = _pairs({name: core.params[name] for name in names})
+    for name in arms.known():
+        if set(row := switches(arms.load(name))) == set(names):
+            seen |= _pairs(row)
+            yield row
+    rows = [dict(zip(names, row)) for row in itertools.product((0, 1), repeat=len(names))]
+    while best := max((len(_pairs(row) - seen) for row in rows), default=0):
+        row = next(row for row in rows if len(_pairs(row) - seen) == best)
+        seen |= _pairs(row)
+        yield row
+
+
+def cover(core: Core) -> list[Params]:
+    """At most `MOST` legal sets other than those of cores.toml, the same ones whenever the rule is the same.
+
+    One parameter at a time at both ends of its range; the switches of every arm, and all pairs of switches; the
+    neighbours of the ends; then sets of values that none of these has, of all parameters at once: 2^k and one less
+    first, odd ones before even ones, each as far from all before it as there is.
     """
-    rule = next((match[1] for source in core.sources
-                 if (match := re.search(r"if \((.*?)\) begin : g_illegal", source.read_text(), re.S))), "")
-    bounds = {}
-    for name in core.params:
-        if name == "MODE":
-            bounds[name] = core.params[name], core.params[name]
-            continue
-        low = max([int(word) for word in re.findall(rf"\b{name} < (\d+)", rule)], default=1)
-        high = min([int(word) for word in re.findall(rf"\b{name} > (\d+)", rule)], default=LIMITS.get(name, WIDEST))
-        bounds[name] = low, max(low, high)
-    return bounds
+    box = ranges(core)
+    toggles = [name for name, ends in box.items() if ends == (0, 1)]
+    words = {name: ends for name, ends in box.items() if name not in toggles}
+    listed_sets = [one.params for one in _sets(core)]
+    found: list[Params] = []
+
+    def add(fixed: Params) -> None:
+        params = near(core, fixed)
+        if params is not None and params not in [*listed_sets, *found] and len(found) < MOST:
+            found.append(params)
+
+    for name, ends in words.items():
+        for value in ends:
+            add({name: value})
+    for name in toggles if len(toggles) == 1 else ():
+        add({name: 1 - core.params[name]})
+    for row in _switched(core, toggles) if len(toggles) > 1 else ():
+        add(row)
+    for name, (low, high) in words.items():
+        for value in (low + 1, high - 1):
+            if low < value < high:
+                add({name: value})
+    while len(found) < MOST:
+        fixed: Params = {}
+        for name, (low, high) in words.items():
+            seen = {one[name] for one in [*listed_sets, *found]}
+            left = [value for value in range(low, high + 1) if value not in seen]
+            left.sort(key=lambda value, seen=seen: (min(value & value + 1, value & value - 1) > 0, value % 2 == 0,
+                                                    -min(abs(value - one) for one in seen)))
+            fixed |= next(({name: value} for value in left if near(core, fixed | {name: value})), {})
+        if not fixed:
+            break
+        before = len(found)
+        add(fixed)
+        if len(found) == before:
+            break
+    return found
 
 
-def verdict(core: Core, params: dict[str, int]) -> str:
+def label(params: Params) -> str:
+    """The name of a set that cores.toml does not list."""
+    return "".join(f"{key}{value}" for key, value in params.items())
+
+
+def verdict(core: Core, params: Params) -> str:
     """What Verilator says of these parameters: nothing, "illegal", or its warnings."""
     with tempfile.TemporaryDirectory() as scratch:
         log = Path(scratch, "log")
@@ -45,23 +195,27 @@ def verdict(core: Core, params: dict[str, int]) -> str:
     return ""
 
 
-def legal(core: Core, count: int, seed: int, tries: int = 400) -> list[dict[str, int]]:
+def legal(core: Core, count: int, seed: int, tries: int = 400) -> list[Params]:
     """`count` random legal parameter sets, other than those of cores.toml; all there are where these are fewer.
 
     AssertionError when a set that the rule accepts does not pass Verilator without a warning.
     """
-    rng, box = np.random.default_rng([seed, *core.name.encode()]), ranges(core)
-    found: list[dict[str, int]] = []
-    seen = {tuple(one.params.items()) for one in all_cores() if one.name == core.name}
+    rng, box, rule = np.random.default_rng([seed, *core.name.encode()]), ranges(core), rule_of(core)
+    found: list[Params] = []
+    seen = {tuple(one.params.items()) for one in _sets(core)}
     for _ in range(tries):
         params = {name: int(rng.integers(low, high, endpoint=True)) for name, (low, high) in box.items()}
-        if tuple(params.items()) in seen:
+        if tuple(params.items()) in seen or rule.broken(params):
             continue
         seen.add(tuple(params.items()))
         said = verdict(core, params)
-        assert said in ("", "illegal"), f"{core.name} {params}: {said}"
-        if not said:
-            found.append(params)
+        assert not said, f"{core.name} {params}: {said}"
+        found.append(params)
         if len(found) == count:
             break
     return found
+
+
+def _sets(core: Core) -> list[Core]:
+    """The listed sets of the core, of its own mode."""
+    return [one for one in all_cores() if (one.name, one.architecture) == (core.name, core.architecture)]

@@ -16,6 +16,7 @@ from quadrance.cores import Core, Port
 from tb.lib import tools
 
 OPTIMISE = "-O1"  # the build costs more than the runs it speeds up
+BENCH = True  # False: programs of a few short bulk runs, built without the cocotb bench and not optimised
 SOURCES = [Path(__file__).with_name(name) for name in ("program.cpp", "bulk.cpp")]
 COCOTB = Path(cocotb.__file__).parent
 RUNTIME = ("verilated", "verilated_dpi", "verilated_vpi", "verilated_threads")
@@ -51,8 +52,8 @@ def _coverage() -> bool:
 def _flags() -> list[str]:
     """How C++ that Verilator wrote is compiled."""
     include = Path(tools.environment()["VERILATOR_ROOT"]) / "include"
-    return ["-std=gnu++17", OPTIMISE, f"-I{include}", f"-I{include}/vltstd", "-DVERILATOR=1", "-Wno-sign-compare",
-            f"-DVM_COVERAGE={int(_coverage())}",
+    return ["-std=gnu++17", OPTIMISE if BENCH else "-O0", f"-I{include}", f"-I{include}/vltstd", "-DVERILATOR=1",
+            "-Wno-sign-compare", f"-DVM_COVERAGE={int(_coverage())}",
             *(f"-DVM_{name}=0" for name in ("SC", "TIMING", "TRACE", "TRACE_FST", "TRACE_VCD"))]
 
 
@@ -97,7 +98,7 @@ def build(core: Core, label: str = "") -> Path:
         raise ValueError(f"{core.id}: bulk runs carry words of at most 64 bits, {wide[0]} is wider")
     accessors = _accessors(core)
     texts = [source.read_text() for source in SOURCES]
-    with locked(build_folder(core, "verilator", label, texts, accessors, _coverage())) as folder:
+    with locked(build_folder(core, "verilator", label, texts, accessors, _coverage(), BENCH)) as folder:
         program = folder / "core"
         if not program.exists():
             _compile(core, folder, accessors, program)
@@ -109,15 +110,16 @@ def _compile(core: Core, folder: Path, accessors: str, program: Path) -> None:
     counters = ["--coverage-line", "--coverage-toggle"] if _coverage() else []
     ports = folder / "ports.vlt"
     ports.write_text(f'`verilator_config\npublic_flat_rw -module "{core.name}" -var "*"\n')
-    tools.run("verilator", "-cc", "-Mdir", folder, "--prefix", "Vtop", "--top-module", core.name, "--vpi",
+    tools.run("verilator", "-cc", "-Mdir", folder, "--prefix", "Vtop", "--top-module", core.name, *["--vpi"] * BENCH,
               "--timescale", "1ns/1ps", *counters, "-Wno-fatal", "-Wno-lint", "-Wno-style",
-              *(f"-G{name}={value}" for name, value in core.params.items()), ports, *core.sources)
-    parts = [*sorted(folder.glob("Vtop*.cpp")), SOURCES[0]]  # one compilation: most of it is what they share
+              *(f"-G{name}={value}" for name, value in core.params.items()), *[ports] * BENCH, *core.sources)
+    parts = [*sorted(folder.glob("Vtop*.cpp")), SOURCES[not BENCH]]  # one compilation: most of it is what they share
     (folder / "ports.inc").write_text(accessors)
-    (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts))
+    main = "" if BENCH else "int main(int argc, char** argv) { return bulk_main(argc, argv); }\n"
+    (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts) + main)
     header, objects = _runtime()
     partial = program.with_suffix(".partial")
+    bench = [f"-L{COCOTB}/libs", f"-Wl,-rpath,{COCOTB}/libs", "-lcocotbvpi_verilator"] * BENCH
     tools.run("g++", *_flags(), "-include", header, "-I.", f"-I{COCOTB}/share/lib/verilator", "all.cpp", *objects,
-              f"-L{COCOTB}/libs", f"-Wl,-rpath,{COCOTB}/libs", "-lcocotbvpi_verilator", "-lpthread", "-o", partial,
-              cwd=folder)
+              *bench, "-lpthread", "-o", partial, cwd=folder)
     partial.rename(program)

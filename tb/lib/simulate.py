@@ -84,7 +84,7 @@ def unconfigured(core: Core) -> str:
         port = next((port.name for words in found for port in core.cfg if port.name not in words), "")
     except (KeyError, AttributeError, TypeError) as error:
         port = f"{type(error).__name__}: {error}"
-    return f"{core.name}: configs() in tb/{core.family}/stimulus.py gives no word for {port}; add it there" if port \
+    return f"{core.name}: configs() in tb/stimulus/{core.family}.py gives no word for {port}; add it there" if port \
         else ""
 
 

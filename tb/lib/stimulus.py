@@ -26,22 +26,69 @@ def extremes(port: Port) -> list[int]:
     return sorted(value for value in span if port.low <= value <= port.high)
 
 
-def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Legal configuration words, extremes first."""
+Config = dict[str, int]
+SMALL = 5  # bits of a configuration word of which every value is tried; of a longer one each bit at 0 and at 1
+DRAWS = 400
+
+
+def configs(core: Core, rng: np.random.Generator) -> list[Config]:
+    """Legal configuration words, extremes first; at the end those that have what the others lack (`facts`)."""
     family = _family(core)
     if family and hasattr(family, "configs"):
-        return family.configs(core, rng)
+        found = family.configs(core, rng)
+        return found + _lacking(core, found)
     if not core.cfg:
         return [{}]
     low, high = ({port.name: edge(port) for port in core.cfg} for edge in (lambda p: p.low, lambda p: p.high))
     return [high, low, *({p.name: int(rng.integers(p.low, p.high + 1)) for p in core.cfg} for _ in range(2))]
 
 
+def facts(core: Core, cfg: Config) -> set[tuple[str, int, int]]:
+    """What a configuration tries: (port, bits, value) of every bit, and of every small word as a whole."""
+    found = set()
+    for port in core.cfg:
+        word = cfg[port.name] & (1 << port.width) - 1
+        found |= {(port.name, 1 << bit, word & 1 << bit) for bit in range(port.width)}
+        if port.width <= SMALL:
+            found.add((port.name, (1 << port.width) - 1, word))
+    return found
+
+
+def drawn(core: Core, rng: np.random.Generator) -> Config:
+    """A configuration as a user may have it: the family's `draw`, or any words where it has none."""
+    family = _family(core)
+    if family and hasattr(family, "draw"):
+        cfg = family.draw(core, rng)
+        return {port.name: cfg[port.name] for port in core.cfg}
+    return {port.name: int(rng.integers(port.low, port.high, endpoint=True)) for port in core.cfg}
+
+
+def _lacking(core: Core, found: list[Config]) -> list[Config]:
+    """As few of many drawn configurations as try all that `found` does not."""
+    rng = np.random.default_rng(1)
+    seen = set().union(*(facts(core, cfg) for cfg in found))
+    pool = [(cfg, facts(core, cfg)) for cfg in (drawn(core, rng) for _ in range(DRAWS if core.cfg else 0))]
+    more: list[Config] = []
+    while pool:
+        pool = [(cfg, news) for cfg, tried in pool if (news := tried - seen)]
+        cfg, news = max(pool, key=lambda one: len(one[1]), default=({}, set()))
+        seen |= news
+        more += [cfg] if news else []
+    return more
+
+
+def length(rng: np.random.Generator, bits: int) -> int:
+    """A link of any length up to a word's, none among them: log-uniform."""
+    return min(int(2 ** rng.uniform(-2, bits)), (1 << bits) - 1)
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
-    """Directed inputs: borders, extremes, every status bit."""
+    """Directed inputs: borders, extremes, every status bit; of a short word what its bits hold of them."""
     family = _family(core)
     if family and hasattr(family, "corners"):
-        return {name: np.asarray(values, dtype=np.int64) for name, values in family.corners(core, cfg).items()}
+        words = family.corners(core, cfg)
+        return {port.name: wrap(np.asarray(words[port.name], dtype=np.int64), port.width, port.signed)
+                for port in core.inputs}
     rows = list(itertools.islice(itertools.product(*map(extremes, core.inputs)), 400))
     return {port.name: np.array(column, dtype=np.int64) for port, column in zip(core.inputs, zip(*rows))}
 

@@ -33,6 +33,22 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     return [{port.name: cfg[port.name] for port in core.cfg} for cfg in found]
 
 
+def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Any words of a forward core; any links, offsets and limits of an inverse one."""
+    p, half = core.params, 1 << core.params["W"] - 1
+    if "cfg_q" not in {port.name for port in core.cfg}:
+        return {port.name: int(rng.integers(port.low, port.high, endpoint=True)) for port in core.cfg}
+    cfg = {f"cfg_l{i}": stimulus.length(rng, p["W"]) for i in (1, 2)}
+    if core.function == "keep2":
+        cfg |= kernel_vector_solve.config(p, **cfg)
+    else:
+        turn = rng.uniform(-np.pi, np.pi)
+        ends = {"cfg_base": half, "cfg_shoulder": half // 4, "cfg_lateral": half}
+        cfg |= arm.config(p, **cfg, **{name: int(rng.integers(1 - end, end)) for name, end in ends.items()},
+                          cfg_ce=int(to_fixed(np.cos(turn), p["U"])), cfg_ne=int(to_fixed(-np.sin(turn), p["U"])))
+    return _limited(core, cfg, int(rng.integers(0, 9)), rng) if "keep" in core.function else cfg
+
+
 def _shifts(core: Core) -> list[dict[str, int]]:
     """Links with the cfg_e that others leave out: 1, 5, 9, 13; and two of more than 2^(W-1) LSB that reach targets."""
     lengths = np.array([(40000, 30000), (33000, 9000), (1500, 1200), (100, 90), (6, 5)]) >> 16 - core.params["W"]

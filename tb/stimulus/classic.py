@@ -27,6 +27,12 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     return [{"cfg_c1": classic.config(core.params, cfg_l1=length)["cfg_c1"]} for length in lengths]
 
 
+def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Words of any two links."""
+    lengths = {f"cfg_l{i}": stimulus.length(rng, core.params["W"]) for i in (1, 2)}
+    return classic.config(core.params, **lengths)
+
+
 def _angles(core: Core) -> np.ndarray:
     """Every eighth of a turn with its neighbours."""
     full = 1 << core.params["A"]

@@ -20,6 +20,12 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     return MODELS[core.model_name].configs(core, rng)
 
 
+def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Any words, but few iterations."""
+    words = {port.name: int(rng.integers(port.low, port.high, endpoint=True)) for port in core.cfg}
+    return {name: word & 15 if name == "cfg_limit" else word for name, word in words.items()}
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed samples for a core in a configuration."""
     return MODELS[core.model_name].corners(core, cfg)

@@ -85,7 +85,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
 def _parts(core: Core) -> Vectors:
     """Squares and their neighbours; remainders at the divisor; the extremes of every port."""
     if core.function == "root":
-        roots = np.arange(1 << core.params["N"])[::1 if core.params["N"] < 10 else 97]
+        n = core.params["N"]
+        roots = np.arange(0, 1 << n, 1 if n < 10 else max(97, (1 << n) // 700))
         near = (roots * roots)[:, None] + np.array([-1, 0, 1])
         return {"in_d": np.unique(np.clip(near, 0, (1 << 2 * core.params["N"]) - 1))}
     rng = np.random.default_rng(1)

@@ -30,6 +30,12 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     return [{port.name: length for port in core.cfg} for length in lengths] if core.cfg else [{}]
 
 
+def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Any links, and their words."""
+    pair = {f"cfg_l{i}": stimulus.length(rng, core.params["W"]) for i in (1, 2)}
+    return pair | (rational.config(core.params, **pair) if core.function.startswith("ik") else {})
+
+
 def points(w: int) -> tuple[np.ndarray, np.ndarray]:
     """Every pair of 0, powers of two of both signs and their neighbours; directions where the nearer axis changes."""
     high = 1 << w - 1

@@ -14,14 +14,17 @@ EIGHTH = np.pi / 4
 
 
 def arms(core: Core) -> list[Six]:
-    """The robots of the library as large as the word, a plain arm, offsets of either sign, and lengths of zero."""
+    """The robots of the library as large as the word, a plain arm, offsets of either sign, lengths of zero, and of a
+    word's range.
+    """
     units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
     found = []
     for name in truth_six.known():
         arm, mm = truth_six.load(name)
         found.append(Six(*(length / mm * units / 128 for length in arm)))
     share = [(0, 0, 0, 0.1, 0.25, 0.25, 0.1), (-0.05, 0.1, -0.125, -0.1, 0.2, 0.3, -0.2), (0.1, 0, 0.3, 0, 0.4, 0.1, 0),
-             (0, 0, 0, 0, 0, 0, 0), (0.01, 0, 0.01, 0.01, 0.01, 0.005, 0.01)]
+             (0, 0, 0, 0, 0, 0, 0), (0.01, 0, 0.01, 0.01, 0.01, 0.005, 0.01),
+             (0, 0, 0, 0, 0.99, 0.99, 0)]
     return found + [Six(*(units * part for part in one)) for one in share]
 
 
@@ -31,6 +34,15 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     found = [words(core.params, **arm._asdict()) for arm in arms(core)]
     lengths = {port.name: (port.low, port.high) for port in core.cfg if port.signed and port.width < 27}
     return found + [found[0] | {name: both[way] for name, both in lengths.items()} for way in (0, 1)]
+
+
+def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Words of an arm of any lengths, offsets of either sign."""
+    units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
+    sizes = dict(zip(Six._fields, units * 2.0 ** -rng.uniform(0.01, 12, 7) * rng.choice([-1, 1], 7)))
+    sizes |= {"c2": abs(sizes["c2"]), "a2": sizes["a2"] * 0.7, "c3": sizes["c3"] * 0.7}  # both together fit a word
+    words = six.forward_config if core.function.startswith("fk6") else six.config
+    return words(core.params, **sizes)
 
 
 def _arm(core: Core, cfg: dict[str, int]) -> Six:

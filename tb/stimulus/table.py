@@ -33,6 +33,11 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     return [dict(zip(names, pair)) for pair in pairs]
 
 
+def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Any links, and their words."""
+    return targets.draw(core, rng)
+
+
 def _words(core: Core, rng: np.random.Generator) -> dict[str, np.ndarray]:
     """Joint words at quadrant borders, at borders of table segments of every size, and joints that add up to such."""
     near = [words for joint in joints(core.inputs) for words in codecs.border_words(joint).values()]

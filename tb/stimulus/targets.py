@@ -6,7 +6,7 @@ import numpy as np
 from quadrance import kernel_vector_solve
 from quadrance.cores import Core
 
-from tb.lib.stimulus import Vectors
+from tb.lib.stimulus import Vectors, length
 from tb.stimulus import rational
 
 
@@ -20,6 +20,13 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
                *rng.integers(0, half, (3, 2)).tolist()]
     pairs = [{"cfg_l1": min(l1, high), "cfg_l2": min(l2, high)} for l1, l2 in lengths]
     return [pair | kernel_vector_solve.config(core.params, **pair) for pair in pairs]
+
+
+def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Any links, and their words."""
+    pair = {f"cfg_l{i}": length(rng, core.params["W"]) for i in (1, 2)}
+    derived = kernel_vector_solve.config(core.params, **pair) if core.function.startswith("ik") else {}
+    return pair | {"cfg_l3": length(rng, core.params["W"])} | derived
 
 
 def corners(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:

@@ -25,6 +25,11 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     return [{port.name: words[port.name] for port in core.cfg} for words in lengths] if core.cfg else [{}]
 
 
+def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Any links, and their words."""
+    return targets.draw(core, rng)
+
+
 def directions(core: Core, rng: np.random.Generator) -> Vectors:
     """A third border words, a third directions anywhere, the rest vectors of any length, the extremes among them."""
     words: Vectors = {}
