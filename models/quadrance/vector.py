@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from quadrance import arith
+from quadrance import arith, kernel_vector_solve
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 from quadrance.kernel_vector_solve import plane, space, unit_word
 
 Params = dict[str, int]
 GUARD = 5  # bits of A, B and rho below the LSB of a coordinate
+
+config = kernel_vector_solve.config  # words of the inverse cores beside the lengths
 
 
 # Forward

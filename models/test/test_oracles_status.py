@@ -15,7 +15,8 @@ from models.test.oracles import ask, flags, oracle
 from tb.lib import stimulus
 
 FAMILIES = ("vector", "table", "rational", "classic", "paper")
-DERIVE = {"vector": kernel_vector_solve.config, "table": table.config, "rational": rational.config, "classic": classic.config}
+DERIVE = {"vector": kernel_vector_solve.config, "table": table.config, "rational": rational.config,
+          "classic": classic.config}
 
 
 def words_of(core, l1: int, l2: int = 0) -> dict[str, int]:
