@@ -14,11 +14,9 @@ harness and tools, but no comment. It is written as the run goes: one that is cu
 from __future__ import annotations
 
 import argparse
-import ast
 import inspect
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -26,7 +24,6 @@ import traceback
 from collections import Counter
 from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from functools import cache
 from importlib import metadata
 from pathlib import Path
 
@@ -96,35 +93,16 @@ def _core(name: str) -> Core:
     return next(core for core in cores() if core.name == name)
 
 
-def _python(text: str) -> str:
-    """Python without comments, docstrings and the way its lines are broken."""
-    tree = ast.parse(text)
-    for node in ast.walk(tree):
-        if isinstance(node, code.DOCUMENTED) and ast.get_docstring(node) is not None:
-            node.body[0] = ast.Pass()
-    return ast.unparse(tree)
-
-
-@cache
-def _text(path: Path) -> str:
-    """What a file means: its text without comments and the way its lines are broken."""
-    text = path.read_text()
-    if path.suffix == ".py":
-        return _python(text)
-    return " ".join(re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S).split())
-
-
 def _follows(core: Core) -> str:
     """Digest of all that the verdicts of a core follow from, but the parameters."""
     model = sys.modules[core.model.__module__]
     python = code.closure([Path(model.__file__), *sources.stimulus(core)])
     files = [*core.sources, *(tools.ROOT / name for name in HARNESS), *python]
-    texts = sorted({str(path.relative_to(tools.ROOT)): _text(path) for path in files}.items())
+    texts = sorted({store.meaning(path) for path in files if str(path.relative_to(tools.ROOT)) not in LIST})
     ports = [list(map(str, (port.name, port.width, port.signed, port.type)))
              for port in (*core.cfg, *core.inputs, *core.outputs)]
-    return store.digest([[text for text in texts if text[0] not in LIST], ports, core.model_name,
-                         _python(inspect.getsource(run)), CONFIGS, SAMPLES, CLOCKS,
-                         [metadata.version(name) for name in TOOLS]])
+    return store.digest([texts, ports, core.model_name, store.bare(inspect.getsource(run), ".py"), CONFIGS, SAMPLES,
+                         CLOCKS, [metadata.version(name) for name in TOOLS]])
 
 
 def wanted(chosen: Iterable[Core]) -> dict[tuple[str, str], tuple[legal.Params, str]]:
