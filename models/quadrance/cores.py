@@ -305,10 +305,15 @@ def sources_of(top: str) -> tuple[Path, ...]:
 
 
 @cache
+def _table() -> list[tuple[str, str, dict, str, dict]]:
+    """`listed` of rtl/cores.toml."""
+    return listed((RTL / "cores.toml").read_text())
+
+
+@cache
 def all_cores() -> tuple[Core, ...]:
     """Every core at every parameter set, in the order of `rtl/cores.toml`."""
-    return tuple(core for *entry, name, own in listed((RTL / "cores.toml").read_text())
-                 for core in expand(*entry, name, own, sources_of(name)))
+    return tuple(core for *entry, name, own in _table() for core in expand(*entry, name, own, sources_of(name)))
 
 
 def reported() -> tuple[Core, ...]:
@@ -318,7 +323,7 @@ def reported() -> tuple[Core, ...]:
 
 def at(core: Core, params: dict[str, int]) -> Core:
     """`core` at another parameter set: every parameter, its MODE included where it has one."""
-    *entry, own = next(one for one in listed((RTL / "cores.toml").read_text()) if one[3] == core.name and
+    *entry, own = next(one for one in _table() if one[3] == core.name and
                        ("MODE" not in params or params["MODE"] == MODES[one[4]["architecture"]]))
     label = "".join(f"{key}{value}" for key, value in params.items())
     return replace(expand(*entry, own | {"sets": {label: params}, "checks": {}}, core.sources)[0], first_set=False)
