@@ -13,6 +13,7 @@ from quadrance.cores import Core
 
 from tb.lib import blame
 
+pytest_plugins = ["pytester"]  # for the tests of this file
 RECORDED = 3  # failed benches of a run that are recorded: each is simulated once or twice more
 EVERY = 20.0  # seconds between two lines of progress where there is no terminal
 

@@ -91,7 +91,7 @@ def test_changed_tools_arm_and_code_are_found(committed, monkeypatch, tmp_path):
         assert committed() == ["arm cobra600 changed"]
     for concern in ("AREA", "SIMULATION", "ROWS"):
         with monkeypatch.context() as patch:
-            more = tools.ROOT / "tb" / "arith" / "__init__.py"
+            more = tools.ROOT / "tb" / "engine" / "__init__.py"
             patch.setattr(freshness, concern, [*getattr(freshness, concern), more])
             assert committed() == ["file tb/engine/__init__.py is not in the report"]
 

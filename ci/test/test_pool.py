@@ -60,7 +60,7 @@ def test_every_job_is_answered_that_of_a_worker_that_dies_by_another(log, tmp_pa
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 def test_workers_and_their_tools_die_with_the_parent(how, tmp_path):
-    program = (f"import signal, sys\nfrom ci import pool, test_pool\n"
+    program = (f"import signal, sys\nfrom ci import pool\nfrom ci.test import test_pool\n"
                f"from pathlib import Path\npool.LOGS = Path({str(tmp_path)!r})\n"
                f"signal.signal(signal.SIGINT, signal.default_int_handler)\n"
                f"signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))\n"

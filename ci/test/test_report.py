@@ -152,7 +152,7 @@ def test_the_report_prints(made, capsys):
     assert "rational_fk1-S24" in printed and "CORDIC has less in" in printed and "Table III" in printed
 
 
-@pytest.mark.parametrize("name", ["classic_fk1_iter", "engine_quaternion_gd"])  # the latency of the second varies
+@pytest.mark.parametrize("name", ["classic_fk1", "engine_quaternion_gd"])  # the latency of the second varies
 def test_the_models_give_the_figures_of_the_committed_report(name):
     """What another arm's report is made by: on the committed arm the same figures as the simulation."""
     committed = json.loads((run.REPORTS / "report.json").read_text())
@@ -173,4 +173,4 @@ def test_the_accuracy_of_one_core():
     lines = accuracy.lines("cobra600", "vector_fk1")
     assert lines[0].startswith("vector_fk1-U16 on Omron") and len(lines) == 5
     with pytest.raises(Refused, match="is a part"):
-        accuracy.lines("cobra600", "isqrt_iter")
+        accuracy.lines("cobra600", "isqrt")

@@ -43,7 +43,7 @@ def test_two_lines_of_a_schedule_swapped_are_found(tmp_path):
 
 
 def test_two_lines_of_a_schedule_with_a_counter_swapped_are_found(tmp_path):
-    said = broken("classic_fk2_iter", "classic_chain_iter", [
+    said = broken("classic_fk2", "classic_chain_iter", [
         ("/* L2 to its quadrant */ {START, LINK_2}", "/* L2 to its quadrant */ {C{MICRO, STEP}}"),
         ("/* turn by j2         */ {C{MICRO, STEP}}", "/* turn by j2         */ {START, LINK_2}")], tmp_path)
     assert "which the sample has not written" in said

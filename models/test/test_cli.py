@@ -271,7 +271,7 @@ def test_show_says_what_encode_takes(quadrance):
     (("vector_ik6", "uarm_swift_pro"), "vector_ik6 on arm uarm_swift_pro: wrist: is missing"),
     (("table_ik3r", "ur5"), "table_ik3r on arm ur5: links.l3: is missing"),
     (("vector_chain", "ur5"), "vector_chain takes no arm: its link lengths come with the samples"),
-    (("isqrt_iter", "ur5"), "isqrt_iter takes no arm"), (("angle_to_vector", "ur5"), "takes no arm"),
+    (("isqrt", "ur5"), "isqrt takes no arm"), (("angle_to_vector", "ur5"), "takes no arm"),
     (("arm_ik3-W12", "puma560"), "constants.base: 671.83 mm is 3440 LSB and the word ends at 2047")])
 def test_an_instance_is_the_arm_or_refused(quadrance, arguments, reason):
     core, arm, *params = arguments

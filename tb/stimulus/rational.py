@@ -24,7 +24,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
         half = min(32 << f, high)
         pairs = [(high, high), (0, 0), (half, half), (high, 1), (1, high), (0, half), (half, 0), (3 << f, 2 << f),
                  *rng.integers(0, high, (3, 2), endpoint=True).tolist(), *rng.integers(0, half, (3, 2)).tolist()]
-        return [{"cfg_l1": l1, "cfg_l2": l2} for l1, l2 in pairs]
+        return [{"cfg_l1": min(l1, high), "cfg_l2": min(l2, high)} for l1, l2 in pairs]
     lengths = [high, 0, 1, high >> 1, (high >> 1) + 1, min(64 << f, high),
                *rng.integers(0, high, 2, endpoint=True).tolist()]
     return [{port.name: length for port in core.cfg} for length in lengths] if core.cfg else [{}]

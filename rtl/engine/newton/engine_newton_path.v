@@ -87,7 +87,7 @@ module engine_newton_path #(
     assign      out_step = shift[2] ? shift[0] ? move1[33-A+:A] : move1[35-A+:A] : shift[1] ? mid : low;
 
     wire unused = &{1'b0, unused_again, unused_stop, a[3:0], c[46:43], c[14:0], b[3:0], used[0],
-                    move1[12:0]};
+                    move1[16:0]};
     always @(posedge clk) begin
         base <= knot;
         al   <= left_op[1] ? left_op[0] ? minus : cosine : left_op[0] ? ex : root;
