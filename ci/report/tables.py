@@ -106,7 +106,7 @@ def greatest_error(row: Row) -> float | None:
 # Tables
 
 HEADLINE = {"vector": "unit vector: `vector_*`", "table": "binary angle: `table_*`",
-            "classic": "binary angle, CORDIC: `classic_*_iter`", "rational": "spread: `rational_*`"}
+            "classic": "binary angle, CORDIC: `classic_*`", "rational": "spread: `rational_*`"}
 
 DEVICES = {  # words of a head or a cell that belong to one device: our times are those of ECP5
     "ECP5": r"LUT|LUTs|LUTRAM|MULT18X18|EBR|MHz|ns", "Cyclone V": r"ALUT|ALUTs|DSP|M10K|MLAB", "iCE40": r"LC|RAM4K"}
@@ -226,7 +226,8 @@ def headline_table(report: dict) -> Table:
     def cell(row: Row | None) -> str:
         if row is None:
             return "–"
-        return f"{ecp5(row)}; {cycles(row)} cycles, {number(row['latency_ns'])} ns; {number(row['total_mm'])} mm"
+        area = "/".join(str(row["area"]["ecp5"][key]) for key in ("lut", "dsp", "mem"))
+        return f"{area}; {cycles(row)} ({number(row['latency_ns'])}); {number(row['total_mm'])}"
 
     lines = tuple((f"`{function}` {KINEMATIC[function]}", *(cell(found.get(family)) for family in HEADLINE))
                   for function, found in leaders(report).items())

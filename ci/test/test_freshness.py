@@ -97,7 +97,7 @@ def test_changed_tools_arm_and_code_are_found(committed, monkeypatch, tmp_path):
 
 
 def test_a_changed_number_in_the_headline_is_found(committed, tmp_path):
-    edit(tmp_path / "README.md", "| 270 LUT + 1 MULT18X18; ", "| 260 LUT + 1 MULT18X18; ")
+    edit(tmp_path / "README.md", "| 270/1/0; ", "| 260/1/0; ")
     assert committed() == ["README.md: its headline is not what report.json generates"]
     edit(tmp_path / "README.md", "<!-- /report", "<!-- report")
     assert committed()[0].startswith("README.md: marks are ")

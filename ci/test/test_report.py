@@ -57,10 +57,10 @@ def test_the_readme_has_a_row_a_function(made, small):
     made["cores"].insert(2, small)
     table = tables.headline_table(made)
     assert table.rows == (
-        ("`fk1` forward, 1 joint", "–", "–", "430 LUT + 1 MULT18X18; 18 cycles, 180 ns; 0.0586 mm",
-         "270 LUT + 1 MULT18X18; 2 cycles, 20 ns; 0.0977 mm"),
-        ("`ik1` inverse, 1 joint", "–", "–", "420 LUT + 1 MULT18X18; 17 cycles, 170 ns; 0.0977 mm",
-         "450 LUT + 1 MULT18X18; 9 cycles, 90 ns; 0.0977 mm"))
+        ("`fk1` forward, 1 joint", "–", "–", "430/1/0; 18 (180); 0.0586",
+         "270/1/0; 2 (20); 0.0977"),
+        ("`ik1` inverse, 1 joint", "–", "–", "420/1/0; 17 (170); 0.0977",
+         "450/1/0; 9 (90); 0.0977"))
     del made["cores"][1]
     assert tables.headline_table(made).rows[0][4] == "–"
 
