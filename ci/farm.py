@@ -1,6 +1,6 @@
 """Jobs on Dask workers: processes of this machine, or those of a scheduler (FARM=tcp://host:8786).
 
-A job is a function of the house and plain arguments; its answer follows from these and the checkout alone, so it may
+A job is a function of this project and plain arguments; its answer follows from these and the checkout alone, so it may
 run anywhere, twice as well. A worker that dies gives its jobs to the others. Workers of a scheduler have the same
 checkout and the same tools, or the run is refused before it begins. To start some:
 

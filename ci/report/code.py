@@ -15,7 +15,7 @@ PLACES = {"quadrance": ROOT / "models", "ci": ROOT, "tb": ROOT}  # top-level pac
 
 
 def _file(module: str) -> Path | None:
-    """The file of a module of the house, None for any other module."""
+    """The file of a module of this project, None for any other module."""
     folder = PLACES.get(module.split(".")[0])
     if folder is None:
         return None
@@ -25,7 +25,7 @@ def _file(module: str) -> Path | None:
 
 @cache
 def _imports(text: str) -> list[Path]:
-    """Files of the house that a source imports, at its top or inside a function."""
+    """Files of this project that a source imports, at its top or inside a function."""
     names = []
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
@@ -36,7 +36,7 @@ def _imports(text: str) -> list[Path]:
 
 
 def closure(starts: Iterable[Path]) -> list[Path]:
-    """`starts` and every file of the house that they import, directly or not, in the order of their names."""
+    """`starts` and every file of this project that they import, directly or not, in the order of their names."""
     found = list(starts)
     for path in found:
         found += [one for one in dict.fromkeys(_imports(path.read_text())) if one not in found]

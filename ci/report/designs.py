@@ -97,7 +97,7 @@ def coded(families: tuple[str, ...] = ("vector", "table", "rational", "classic")
 @cache
 def rule(name: str) -> str:
     """What the core's own g_illegal compares; empty where it leaves its rule to a part."""
-    match = re.search(r"if \((.*?)\) begin : g_illegal", cores.find(name).sources[0].read_text(), re.S)
+    match = re.search(r"if \((.*?)\)\s+begin : g_illegal", cores.find(name).sources[0].read_text(), re.S)
     return match[1] if match else ""
 
 

@@ -51,7 +51,7 @@ def edited(old, new):
     return change
 
 
-def test_every_program_of_the_house_is_read_and_sound():
+def test_every_program_is_read_and_sound():
     assert set(CORES) == set(programs.MACHINES)
     for module in CORES:
         one, text = sound(module)

@@ -81,7 +81,7 @@ def at(core: Core, params: dict[str, int]) -> Core:
 def _broken_rule(core: Core, values: dict[str, int]) -> str:
     """The sentence of the core's own rule (its `g_illegal`) where the values break it; clauses of plain numbers."""
     text = core.sources[0].read_text()
-    rule = re.search(r"if \((.*?)\) begin : g_illegal\s+(\w+) rule", text, re.S)
+    rule = re.search(r"if \((.*?)\)\s+begin : g_illegal\s+(\w+)\s+rule", text, re.S)
     for clause in rule[1].split("||") if rule else ():
         try:
             broken = cores.formula(clause.strip(), values, core.name)
