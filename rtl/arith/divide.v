@@ -43,7 +43,7 @@ module divide #(
     generate
         if (MODE < 0 || MODE > 1 || WN < 1 || WD < 1 || F < 0 || WN + F > 62 || WD > 62 || R < 1 || R >= N + MODE)
         begin : g_illegal
-            divide_needs_MODE_0_or_1_and_WN_plus_F_and_WD_to_62_and_R_from_1_to_the_quotient_bits_less_1_in_MODE_0 rule ();
+            divide_needs_MODE_0_or_1_and_WN_plus_F_and_WD_to_62_and_R_from_1_to_the_digits_less_1_in_MODE_0 rule ();
         end
         if (MODE == 0) begin : g_iterative
             reg  [WD-1:0]  d;
