@@ -155,7 +155,7 @@ class Bench:
                 self.board.accept_cycle.append(self.cycle)
 
     async def send(self, vectors: dict[str, np.ndarray], idle: Callable[[], int] = lambda: 0,
-                   patience: int = 4000) -> None:
+                   patience: int = 40_000) -> None:
         """Drive every sample; `idle()` cycles without valid before each."""
         in_valid, in_ready = self.dut.in_valid, self.dut.in_ready
         offered = False
@@ -179,7 +179,7 @@ class Bench:
                 raise AssertionError(f"no in_ready for {patience} cycles")
         in_valid.value = 0
 
-    async def result(self, patience: int = 4000) -> None:
+    async def result(self, patience: int = 40_000) -> None:
         """Wait until a result is offered."""
         for _ in range(patience):
             await self.edge
@@ -187,7 +187,7 @@ class Bench:
                 return
         raise AssertionError(f"no out_valid for {patience} cycles")
 
-    async def drain(self, patience: int = 4000, after: int | None = None) -> None:
+    async def drain(self, patience: int = 40_000, after: int | None = None) -> None:
         """Wait until every accepted sample has its result, then `after` clocks, a latency by default, for one too many.
         """
         await self.edge
