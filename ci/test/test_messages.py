@@ -48,6 +48,8 @@ def test_words():
 CUT = """
 import os, signal, time
 
+signal.signal(signal.SIGINT, signal.default_int_handler)    # a shell ignores it for what runs behind it
+
 def test_passes():
     pass
 
