@@ -23,7 +23,7 @@ module divide_iter_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
     (* hierconn *) wire [M-1:0] \dut.g_iterative.step ;
     (* hierconn *) wire \dut.g_iterative.busy ;
     (* hierconn *) wire [WD-1:0] \dut.g_iterative.d ;
-    (* hierconn *) wire [H-1:0] \dut.g_iterative.head_q ;
+    (* hierconn *) wire [H-1:0] \dut.head_q ;
     (* hierconn *) wire [R-1:0] \dut.g_iterative.next_q ;
 
     wire accept = in_valid && in_ready;
@@ -32,7 +32,7 @@ module divide_iter_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
     reg [7:0] age;  // clocks since the accepting edge, until the result is there
     reg [N+WD-1:0] product;  // quotient so far times d
     wire [N+WD-1:0] first, grown;
-    grow_product #(.N(N), .WD(WD), .R(H)) head (.product(0), .d(in_d), .digits(\dut.g_iterative.head_q ), .grown(first));
+    grow_product #(.N(N), .WD(WD), .R(H)) head (.product(0), .d(in_d), .digits(\dut.head_q ), .grown(first));
     grow_product #(.N(N), .WD(WD), .R(R)) step (.product(product), .d(\dut.g_iterative.d ), .digits(\dut.g_iterative.next_q ), .grown(grown));
     always @(posedge clk) begin
         age <= accept ? 1 : age + \dut.g_iterative.busy ;

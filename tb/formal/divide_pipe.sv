@@ -18,6 +18,7 @@ module divide_pipe_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
     stream_token #(.WI(WN+WD), .WO(N+WD+1)) stream (
         .in_data({in_n, in_d}), .out_data({out_q, out_r, out_div_by_zero}), .*);
     (* hierconn *) wire [M:0] \dut.g_pipelined.valid ;
+    (* hierconn *) wire [H-1:0] \dut.head_q ;
 
     wire [N-1:0] n = token[WN+WD-1:WD] << F;
     wire [WD-1:0] divisor = token[WD-1:0];
@@ -39,8 +40,7 @@ module divide_pipe_props #(parameter WN = 16, WD = 16, F = 0, R = 1) (
         wire [WD-1:0] factor;
         wire [L-1:0] digits;
         if (s == 0) begin : g_head
-            (* hierconn *) wire [H-1:0] q;
-            assign before = 0, factor = in_d, digits = q;
+            assign before = 0, factor = in_d, digits = \dut.head_q ;
         end else begin : g_digits
             (* hierconn *) wire [R-1:0] q;
             assign before = \dut.g_pipelined.g_stage [s-1].product, factor = \dut.g_pipelined.g_stage [s-1].g_d.d, digits = q;

@@ -22,7 +22,7 @@ module isqrt_iter_props #(parameter W = 16, F = 0, R = 1) (
     (* hierconn *) wire [2*R*M-1:0] \dut.g_iterative.todo ;
     (* hierconn *) wire [M-1:0] \dut.g_iterative.step ;
     (* hierconn *) wire \dut.g_iterative.busy ;
-    (* hierconn *) wire [H-1:0] \dut.g_iterative.head_root ;
+    (* hierconn *) wire [H-1:0] \dut.head_root ;
     (* hierconn *) wire [N-1:0] \dut.g_iterative.next_root ;
 
     wire accept = in_valid && in_ready;
@@ -30,7 +30,7 @@ module isqrt_iter_props #(parameter W = 16, F = 0, R = 1) (
     reg [7:0] age;  // clocks since the accepting edge, until the result is there
     reg [2*N-1:0] square;  // of the root so far
     wire [2*N-1:0] first, grown;
-    grow_square #(.N(N), .R(H)) head (.square(0), .root(0), .digits(\dut.g_iterative.head_root ), .grown(first));
+    grow_square #(.N(N), .R(H)) head (.square(0), .root(0), .digits(\dut.head_root ), .grown(first));
     grow_square #(.N(N), .R(R)) step (
         .square(square), .root(out_root), .digits(\dut.g_iterative.next_root [R-1:0]), .grown(grown));
     always @(posedge clk) begin
