@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 from quadrance import cores
 
-from ci import contract, formal
+from ci import contract, formal, reset
 from tb.lib import tools
 from tb.lib.simulate import available
-from tb.lib.test_bench_bites import FALLS, altered
+from tb.lib.test_bench_bites import FALLS, RESETS, altered
 
 ICARUS = pytest.mark.skipif(not available("icarus"), reason="a core's states are found by simulation in Icarus")
 FAULTS = [
@@ -46,6 +46,25 @@ def test_broken_core_is_refuted(name: str, file: str, sound: str, broken: str, v
 @pytest.mark.full
 def test_sound_core_is_proved() -> None:
     assert formal.prove(proof("skid_buffer-W16")).word == "PASS"
+
+
+SAID = {  # of the faults that the bench finds; the first is in no register that reset touches
+    "a line of before a reset reaches an answer": "",
+    "a count of words is left": "constant while rst is high: fill",
+    "a write is on its way": "1 clocks after it: answer, fill, run",
+    "a word that is written stays": "constant while rst is high: out_c1, out_c3, out_n1, out_n3",
+    "the third sample sees the word of before": r"constant while rst is high: \S*left",
+    "a program starts at the line it was at": "constant while rst is high: .*op",
+}
+LINE = ("vector_fk6", "engine_program", "|| out_done || rst ?", "|| out_done || rst && in_start ?")
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("fault", SAID)
+def test_a_reset_that_leaves_something_is_refuted(fault: str, tmp_path: Path) -> None:
+    core = altered(*(RESETS | {"a program starts at the line it was at": LINE})[fault], tmp_path)
+    found = reset.faults(reset.netlist(core, tools.BUILD / "reset" / tmp_path.name))
+    assert re.search(SAID[fault], "\n".join(found)) if SAID[fault] else not found
 
 
 CONTRACT = [  # what breaks the contract of paper_fk1, and must be found whatever its products are
@@ -114,6 +133,29 @@ def test_a_circuit_that_was_proved_passes_under_other_names(tmp_path: Path, monk
     assert formal.judge(changed("rounded", "closest"), frozenset({found})) == (formal.Verdict("PASS"), found)
     assert formal.judge(changed("in_x[SHIFT-1]}", "1'b0}"), frozenset({found}))[0].word == "FAIL"
     assert formal.judge(dataclasses.replace(one, depth=one.depth + 1), frozenset({found}))[0].word == "FAIL"
+
+
+def test_a_proof_that_its_time_does_not_reach_is_named(monkeypatch, tmp_path, capsys) -> None:
+    """It fails nothing; a refutation fails, and so does a proof that ran out of its own time."""
+    names = ["round_saturate-16to8by6", "round_saturate-12to16by3"]
+    monkeypatch.setattr(formal, "STORE", tmp_path / "proofs.json")
+    said = {}
+    monkeypatch.setattr(formal, "judge", lambda what, proved, limit: (formal.Verdict(said["word"]), ""))
+
+    def code(word: str, *options: str) -> int:
+        said["word"] = word
+        monkeypatch.setattr("sys.argv", ["formal", *names, *options])
+        with pytest.raises(SystemExit) as ended:
+            formal.main()
+        return ended.value.code
+
+    assert code("PASS", "--within", "0") == 0
+    left = capsys.readouterr().out.split("were not reached within 0 minutes: ")[1]
+    assert all(name in left for name in names)
+    assert code("TIMEOUT", "--within", "1") == 0 and "2 proofs do not stand" in capsys.readouterr().out
+    assert code("FAIL", "--within", "1") == code("TIMEOUT") == 1
+    assert formal.standing() == {}
+    assert code("PASS") == 0 and sorted(formal.standing()) == sorted(names)
 
 
 def test_proofs_of_before_stand_without_a_circuit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

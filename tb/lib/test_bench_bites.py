@@ -1,6 +1,5 @@
 """The bench on cores broken on purpose: a check that never failed is not yet a check."""
 
-import re
 import signal
 from dataclasses import replace
 from pathlib import Path
@@ -9,8 +8,7 @@ import numpy as np
 import pytest
 from quadrance.cores import Core, Port, find
 
-from ci import reset
-from tb.lib import bulk, program, stimulus, tools
+from tb.lib import bulk, program, stimulus
 from tb.lib.simulate import simulate
 from tb.lib.suite import SEED, bulk_run, bulk_samples, reset_run, simulators
 
@@ -87,20 +85,18 @@ def test_a_reset_that_leaves_a_result_standing_fails(unless, tmp_path):
 GD_N, UNITS = "engine_quaternion_gd_n", "unit_vectors"
 IF_RESET = "if (rst && i != 1) begin"
 STALLED = "waited <= out_valid && !out_ready ? waited + 9'd1 : 9'd0;"
-RESETS = {  # core, module, text, broken text, what the proof of its registers says
-    "a line of before a reset reaches an answer": (GD_N, "engine_gd_n_products", "error0 && in_run", "error0", None),
-    "a count of words is left": (GD_N, GD_N, "if (rst)\n", "if (rst && !accept)\n", "constant while rst is high: fill"),
-    "a write is on its way": (GD_N, GD_N, "accept && !rst;", "accept;", "1 clocks after it: answer, fill, run"),
-    "a word that is written stays": ("vector_ik3", UNITS, IF_RESET, "if (rst && !in_sin[i] && i != 1) begin",
-                                     "constant while rst is high: out_c1, out_c3, out_n1, out_n3"),
+RESETS = {  # core, module, text, broken text; ci/test/test_formal.py has what the proof of resets says
+    "a line of before a reset reaches an answer": (GD_N, "engine_gd_n_products", "error0 && in_run", "error0"),
+    "a count of words is left": (GD_N, GD_N, "if (rst)\n", "if (rst && !accept)\n"),
+    "a write is on its way": (GD_N, GD_N, "accept && !rst;", "accept;"),
+    "a word that is written stays": ("vector_ik3", UNITS, IF_RESET, "if (rst && !in_sin[i] && i != 1) begin"),
     "the third sample sees the word of before": ("vector_ik2", UNITS, "always @(posedge clk) begin", """
             reg [U+1:0] left;
             reg [1:0] count;
             always @(posedge clk) begin
                 if (rst) {count, left} <= {2'd0, out_c[J +: U+2]};
                 else if (in_cos[i]) count <= count + {1'b0, count != 2'd3};
-                if (in_cos[i] && in_none && count == 2'd2) out_c[J +: U+2] <= left;""",
-                                                 r"constant while rst is high: \S*left"),
+                if (in_cos[i] && in_none && count == 2'd2) out_c[J +: U+2] <= left;"""),
 }
 
 
@@ -108,12 +104,9 @@ RESETS = {  # core, module, text, broken text, what the proof of its registers s
 @pytest.mark.parametrize("fault", RESETS.values(), ids=RESETS)
 def test_a_reset_that_leaves_something_fails(fault, tmp_path):
     """What a later sample sees of the time before a reset; the core had the first of these faults once."""
-    name, module, old, new, said = fault
-    core = altered(name, module, old, new, tmp_path)
+    core = altered(*fault, tmp_path)
     with pytest.raises(AssertionError, match="behind reset|without an accepted sample"):
         reset_run(core, stimulus.configs(core, np.random.default_rng(SEED))[0], SEED)
-    found = reset.faults(reset.netlist(core, tools.BUILD / "reset" / tmp_path.name))
-    assert re.search(said, "\n".join(found)) if said else not found
 
 
 @pytest.mark.full
@@ -131,7 +124,7 @@ def test_words_lost_in_a_long_stall_fail(tmp_path):
 
 @pytest.mark.full
 def test_valid_that_falls_with_two_multipliers_fails(tmp_path):
-    """Only a further set of the core has the fault; ci/test_formal.py has its proof."""
+    """Only a further set of the core has the fault; ci/test/test_formal.py has its proof."""
     core = altered("vector_ik2-U16P2", "kernel_vector_solve", *FALLS, tmp_path)
     with pytest.raises(AssertionError, match="out_valid fell before out_ready took the result: sample"):
         bulk_run(core, bulk_samples(core), SEED)
