@@ -203,14 +203,16 @@ def check_list(cores: tuple[Core, ...]) -> list[str]:
 def check_pages() -> list[str]:
     """No row of a table speaks of two devices; no area and no clock is typed by hand.
 
-    The design notes are left out: a row of theirs is what one try gave on the day it was made.
+    The design notes may state areas: a row of theirs is what one try gave on the day it was made.
     """
     wrong = []
     written = [*ROOT.glob("*.md"), *RTL.rglob("*.md"), *(ROOT / "tb").glob("*.md"), *(ROOT / "docs").glob("*.md")]
-    written = sorted(path for path in written if path.name != "design-notes.md")
+    written.sort()
     for path in (*written, REPORT.with_name("report.md")):
         wrong += tables.mixed(path.read_text(), str(path.relative_to(ROOT))) if path.exists() else []
     for path in written:
+        if path.name == "design-notes.md":
+            continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
             if re.search(r"[0-9] (ALUTs?|LUTs?|MHz)\b", line):
                 wrong.append(f"{path.relative_to(ROOT)}:{number}: a figure typed by hand; link to the report instead")

@@ -72,17 +72,17 @@ module classic_solve_iter #(
         /* j3             */ {        DIVIDE, TO_PHI,  NONE}};
     localparam [BITS*(L+1+WAIT)-1:0] PHI = {
         /* phi            */ {(U + 1){GROW,   STAY,    NONE}},
-        /* x stands still */ {(C - U){TURN,   STAY,    NONE}},
+        /* x is held */     {(C - U){TURN,   STAY,    NONE}},
         /* last bits      */ {(L - C - 1){DIVIDE, STAY, NONE}},
         /* roots          */ {WAIT{   HOLD,   STAY,    NONE}},
         /* last one       */ {        DIVIDE, TO_HALF, NONE}};
     localparam [BITS*(2*L+3)-1:0] ELBOW = {
         /* h              */ {(U + 1){GROW,   STAY,    NONE}},
-        /* x stands still */ {(C - U){TURN,   STAY,    NONE}},
+        /* x is held */     {(C - U){TURN,   STAY,    NONE}},
         /* last bits      */ {(L - C - 1){DIVIDE, STAY, NONE}},
         /* j2             */ {        DIVIDE, TO_REST, NONE},
         /* h + d          */ {(U + 1){GROW,   STAY,    NONE}},
-        /* x stands still */ {(C - U){TURN,   STAY,    NONE}},
+        /* x is held */     {(C - U){TURN,   STAY,    NONE}},
         /* last bits      */ {(L - C){DIVIDE, STAY,    NONE}},
         /* j1             */ {        JOIN,   STAY,    NONE}};
 

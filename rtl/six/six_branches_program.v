@@ -2,7 +2,7 @@
 // Program of vector_ik6_all: a pose to the joints of eight branches. 38 lines for all of them, then 114 that are
 // played twice, for the shoulder forward and back: joint 1, and for both elbows, a and b, joints 2 to 6 and their
 // wrists turned over. Names and steps: six_inverse_program; MINOR is the table's second factor, complemented.
-// A word with OUT, C3, N3 or C5 as DEST is a result, 32 a pass; the flags of C5's elbow stand when it comes.
+// A word with OUT, C3, N3 or C5 as DEST is a result, 32 a pass; the flags of C5's elbow are valid when it comes.
 // C1, N1, C2, N2, C4 and N4 hold directions, so both elbows take the same registers. Model: six.ik6_all
 `default_nettype none
 module six_branches_program (

@@ -85,7 +85,7 @@ module engine_quaternion_gd_touch #(
         TURN   = 10'h004,       // across, both products
         PAIR   = 10'h008,       // a root of joint 1, or the next
         LINK   = 10'h010,       // a link, or the next
-        THIRD  = 10'h020,       // read joint 1 in line 1, joint 3 behind it; else joint 2, in line 2 joint 1
+        THIRD  = 10'h020,       // read joint 1 in line 1, joint 3 in the next one; else joint 2, in line 2 joint 1
         COS    = 10'h040,       // read a cosine
         SIN    = 10'h000,       // read a sine
         MINUS  = 10'h080,       // read half a turn on

@@ -31,7 +31,7 @@ module engine_rus_fk_program (
         g = 7'd89, gg = 7'd90, f = 7'd91, ax = 7'd92, ay = 7'd93, az = 7'd94;
     localparam [6:0]  // page 8 + j: row j
         J1 = 7'd96, J2 = 7'd97, J3 = 7'd98, J4 = 7'd99, J5 = 7'd100, J6 = 7'd101, J7 = 7'd102;
-    localparam [6:0]  // page 9 + j: the row behind it
+    localparam [6:0]  // page 9 + j: the row after it
         K1 = 7'd112, K2 = 7'd113, K3 = 7'd114, K4 = 7'd115, K5 = 7'd116, K6 = 7'd117;
     localparam [1:0] ADD = 2'd0, KEEP = 2'd1, SUB = 2'd2, SUBK = 2'd3;
     localparam [2:0] NONE = 3'd0, MISS = 3'd1, UNIT = 3'd2, SCALE = 3'd3, LOOSE = 3'd4, RANGE = 3'd5, SIDE = 3'd6,

@@ -32,7 +32,7 @@ module quaternion_to_matrix #(
         UNIT  = 5'b00010,  // y^2 + z^2 besides
         PAIR  = 5'b00100,  // two entries, then x, y, z <- y, z, x
         DIAG  = 5'b01000,  // an entry of the diagonal
-        LAST  = 5'b10000;  // all entries stand in the next clock
+        LAST  = 5'b10000;  // all entries are valid in the next clock
     localparam [8*5-1:0] TURN = {
         /* length       */ FIRST,
         /* and its rest */ UNIT,

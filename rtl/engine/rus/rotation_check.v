@@ -46,7 +46,7 @@ module rotation_check #(
         CLEAR = 4'b0001,      // the first sum begins with the next clock
         ONE   = 4'b0111,      // must be 1; the next sum begins
         ZERO  = 4'b0011,      // must be 0; the next sum begins
-        LAST  = 4'b1011;      // must be 0; the answer stands in the next clock
+        LAST  = 4'b1011;      // must be 0; the answer is valid in the next clock
     localparam [26*13-1:0] CHECK = {
         /* length of a   */ {A1, B1, AA, START},
         /*               */ {A2, B1, AA, CLEAR},
