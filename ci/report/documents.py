@@ -8,7 +8,7 @@ from pathlib import Path
 from quadrance.cli.tables import Column, console, grid
 from rich.table import Table as Grid
 
-from ci.report import designs, engines, paper, verdict
+from ci.report import comparison, designs
 from ci.report.tables import (
     KINEMATIC,
     Table,
@@ -135,22 +135,22 @@ def _verdict(report: dict) -> list[str]:
     """The verdict at equal accuracy: who wins, picture, tables, tasks, and what the spread itself changes."""
     found = report["verdict"]
     parts = ["## The verdict at equal accuracy", *open_note(found), VERDICT_NOTE.format(**designs.RULES["price"])]
-    for device in verdict.WINS:
-        table = verdict.winners_table(found, device)
+    for device in comparison.WINS:
+        table = comparison.winners_table(found, device)
         parts += [f"### {table.title}", table.markdown()]
     parts += ["![Area against latency at equal accuracy](verdict.png)"]
     for function in KINEMATIC:
-        if verdict.plain(found, function):
-            table = verdict.target_table(found, function)
+        if comparison.plain(found, function):
+            table = comparison.target_table(found, function)
             parts += [f"### {table.title}, on ECP5", table.markdown()]
-    table = verdict.cyclonev_table(found)
+    table = comparison.cyclonev_table(found)
     parts += [f"### {table.title}", table.markdown(), "### Tasks on ECP5, codecs included",
               SCENARIO_NOTE.format(target=designs.RULES["scenario"])]
-    for way, word in verdict.SCENARIOS:
-        table = verdict.scenario_table(found, way, word)
+    for way, word in comparison.SCENARIOS:
+        table = comparison.scenario_table(found, way, word)
         parts += [f"**{table.title[0].upper()}{table.title[1:]}**",
                   table.markdown() if table.rows else "No core reaches it with what is built."]
-    table = verdict.itself_table(report)
+    table = comparison.itself_table(report)
     return [*parts, "### What rational trigonometry itself changes", ITSELF_NOTE, f"**{table.title}**",
             table.markdown() if table.rows else "No function has both yet."]
 
@@ -173,9 +173,9 @@ def markdown(report: dict) -> str:
         table = primitive_table(others)
         if table.rows:
             parts += [f"{table.title}:", table.markdown()]
-    parts += paper.chain_section(report) + engines.section(report)
+    parts += comparison.chain_section(report) + comparison.engine_section(report)
     parts += ["## Beside the paper", PAPER_NOTE]
-    for table in paper.paper_tables(report):
+    for table in comparison.paper_tables(report):
         parts += [f"### {table.title}", table.markdown()]
     if (table := cordic_table(report)).rows:
         parts += ["## Where CORDIC wins", CORDIC_NOTE, table.markdown()]
@@ -246,11 +246,11 @@ def show(report: dict) -> None:
     out = console()
     kinematic, others = pick(report, KINEMATIC), primitives(report)
     tables = [*cost_tables("Kinematic cores", kinematic), accuracy_table("Accuracy at the tip", kinematic),
-              *cost_tables("Primitives", others), primitive_table(others), engines.table(report),
-              *paper.paper_tables(report), cordic_table(report)]
+              *cost_tables("Primitives", others), primitive_table(others), comparison.engine_table(report),
+              *comparison.paper_tables(report), cordic_table(report)]
     if report.get("verdict"):
-        tables += [*(verdict.winners_table(report["verdict"], device) for device in verdict.WINS),
-                   verdict.itself_table(report)]
+        tables += [*(comparison.winners_table(report["verdict"], device) for device in comparison.WINS),
+                   comparison.itself_table(report)]
     out.print(trajectory_note(report))
     for table in [*tables, headline_table(report)]:
         if table.rows:

@@ -9,7 +9,7 @@ from quadrance import cores
 from quadrance.cli.catalogue import Refused
 
 from ci import accuracy
-from ci.report import README, documents, figures, measure, paper, run, tables
+from ci.report import README, comparison, documents, figures, measure, run, tables
 
 FRONT = """# Title
 <!-- report:headline -->
@@ -88,7 +88,7 @@ def test_every_column_is_explained(made):
 
 
 def test_paper_tables_show_both_axes_against_both_architectures(made):
-    le, ik, cycles = paper.paper_tables(made)
+    le, ik, cycles = comparison.paper_tables(made)
     assert le.rows == (("FK1", "359", "340 ALUT + 1 DSP (540)", "120 ALUT + 1 DSP (320)", "1573",
                         "1400 ALUT + 1 DSP (1600)", "–", "280 ALUT + 1 DSP (480)"),)
     assert ik.rows == (("IK1", "317", "–", "300 ALUT + 1 DSP (500)", "1569", "–", "–", "270 ALUT + 1 DSP (470)"),)
@@ -121,7 +121,7 @@ def test_a_row_speaks_of_one_device(made):
 def test_smaller_parameter_sets_are_not_compared(made, small):
     """A twelve-bit CORDIC must not stand for the family against a sixteen-bit rational core."""
     def compared():
-        return (paper.paper_tables(made), tables.cordic_table(made), tables.headline_table(made),
+        return (comparison.paper_tables(made), tables.cordic_table(made), tables.headline_table(made),
                 tables.glance_table(made))
 
     before = compared()
@@ -136,7 +136,7 @@ def test_numbers(value, text):
     assert tables.number(value) == text
 
 
-def test_rows_are_complete_and_rounded(made):
+def test_rows_are_complete_androunded(made):
     core = replace(cores.find("isqrt_comb"), latency=0)
     simulated = dict.fromkeys(measure.FIGURES) | {"latency_cycles": 0, "ii": 0,
                                                   "error_lsb": {"max": 0.123456789, "rms": 0.1}}
@@ -159,7 +159,7 @@ def test_the_models_give_the_figures_of_the_committed_report(name):
     core = cores.find(name)
     row = next(one for one in committed["cores"] if (one["core"], one["set"]) == (core.name, core.set_id))
     found = measure.simulate(core, committed["arm"], measure.modelled)
-    assert run._rounded({key: found[key] for key in measure.FIGURES}) == {key: row[key] for key in measure.FIGURES}
+    assert run.rounded({key: found[key] for key in measure.FIGURES}) == {key: row[key] for key in measure.FIGURES}
 
 
 def test_where_the_report_of_another_arm_goes(tmp_path):

@@ -1,10 +1,11 @@
-"""The verdict at equal accuracy on small made-up figures: winners, tables, sentences, picture. No tool runs."""
+"""Cores beside each other on small made-up figures: the verdict, chains, engines, their tables. No tool runs."""
 
 import copy
 
 import pytest
 
-from ci.report import documents, figures, tables, verdict
+from ci.cache import digest
+from ci.report import comparison, documents, figures, tables
 
 TARGET = "1 LSB"
 
@@ -12,7 +13,7 @@ TARGET = "1 LSB"
 @pytest.fixture(autouse=True)
 def targets(monkeypatch):
     """Whatever targets the list has: these."""
-    monkeypatch.setattr(verdict, "TARGETS", ("0.1 mm", "2 LSB", "1 LSB", "1/2 LSB"))
+    monkeypatch.setattr(comparison, "TARGETS", ("0.1 mm", "2 LSB", "1 LSB", "1/2 LSB"))
 
 
 def part(lut, dsp=0, mem=0, nodsp=None, cycles=2, ii=None, mhz=100.0):
@@ -25,7 +26,7 @@ def part(lut, dsp=0, mem=0, nodsp=None, cycles=2, ii=None, mhz=100.0):
 
 def design(core, family, function, picks, word="angle", codec=None, best=0.3):
     """A design with a pick (target, bits of the word, total, [part, copies] ...) for each target it reaches."""
-    made = {target: None for target in verdict.TARGETS} | {
+    made = {target: None for target in comparison.TARGETS} | {
         target: {"values": {"W": 16, "F": 8, "A": bits}, "total_lsb": total, "bits": bits, "parts": parts}
         for target, bits, total, *parts in picks}
     return {"core": core, "codec": codec, "family": family, "function": function, "architecture": "", "word": word,
@@ -52,7 +53,7 @@ def found():
 
 
 def sets(found, function="fk1", target=TARGET):
-    return {one["core"]: one for one in verdict.reaching(found, function, target)}
+    return {one["core"]: one for one in comparison.reaching(found, function, target)}
 
 
 def report(found, *rows):
@@ -60,7 +61,7 @@ def report(found, *rows):
 
 
 def winners(found, device="ECP5"):
-    table = verdict.winners_table(found, device)
+    table = comparison.winners_table(found, device)
     return {line[:2]: dict(zip(table.head[2:], line[2:])) for line in table.rows}
 
 
@@ -75,9 +76,9 @@ def test_an_infeasible_core_is_not_among_the_winners(found):
 def test_every_block_has_its_price(found):
     one = sets(found)["table_fk1"]
     assert [one[key] for key in ("lut", "dsp", "mem", "alut", "nodsp")] == [79, 2, 2, 70, 1070]
-    price = verdict.RULES["price"]
-    assert verdict.price(one) == 79 + 2 * price["dsp"] + 2 * price["mem"]
-    assert verdict.price(one | {"mem": 3}) == verdict.price(one) + price["mem"]
+    price = comparison.RULES["price"]
+    assert comparison.price(one) == 79 + 2 * price["dsp"] + 2 * price["mem"]
+    assert comparison.price(one | {"mem": 3}) == comparison.price(one) + price["mem"]
 
 
 def test_every_figure_has_its_own_winner(found):
@@ -95,14 +96,14 @@ def test_a_clock_that_is_not_known_is_no_figure(found):
     found["parts"]["t"]["fmax_mhz"] = None
     assert sets(found)["table_fk1"]["ns"] is None
     assert winners(found)["fk1", TARGET]["least ns"] == "`classic_fk1_iter` 150"
-    assert "| 79 | 2 | 2 | 3 | – |" in verdict.target_table(found, "fk1").markdown()
+    assert "| 79 | 2 | 2 | 3 | – |" in comparison.target_table(found, "fk1").markdown()
 
 
 # What a spread changes
 
 
 def test_what_a_spread_takes_and_what_an_angle_takes(found):
-    table = verdict.itself_table(report(found))
+    table = comparison.itself_table(report(found))
     assert table.rows == (("fk1", "2 LSB", "4 / 2", "2 / 2", "129 / 79", "2 / 3", "2 / 3", "26 / 15"),
                           ("fk2", TARGET, "7 / 2", "2 / 2", "329 / 129", "6 / 5", "6 / 4", "30 / 18"),
                           ("ik1", TARGET, "2 / 3", "2 / 3", "189 / 139", "4 / 4", "4 / 4", "28 / 18"))
@@ -112,30 +113,30 @@ def test_without_a_common_target_the_first_sets_are_compared(made, found):
     one = next(row for row in made["cores"] if row["core"] == "rational_ik1")
     spread = one | {"core": "rational_ik2", "function": "ik2", "params": {"W": 16, "F": 8, "S": 24}}
     angle = one | {"core": "table_ik2", "family": "table", "function": "ik2", "params": {"W": 16, "F": 8, "A": 18}}
-    assert verdict.itself_table(report(found, spread, angle)).rows[-1] == (
+    assert comparison.itself_table(report(found, spread, angle)).rows[-1] == (
         "ik2", "first sets", "0 / 0", "1 / 1", "450 / 450", "9 / 9", "9 / 9", "26 / 18")
     both = [row | {"core": f"{row['family']}_ik1", "function": "ik1"} for row in (spread, angle)]
-    assert verdict.itself_table(report(found, *both)).rows[-1][:2] == ("ik1", TARGET), "a target comes first"
+    assert comparison.itself_table(report(found, *both)).rows[-1][:2] == ("ik1", TARGET), "a target comes first"
     for core in ("rational_fk1", "rational_fk2", "rational_ik1"):
         found["designs"][core]["picks"] = {}
-    assert verdict.itself_table(report(found)).rows == ()
+    assert comparison.itself_table(report(found)).rows == ()
 
 
 # Tasks with codecs
 
 
 def test_codecs_add_to_area_and_time(found):
-    table = verdict.scenario_table(found, "fk", "angle")
+    table = comparison.scenario_table(found, "fk", "angle")
     assert table.rows == (("fk2", "2 `angle_to_vector` + `vector_fk2`", "W=16 F=8 A=18", "2", "277", "4", "2", "6",
                            "150"),)
-    assert "vector_fk2" not in verdict.target_table(found, "fk2").markdown().replace("`vector_fk2` | not built", "")
+    assert "vector_fk2" not in comparison.target_table(found, "fk2").markdown().replace("`vector_fk2` | not built", "")
 
 
 # Pages and picture
 
 
 def test_tables_have_every_core_target_and_family(found):
-    text = verdict.target_table(found, "fk1").markdown()
+    text = comparison.target_table(found, "fk1").markdown()
     assert "| 1 LSB | `rational_fk1` | not reached: 1.4 LSB at best | – |" in text
     assert "|  | `vector_fk1` | not built | – |" in text and "|  | `paper_fk1` | not built |" in text
     assert len({line.count("|") for line in text.splitlines()}) == 1
@@ -179,3 +180,79 @@ def test_a_changed_verdict_makes_the_plots_stale(made, found):
     before, other = figures.stamp(made), copy.deepcopy(made)
     other["verdict"]["parts"]["c"]["fmax_mhz"] = 101.0
     assert figures.stamp(other) != before
+
+
+# Chains of links
+
+
+def chained(core, alut, latency, ii=None):
+    return {"core": core, "set": "S", "latency_cycles": latency, "ii": ii or latency,
+            "area": {"cyclonev": {"lut": alut, "dsp": 2, "mem": 0}}}
+
+
+FIXED = [chained("table_fk1", 70, 3, 2), chained("table_fk2", 110, 5, 4), chained("table_fk3", 150, 7, 6)]
+REPORT = {"cores": [*FIXED, chained("table_chain", 200, 3, 2), chained("vector_chain", 9, 4, 3)]}
+
+
+def test_clocks_to_the_tip():
+    assert comparison.clocks(chained("x", 1, 4, 3), 1) == 4 and comparison.clocks(chained("x", 1, 4, 3), 5) == 16
+
+
+def test_measured_to_three_joints_and_a_line_beyond():
+    assert [comparison.line([70, 110, 150], n) for n in (1, 2, 3)] == [70, 110, 150]
+    assert comparison.line([70, 110, 150], 10) == pytest.approx(430)
+    assert comparison.line([60, 110, 130], 3) == 130
+
+
+@pytest.mark.parametrize("alut, joints", [(70, 1), (71, 2), (200, 5), (230, 5), (231, 6), (431, 11)])
+def test_where_a_chain_crosses(alut, joints):
+    assert comparison.crossing(chained("c", alut, 3), FIXED) == joints
+
+
+def test_a_chain_that_never_crosses():
+    assert comparison.crossing(chained("c", 20, 3), [chained("f", 10, 1)] * 3) is None
+
+
+def test_a_family_without_all_its_cores_is_left_out():
+    assert list(comparison.chains(REPORT)) == ["table"]
+    assert comparison.chain_section({"cores": FIXED}) == []
+
+
+def test_the_section_says_what_the_rows_say():
+    title, note, table, said = comparison.chain_section(REPORT)
+    lines = table.splitlines()
+    assert lines[0] == "| joints | `table_chain` | `table_fk*` |" and len(lines) == 2 + len(comparison.JOINTS)
+    assert lines[4] == "| 3 | 200; 7 | 150; 7 |" and lines[5] == "| 4 | 200; 9 | ≈ 190; 9 |"
+    assert "from n = 5 on" in said and "beyond 10" in said and note == comparison.CHAIN_NOTE and title.startswith("## ")
+
+
+# Engines that iterate
+
+FOUND = {"task": "2 joints", "closed": ["rational_ik1", "none"], "pass": 12, "starts": 400, "converged": 399,
+         "iterations": [58, 80, 142], "cycles": [719, 983, 1727]}
+
+
+@pytest.fixture
+def iterated(made):
+    """A report with an engine: one of its rows under that name."""
+    rows = {"classic_ik1_iter": FOUND, "engine_absent": FOUND}
+    return made | {"engines": {"rows": rows, "sources": {}, "figures": digest(rows)}}
+
+
+def test_an_engine_and_what_answers_in_one_pass(iterated):
+    table = comparison.engine_table(iterated)
+    assert [line[1] for line in table.rows] == ["`classic_ik1_iter`", "`rational_ik1`"]
+    assert all(len(line) == len(table.head) for line in table.rows)
+    assert table.rows[0][2:8] == ("420", "1", "0", "100", "12", "58")
+    assert table.rows[0][8:] == ("719", "983", "1727", "14.4", "19.7", "34.5", "99.8")
+    assert table.rows[1][6:] == ("–", "–", "9", "9", "9", "0.18", "0.18", "0.18", "100")
+
+
+def test_the_section_is_on_the_page_and_the_terminal(made, iterated, capsys):
+    assert comparison.engine_section(made) == []
+    text = documents.markdown(iterated)
+    assert text.count("## Engines that iterate") == 1 and comparison.ENGINE_NOTE in text
+    assert "| 2 joints | `classic" in text
+    assert "Engines" not in documents.markdown(made)
+    documents.show(iterated)
+    assert "Engines that iterate" in capsys.readouterr().out
