@@ -32,7 +32,7 @@ from quadrance.cores import Core, all_cores, find
 from rich.console import Console
 from rich.table import Table
 
-from ci import cache, equivalence, mutate, pool, sources
+from ci import cache, equivalence, mutate, pool
 from ci.mutate import Mutant, Mutants
 from tb.lib import suite, tools
 from tb.lib.simulate import simulate
@@ -225,13 +225,13 @@ def proved(core: Core, count: int, standing: Verdict) -> Verdict:
 
 def digest(core: Core, count: int) -> str:
     """Digest of all that a verdict follows from but the seed and the cocotb bench."""
-    return cache.digest([sources.bulk(core), mutate.preparation(core), equivalence.GRAPH,
+    return cache.digest([cache.of_bulk(core), mutate.preparation(core), equivalence.GRAPH,
                          equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
 
 
 def cocotb() -> str:
     """Digest of the cocotb bench."""
-    return cache.digest(sources.cocotb())
+    return cache.digest(cache.of_cocotb())
 
 
 def judged(core: str, count: int, seed: int, step: str = "") -> dict:

@@ -33,7 +33,7 @@ from quadrance.cores import Core, all_cores, find
 from rich.console import Console
 from rich.table import Table
 
-from ci import cache, checks, pool, sources, synth
+from ci import cache, checks, pool, synth
 from ci.synth.cells import count
 from ci.synth.flows import SYNTH
 from tb.lib import tools
@@ -193,7 +193,7 @@ def judged(core_id: str, target: str, seed: int) -> dict:
     """The verdict as a dict; of a netlist that passed it stands in build/cache: a run that is cut keeps it."""
     core = find(core_id)
     flow = [BEFORE.get(target), SYNTH[target], AFTER.get(target), cache.meanings(models(target))]
-    key = ["netlist", core.id, core.params, target, flow, sources.bulk(core), sources.cocotb(), TESTS, COMBINATIONAL,
+    key = ["netlist", core.id, core.params, target, flow, cache.of_bulk(core), cache.of_cocotb(), TESTS, COMBINATIONAL,
            tools.versions(), seed]
     return cache.cached(key, lambda: asdict(judge(core_id, target, seed)), keep=lambda one: Verdict(**one).passed)
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import matplotlib
 import numpy
 
-from ci.cache import digest
-from ci.report import PLOTS, code, comparison, designs
+from ci.cache import digest, digests
+from ci.report import PLOTS, comparison, designs
 from ci.report.tables import FAMILIES, KINEMATIC, MAPPED, Row, greatest_error, name, number, pick, q7_8
 
 matplotlib.use("Agg")
@@ -29,7 +29,7 @@ def stamp(report: dict) -> str:
     """Digest of what the plots show and of how; written into the PNG so that a stale plot is found."""
     then = report["sources"]
     return digest([report["cores"], report["trajectory"], [then[key] for key in ("cores", "arm", "simulation")],
-                   report.get("verdict"), code.digests(CODE)])
+                   report.get("verdict"), digests(CODE)])
 
 
 def plots(report: dict) -> tuple[str, ...]:

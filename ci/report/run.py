@@ -19,8 +19,8 @@ from quadrance.cores import STATUS_BITS, Core
 from quadrance.iterative import convergence
 
 from ci import cache, pool, synth
-from ci.cache import bare, digest, meaning, meanings
-from ci.report import DEFAULT_ARM, OTHERS, README, REPORTS, code, documents, figures, measure
+from ci.cache import closure, digest, digests, meaning, meanings
+from ci.report import DEFAULT_ARM, OTHERS, README, REPORTS, documents, figures, measure
 from ci.report.tables import MAPPED, Row, name
 from ci.synth.flows import timed_ports
 from tb.lib import bulk, program, tools
@@ -67,10 +67,10 @@ def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
     """
     arm = arms.load(arm_name)
     return {"cores": {core.id: _core(core, arm) for core in listed}, "arm": digest(meaning(arms.path_of(arm_name))),
-            "area": code.digests(AREA), "clock": code.digests(CLOCK),
-            "rows": {f"ci/report/run.py: {one.__name__}": digest(bare(getsource(one), ".py"))[:16]
+            "area": digests(AREA), "clock": digests(CLOCK),
+            "rows": {f"ci/report/run.py: {one.__name__}": digest(cache.bare(getsource(one), ".py"))[:16]
                      for one in (row_of, rounded)},
-            "simulation": code.digests([*code.closure(SIMULATION), *program.SOURCES])}
+            "simulation": digests([*closure(SIMULATION), *program.SOURCES])}
 
 
 def rows_digest(report: dict) -> str:
@@ -214,7 +214,7 @@ def iterated(core: Core) -> dict:
                   for what, column in (("iterations", result.outputs["out_iters"]), ("cycles", result.latency))}
         return {"starts": int(done.size), "converged": int(done.sum())} | spread
 
-    key = ["engines", _engine(core), [word.tolist() for word in inputs.values()], cfg, code.digests(ENGINES)]
+    key = ["engines", _engine(core), [word.tolist() for word in inputs.values()], cfg, digests(ENGINES)]
     return {"task": entry.task, "closed": list(entry.closed), "pass": entry.clocks} | cache.cached(key, compute)
 
 
@@ -244,14 +244,14 @@ def _engine(core: Core) -> str:
 
 def engine_sources(listed: tuple[Core, ...]) -> dict[str, str]:
     """What the figures of engines follow from: the code of starts and models, and the Verilog of each."""
-    return code.digests(code.closure(ENGINES)) | {core.name: _engine(core) for core in engines_of(listed)}
+    return digests(closure(ENGINES)) | {core.name: _engine(core) for core in engines_of(listed)}
 
 
 def _engines_stale(made: dict | None, listed: tuple[Core, ...]) -> list[str]:
     """Why report["engines"] no longer follows from the sources; nothing where there is none yet."""
     if not made:
         return []
-    return changes(made["sources"], engine_sources(listed), "engines:") + [
+    return cache.changes(made["sources"], engine_sources(listed), "engines:") + [
         "engines: a figure was changed by hand"] * (made["figures"] != digest(made["rows"]))
 
 
@@ -296,18 +296,11 @@ def differences(old: dict | None, new: dict) -> list[str]:
 # What is stale
 
 
-def changes(old: dict, new: dict, what: str) -> list[str]:
-    """What was there, is there, or differs, by key."""
-    return [f"{what} {key} " + ("is not in the report" if key not in old else
-                                "is in the report but gone" if key not in new else "changed")
-            for key in sorted(set(old) | set(new)) if old.get(key) != new.get(key)]
-
-
 def _causes(report: dict, listed: tuple[Core, ...]) -> list[str]:
     """What the figures follow from and is no longer as it was."""
     then, now = report["sources"], sources(report["arm"], listed)
-    problems = changes(then["cores"], now["cores"], "core")
-    problems += changes(*(one["area"] | one["simulation"] | one["rows"] for one in (then, now)), "file")
+    problems = cache.changes(then["cores"], now["cores"], "core")
+    problems += cache.changes(*(one["area"] | one["simulation"] | one["rows"] for one in (then, now)), "file")
     if then["arm"] != now["arm"]:
         problems.append(f"arm {report['arm']} changed")
     problems += _engines_stale(report.get("engines"), listed)

@@ -17,7 +17,7 @@ from quadrance import arms, cores
 from quadrance.cores import ROOT, Core
 
 from ci import cache, pool, synth
-from ci.report import code, designs, reach, run
+from ci.report import designs, reach, run
 from ci.report.designs import Design
 from tb.lib import legal, tools
 
@@ -27,13 +27,13 @@ FLOWS = ("ecp5", "cyclonev", "cyclonev_nodsp")
 
 def judge() -> str:
     """Digest of the code that searches and judges every design alike."""
-    return cache.digest([code.digests(code.closure(CODE)), tools.versions()["numpy"]])[:16]
+    return cache.digest([cache.digests(cache.closure(CODE)), tools.versions()["numpy"]])[:16]
 
 
 def flow() -> str:
     """Digest of how parts are synthesised and placed."""
     used = [tools.versions()[tool] for tool in run.CONCERNS["clock"][2]]
-    return cache.digest([code.digests(run.AREA), used])[:16]
+    return cache.digest([cache.digests(run.AREA), used])[:16]
 
 
 def source(design: Design, arm_name: str) -> str:
@@ -43,8 +43,8 @@ def source(design: Design, arm_name: str) -> str:
     entries = [[*entry, designs.rule(name), legal.ranges(cores.find(name))]
                for name in names for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
     rules = {key: rule for key, rule in designs.RULES.items() if key != "price"}
-    own = [path for path in code.closure(sorted(models)) if path not in code.closure(CODE)]
-    return cache.digest([entries, code.digests(own), design.word, cache.meaning(arms.path_of(arm_name)), rules])[:16]
+    own = [path for path in cache.closure(sorted(models)) if path not in cache.closure(CODE)]
+    return cache.digest([entries, cache.digests(own), design.word, cache.meaning(arms.path_of(arm_name)), rules])[:16]
 
 
 def named(name: str, params: dict[str, int]) -> str:
@@ -223,7 +223,7 @@ def stale(report: dict) -> list[str]:
     verdict, arm_name = report["verdict"], report["arm"]
     now = {design.id: source(design, arm_name) for design in everything()}
     then = {name: design["digest"] for name, design in verdict["designs"].items()}
-    problems = run.changes(then, now, "verdict:")
+    problems = cache.changes(then, now, "verdict:")
     if verdict["judge"] != judge():
         problems.append("verdict: the code that judges every core changed")
     if verdict["flow"] != flow():

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 from quadrance.cores import find
 
-from ci import equivalence, miter, mutants, mutate, sources
+from ci import cache, equivalence, miter, mutants, mutate
 from tb.lib.simulate import available, simulate
 
 SEED = 5
@@ -110,7 +110,7 @@ def test_a_memory_that_is_written_keeps_its_words_or_has_one_that_nothing_reads(
 
 def test_a_verdict_hangs_on_what_its_stimulus_imports():
     def names(core: str) -> set[str]:
-        return {path.name for path in sources.stimulus(find(core))}
+        return {path.name for path in cache.stimulus(find(core))}
 
     assert names("engine_rus_fk") == {"engine.py", "rus_fk.py"}
     assert names("engine_delta_fk") == {"engine.py", "delta.py"}

@@ -9,8 +9,7 @@ import pytest
 from quadrance import cores
 from quadrance.iterative import convergence
 
-from ci.cache import bare
-from ci.report import PLOTS, __main__, code, figures, run
+from ci.report import PLOTS, __main__, figures, run
 from tb.lib import tools
 
 README = "# Title\n<!-- report:headline -->\nold\n<!-- /report:headline -->\n"
@@ -135,27 +134,6 @@ def test_a_broken_report_is_a_problem_not_a_crash(committed, tmp_path):
     assert committed()[0].startswith("report.json: KeyError: 'sources'")
     file.write_text('{"sources": {"cores": {}}}')
     assert committed()[0].startswith("report.json: KeyError")
-
-
-# What a file means
-
-
-def test_comments_and_docstrings_mean_nothing():
-    text = '"""What."""\n\nimport os  # why\n\n\nclass A:\n    """That."""\n    b = "# not a comment"\n\n\n' \
-           'def f():\n    """How.\n\n    Long.\n    """\n    return """kept\n    too"""\n'
-    assert bare(text, ".py") == 'import os\nclass A:\n    b = "# not a comment"\n' \
-                              'def f():\n    return """kept\n    too"""'
-    assert bare(text.replace("Long", "Longer").replace("why", "whyever"), ".py") == bare(text, ".py")
-    assert bare(text.replace("kept", "held"), ".py") != bare(text, ".py")
-    assert bare('def f():\n    "Größe"  # ü\n    return "ü"\n', ".py") == 'def f():\n    return "ü"'
-
-
-def test_what_judges_the_cores_is_all_reached():
-    files = {str(path.relative_to(tools.ROOT)) for path in code.closure(run.SIMULATION)}
-    assert {"models/quadrance/truth.py", "models/quadrance/trajectory.py", "models/quadrance/fixed.py",
-            "models/quadrance/arms/__init__.py", "tb/lib/bulk.py"} <= files
-    assert any("quadrance/accuracy" in file for file in files)
-    assert not any(file.startswith("ci/synth") for file in files), "a changed flow is no reason to simulate"
 
 
 # What is kept

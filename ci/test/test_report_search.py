@@ -348,8 +348,8 @@ def test_the_digest_follows_model_rule_and_targets(monkeypatch):
         patch.setattr(search, "CODE", [])
         assert search.judge() != judge
     with monkeypatch.context() as patch:
-        digests = search.code.digests
-        patch.setattr(search.code, "digests", lambda files: digests(files) | (
+        digests = search.cache.digests
+        patch.setattr(search.cache, "digests", lambda files: digests(files) | (
             {"t": 1} if any(file.name == "table.py" for file in files) else {}))
         assert search.source(design, "cobra600") != before
     monkeypatch.setattr(designs, "rule", lambda name: "W < 9")
