@@ -13,9 +13,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
-from quadrance.iterative import convergence
 
-from ci.report.designs import RULES
+from ci.report.designs import OUTSIDE, RULES
 from ci.report.tables import (
     FAMILIES,
     KINEMATIC,
@@ -23,7 +22,7 @@ from ci.report.tables import (
     Table,
     area_of,
     best,
-    cyclonev,
+    blocks,
     kind,
     leaders,
     leading,
@@ -33,10 +32,6 @@ from ci.report.tables import (
 )
 
 TARGETS = tuple(RULES["target"])
-SCENARIOS = {  # (way, type of the joint words outside): what it is in a machine
-    ("fk", "angle"): "encoder angle in, tip out", ("ik", "angle"): "tip in, motor angle out",
-    ("fk", "vector"): "resolver (c, n) in, tip out", ("ik", "vector"): "tip in, unit vectors out",
-    ("fk", "spread"): "spreads of squared lengths in, tip out", ("ik", "spread"): "tip in, spreads out"}
 Figures = dict  # of one set of a design: what `figures` gives
 
 
@@ -48,11 +43,12 @@ def figures(verdict: dict, design: dict, pick: dict) -> Figures:
         return sum(part["area"][flow][column] * copies for part, copies in parts)
 
     clocks, cycles = [part["fmax_mhz"] for part, _ in parts], sum(part["cycles"] for part, _ in parts)
-    return {"core": design["core"], "codec": design["codec"], "family": design["family"], "values": pick["values"],
-            "bits": pick["bits"], "total": pick["total_lsb"], "lut": area("ecp5", "lut"), "dsp": area("ecp5", "dsp"),
-            "mem": area("ecp5", "mem"), "alut": area("cyclonev", "lut"), "alut_dsp": area("cyclonev", "dsp"),
-            "m10k": area("cyclonev", "mem"), "nodsp": area("cyclonev_nodsp", "lut"), "cycles": cycles,
-            "ii": max(part["ii"] for part, _ in parts), "ns": None if None in clocks else cycles * 1000 / min(clocks)}
+    return {"id": named(design, pick["values"]), "core": design["core"], "codec": design["codec"],
+            "family": design["family"], "values": pick["values"], "bits": pick["bits"], "total": pick["total_lsb"],
+            "lut": area("ecp5", "lut"), "dsp": area("ecp5", "dsp"), "mem": area("ecp5", "mem"),
+            "alut": area("cyclonev", "lut"), "alut_dsp": area("cyclonev", "dsp"), "m10k": area("cyclonev", "mem"),
+            "nodsp": area("cyclonev_nodsp", "lut"), "cycles": cycles, "ii": max(part["ii"] for part, _ in parts),
+            "ns": None if None in clocks else cycles * 1000 / min(clocks)}
 
 
 def price(found: Figures) -> float:
@@ -85,68 +81,71 @@ def reaching(verdict: dict, function: str, target: str) -> list[Figures]:
 # Tables
 
 
-def words(values: dict[str, int]) -> str:
-    """Parameters as they are set; ``word``: fraction bits of the joint word outside a codec."""
-    return " ".join(f"{key}={value}" for key, value in values.items())
+def named(design: dict, values: dict[str, int]) -> str:
+    """A core at these parameters, as a set of the list is named."""
+    mode = f"{design['architecture']}-" if "MODE" in values else ""
+    return f"`{design['core']}-{mode}" + "".join(
+        f"{key}{value}" for key, value in values.items() if key not in ("MODE", OUTSIDE)) + "`"
 
 
 def _cost(found: Figures) -> tuple[str, ...]:
-    """Error, area on ECP5, cycles and time."""
-    return (number(found["total"]), *(str(found[key]) for key in ("lut", "dsp", "mem", "cycles")), number(found["ns"]))
+    """Area on ECP5, cycles and time."""
+    return *(str(found[key]) for key in ("lut", "dsp", "mem", "cycles")), number(found["ns"])
 
 
-COST = ("total LSB", "LUT", "MULT18X18", "EBR", "cycles", "ns")
+COST = ("LUT", "MULT18X18", "EBR", "cycles", "ns")
 
 
-def target_table(verdict: dict, function: str) -> Table:
-    """Every core of a function at every target, on ECP5; a family without a core is "not built"."""
-    lines, none = [], ("–",) * len(COST)
-    for target in TARGETS:
-        of = {found["core"]: found for found in reaching(verdict, function, target)}
-        for design in plain(verdict, function):
-            found = of.get(design["core"])
-            line = (words(found["values"]), *_cost(found)) if found else \
-                (f"not reached: {number(design['best_lsb'])} LSB at best", *none)
-            lines.append((target, f"`{design['core']}`", *line))
-    built = {design["family"] for design in plain(verdict, function)}
-    lines += [("", f"`{family}_{function}`", "not built", *none) for family in FAMILIES if family not in built]
-    return Table(f"{function}: {KINEMATIC[function]}", ("at most", "core", "words", *COST), tuple(lines), text=3)
+def _reached(verdict: dict) -> list[tuple[str, Figures]]:
+    """Target and figures of every core that reaches it, function by function, the widest target first."""
+    return [(target.removesuffix(" LSB"), found) for function in KINEMATIC for target in TARGETS
+            for found in reaching(verdict, function, target)]
+
+
+def target_table(verdict: dict) -> Table:
+    """Every core at every target that it reaches, on ECP5."""
+    lines = tuple((target, found["id"], number(found["total"]), *_cost(found)) for target, found in _reached(verdict))
+    return Table("The words and what they cost on ECP5", ("at most LSB", "core", "total LSB", *COST), lines, text=2)
 
 
 def cyclonev_table(verdict: dict) -> Table:
-    """The same cores and words on Cyclone V."""
-    lines = [(function, target, f"`{found['core']}`", words(found["values"]),
-              *(str(found[key]) for key in ("alut", "alut_dsp", "m10k", "nodsp", "cycles")))
-             for function in KINEMATIC for target in TARGETS for found in reaching(verdict, function, target)]
-    return Table("The same words on Cyclone V", ("", "at most", "core", "words", "ALUT", "DSP", "M10K", "ALUT, no DSP",
-                                                 "cycles"), tuple(lines), text=4)
+    """The same sets on Cyclone V, each once."""
+    sets = {found["id"]: found for _, found in _reached(verdict)}
+    lines = tuple((name, *(str(found[key]) for key in ("alut", "alut_dsp", "m10k", "nodsp")))
+                  for name, found in sets.items())
+    return Table("The same words on Cyclone V", ("core", "ALUT", "DSP", "M10K", "ALUT, no DSP"), lines)
 
 
-def scenario_table(verdict: dict, way: str, word: str) -> Table:
-    """Rows of one type of joint words outside, codecs included, at the scenarios' target, on ECP5."""
+def missed_table(verdict: dict) -> Table:
+    """The least error of every core that misses a target."""
+    lines = tuple((f"`{design['core']}`", number(design["best_lsb"]))
+                  for function in KINEMATIC for design in plain(verdict, function)
+                  if not all(map(design["picks"].get, TARGETS)))
+    return Table("Cores that miss a target, at any length of word", ("core", "least total LSB"), lines)
+
+
+def scenario_table(verdict: dict) -> Table:
+    """Whole tasks, codecs included, at the scenarios' target, on ECP5: those of one task one below the other."""
     lines = []
-    for function in (one for one in KINEMATIC if one.startswith(way)):
-        for design in in_order(verdict, function):
-            if design["word"] == word and (found := chosen(verdict, design, RULES["scenario"])):
-                codec = f"{function[-1]} `{design['codec']}`" if design["codec"] else ""
-                cores = [codec, f"`{design['core']}`"] if way == "fk" else [f"`{design['core']}`", codec]
-                lines.append((function, " + ".join(filter(None, cores)), words(found["values"]), *_cost(found)))
-    return Table(SCENARIOS[way, word], ("", "cores", "words", *COST), tuple(lines), text=3)
+    for way in ("fk", "ik"):
+        for word in RULES["longest"]:
+            for function in (one for one in KINEMATIC if one.startswith(way)):
+                for design in in_order(verdict, function):
+                    if design["word"] == word and (found := chosen(verdict, design, RULES["scenario"])):
+                        codec = f"`{design['codec']}`" if design["codec"] else "–"
+                        lines.append((word, found["id"], codec, str(found["values"].get(OUTSIDE, "–")), *_cost(found)))
+    return Table("Tasks on ECP5, codecs included", ("joint word", "core", "codec", "word", *COST), tuple(lines), text=3)
 
 
-WINS = {"ECP5": (("lut", "fewest LUTs beside blocks"), ("price", "fewest LUTs, blocks counted as LUTs"),
-                 ("cycles", "fewest cycles"), ("ns", "least ns")),
-        "Cyclone V": (("alut", "fewest ALUTs beside blocks"), ("nodsp", "fewest ALUTs, no DSP"))}
+WINS = {"ECP5": (("lut", "LUT"), ("price", "LUT, blocks counted"), ("cycles", "cycles"), ("ns", "ns")),
+        "Cyclone V": (("alut", "ALUT"), ("nodsp", "ALUT, no DSP"))}
 
 
 def _least(found: list[Figures], key: str) -> str:
-    """The cores with the least of a figure, and that figure; a dash where none is known."""
+    """The families with the least of a figure; a dash where none is known."""
     known = [one for one in found if one[key] is not None]
-    if not known:
-        return "–"
-    low = min(one[key] for one in known)
-    leading = ", ".join(f"`{one['core']}`" for one in known if one[key] == low)
-    return f"{leading} {number(low, 3 if key == 'ns' else 5)}"
+    low = min((one[key] for one in known), default=None)
+    return ",".join(dict.fromkeys(one["family"] for one in known if one[key] == low)) or "–"
 
 
 def winners_table(verdict: dict, device: str) -> Table:
@@ -155,9 +154,9 @@ def winners_table(verdict: dict, device: str) -> Table:
     for function in KINEMATIC:
         for target in TARGETS if plain(verdict, function) else ():
             found = [one | {"price": price(one)} for one in reaching(verdict, function, target)]
-            lines.append((function, target, *(_least(found, key) for key, _ in WINS[device])))
-    return Table(f"Who wins on {device}", ("", "at most", *(text for _, text in WINS[device])), tuple(lines),
-                 text=2 + len(WINS[device]))
+            lines.append((function, target.removesuffix(" LSB"), *(_least(found, key) for key, _ in WINS[device])))
+    return Table(f"The family with the least, on {device}", ("", "at most LSB", *(text for _, text in WINS[device])),
+                 tuple(lines), text=2 + len(WINS[device]))
 
 
 # What rational trigonometry itself changes: spreads against angles, both with tables and products
@@ -187,9 +186,10 @@ def itself_table(report: dict) -> Table:
             if {"rational", "table"} <= set(of):
                 where, pair = target, [of["rational"], of["table"]]
         if pair:
-            lines.append((function, where, *(f"{pair[0][key]} / {pair[1][key]}" for key, _ in ITSELF)))
+            lines.append((function, where.removesuffix(" LSB"),
+                          *(f"{pair[0][key]}/{pair[1][key]}" for key, _ in ITSELF)))
     return Table("Turn-spread (`rational_*`) / binary angle (`table_*`), on ECP5",
-                 ("", "at most", *(text for _, text in ITSELF)), tuple(lines), text=2)
+                 ("", "at most LSB", *(text for _, text in ITSELF)), tuple(lines), text=2)
 
 
 # What the paper says beside ours: Tables III, IV and V
@@ -203,7 +203,7 @@ def _smallest(rows: list[Row], figure: str) -> str:
     if row is None:
         return "–"
     if figure == "logic_elements":
-        return f"{cyclonev(row)} ({without_dsp(row)})"
+        return f"{blocks(row, 'cyclonev')} ({without_dsp(row)})"
     mhz = row["fmax_mhz"]["ecp5"]
     slow = f", {number(mhz)} MHz" if mhz < PAPER["clock_mhz"] else ""
     return f"{row['latency_cycles']} ({number(row['latency_ns'])} ns{slow})"
@@ -238,35 +238,16 @@ def paper_tables(report: dict) -> list[Table]:
 # Chains of any number of links beside the fixed cores, and where they cross
 
 CHAINS = {"vector": "vector_chain", "table": "table_chain", "paper": "paper_mff"}
-FIXED = tuple(function for function in KINEMATIC if function.startswith("fk"))  # of 1, 2, 3 joints
-JOINTS = (1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 24, 32)
 CROSSING = 10  # degrees of freedom beyond which the paper says that fixed frames save logic elements
-CHAIN_NOTE = """\
-A chain takes a link after the other, so its area stays and its clocks grow; the cores fk1 to fk3 have a fixed number of
-joints. Of more than three joints there is no fixed core: what stands there with ≈ lies on the straight line through
-the three (least squares). Clocks are those from the first link to the tip; a chain also gives every joint before it.
-`paper_mff` takes directions in the fixed frame, no joint words, and its roots from tables, `paper_fk*` from digits."""
-
-
-def clocks(chain: Row, joints: int) -> int:
-    """From the edge that accepts the first link to the tip."""
-    return chain["latency_cycles"] + (joints - 1) * chain["ii"]
+FIXED = tuple(function for function in KINEMATIC if function.startswith("fk"))  # of 1, 2, 3 joints
 
 
 def line(values: list[float], joints: int) -> float:
-    """The value of a fixed core: measured to three joints, beyond on the line through these."""
+    """The value of a fixed core: measured to three joints, beyond on the line through these (least squares)."""
     if joints <= len(values):
         return values[joints - 1]
     slope, start = np.polyfit(np.arange(1, len(values) + 1), values, 1)
     return float(start + slope * joints)
-
-
-def chains(report: dict) -> dict[str, tuple[Row, list[Row]]]:
-    """By family: the chain and the fixed cores of one, two and three joints, where all are there."""
-    rows = {row["core"]: row for row in leading(report["cores"])}
-    parts = {family: (rows.get(chain), [rows.get(f"{family}_{function}") for function in FIXED])
-             for family, chain in CHAINS.items()}
-    return {family: (chain, fixed) for family, (chain, fixed) in parts.items() if chain and all(fixed)}
 
 
 def crossing(chain: Row, fixed: list[Row], most: int = 64) -> int | None:
@@ -277,80 +258,30 @@ def crossing(chain: Row, fixed: list[Row], most: int = 64) -> int | None:
 
 
 def chain_table(report: dict) -> Table:
-    """ALUT and clocks of each chain and of the fixed cores of its family, by the number of joints."""
-    pairs = chains(report)
-
-    def cells(chain: Row, fixed: list[Row], joints: int) -> tuple[str, str]:
-        about = "" if joints <= len(fixed) else "≈ "
-        of = [line([get(row) for row in fixed], joints) for get in (area_of, lambda row: row["latency_cycles"])]
-        return f"{area_of(chain)}; {clocks(chain, joints)}", f"{about}{of[0]:.0f}; {of[1]:.0f}"
-
-    head = [text for family, (chain, _) in pairs.items() for text in (f"`{chain['core']}`", f"`{family}_fk*`")]
-    lines = tuple((str(joints), *(cell for pair in pairs.values() for cell in cells(*pair, joints)))
-                  for joints in JOINTS)
-    return Table("Any number of joints: ALUTs of Cyclone V; clocks", ("joints", *head), lines)
-
-
-def chain_sentences(report: dict) -> list[str]:
-    """Where each chain crosses the fixed cores, beside what the paper says."""
-    said = []
-    for chain, fixed in chains(report).values():
-        joints = crossing(chain, fixed)
-        where = f"is no larger than a fixed core from n = {joints} on" if joints else "stays larger than fixed cores"
-        beside = ", ".join(f"`{row['core']}` {cyclonev(row)}" for row in fixed)
-        said.append(f"`{chain['core']}` ({cyclonev(chain)}, {chain['ii']} clocks a link) {where}; the paper says "
-                    f"beyond {CROSSING}. Fixed: {beside}.")
-    return said
-
-
-def chain_section(report: dict) -> list[str]:
-    """The section of report.md about chains; empty where no chain has figures yet."""
-    if not chains(report):
-        return []
-    made = chain_table(report)
-    return [f"## {made.title}", CHAIN_NOTE, made.markdown(),
-            "\n".join(f"- {sentence}" for sentence in chain_sentences(report))]
+    """Each chain, the fixed cores of its family, and from how many joints on the chain is no larger."""
+    rows, lines = {row["core"]: row for row in reversed(leading(report["cores"]))}, []
+    for family, name in CHAINS.items():
+        chain, fixed = rows.get(name), [rows.get(f"{family}_{function}") for function in FIXED]
+        if chain and all(fixed):
+            lines.append((f"`{name}`", str(chain["latency_cycles"]), str(chain["ii"]),
+                          *(str(area_of(row)) for row in (chain, *fixed)), str(crossing(chain, fixed) or "–")))
+    return Table("Any number of joints, on Cyclone V",
+                 ("chain", "cycles, one link", "each more", "ALUT", *(f"ALUT of {one}" for one in FIXED),
+                  "no larger from n ="), tuple(lines))
 
 
 # Engines that iterate, and the closed form beside them
 
-MHZ = 50
-ENGINE_HEAD = ("task", "core", "LUT", "MULT18X18", "EBR", "MHz", "cycles an iteration", "iterations",
-               "cycles: median", "95 %", "max", f"us at {MHZ} MHz: median", "95 %", "max", "converged, %")
-ENGINE_NOTE = f"""\
-Iterations are those of the bit-true models, cycles are measured on the Verilog, over a grid of starts: joints 1 and 2
-all round in steps of {convergence.STEP}° (twice that where the model takes long), others at 0; one target, the
-examples of the papers; of the starts that converge within {convergence.LIMIT} iterations. Cycles have every pass: the
-iterations, the one that finds the answer, and those that only change the range of a word. Under each engine stand the
-cores that answer the same in one pass, which need no start. Area, and the clock in MHz, are those of the tables above;
-the times are at {MHZ} MHz."""
+ENGINE_HEAD = ("task", "core", "in one pass: cycles", "cycles an iteration", "iterations", "cycles: median", "95 %",
+               "max", "converged, %")
 
 
 def engine_table(report: dict) -> Table:
-    """An engine a line, and below it the cores that answer in one pass; engines without a synthesis are left out."""
-    costs = {row["core"]: row for row in leading(report["cores"])}
-    lines = []
+    """An engine a line, beside it the cores that answer in one pass; engines without a synthesis are left out."""
+    costs, lines = {row["core"]: row for row in reversed(leading(report["cores"]))}, []
     for core, found in report.get("engines", {"rows": {}})["rows"].items():
-        if core not in costs:
-            continue
-        share = 100 * found["converged"] / found["starts"]
-        lines.append((found["task"], *_of_engine(costs[core]), str(found["pass"]), str(found["iterations"][0]),
-                      *_times(found["cycles"]), number(share)))
-        for row in (costs[name] for name in found["closed"] if name in costs):
-            lines.append(("in one pass", *_of_engine(row), "–", "–", *_times([row["latency_cycles"]] * 3), "100"))
-    return Table("Engines that iterate, and the closed form, on ECP5", ENGINE_HEAD, tuple(lines), text=2)
-
-
-def _of_engine(row: Row) -> tuple[str, ...]:
-    area = row["area"]["ecp5"]
-    return f"`{row['core']}`", *(str(area[key]) for key in ("lut", "dsp", "mem")), number(row["fmax_mhz"]["ecp5"])
-
-
-def _times(cycles: list[int]) -> tuple[str, ...]:
-    return (*map(str, cycles), *(number(clocks / MHZ) for clocks in cycles))
-
-
-def engine_section(report: dict) -> list[str]:
-    """The section of report.md; empty where no engine has figures yet."""
-    made = engine_table(report)
-    return [f"## {made.title}", ENGINE_NOTE, made.markdown()] if made.rows else []
+        if core in costs:
+            closed = ", ".join(f"`{one}` {costs[one]['latency_cycles']}" for one in found["closed"] if one in costs)
+            lines.append((found["task"], f"`{core}`", closed or "–", str(found["pass"]), str(found["iterations"][0]),
+                          *map(str, found["cycles"]), number(100 * found["converged"] / found["starts"])))
+    return Table("Engines that iterate, and the closed form", ENGINE_HEAD, tuple(lines), text=3)
