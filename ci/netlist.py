@@ -199,15 +199,15 @@ def judged(core_id: str, target: str, seed: int) -> dict:
 
 
 def section(verdicts: list[Verdict]) -> list[str]:
-    """What is committed: counts, and the netlists that are too slow."""
+    """What is committed: counts."""
     count = Counter(result for one in verdicts for result in one.results.values())
-    slow = [f"{one.core} ({one.target})" for one in verdicts if LATE in one.results.values()]
+    slow = Counter(one.target for one in verdicts if LATE in one.results.values())
     return ["`make netlist` runs the cocotb bench of each core, under Icarus, on what the flows of the report make of",
             "its first parameter set. Every flip-flop starts undefined.", "",
             f"{len(verdicts)} netlists: "
             + ", ".join(f"{count[name]} tests {name}" for name in (PASSED, FAILED, LATE, LEFT)) + ".", "",
             f"A netlist that takes more than {LIMIT} s of a processor is too slow, and its further tests are left out: "
-            + (", ".join(slow) or "none") + "."]
+            + (", ".join(f"{slow[target]} of {target}" for target in TARGETS if slow[target]) or "none") + "."]
 
 
 def main() -> int:
