@@ -292,8 +292,8 @@ def section(committed: list[Verdict], every: list[Core], old: set[str]) -> list[
             f"{len(verdicts)} of {len(every)} cores: {bulk} killed by the bulk run, {count['bench']} by the cocotb "
             f"bench alone, {count['long']} in the long run alone; {equal} proved equal, {count['unread']} in memory "
             f"words that no input reaches (ci/survivors.toml); {count['alive']} survived.",
-            f"{killed / max(killed + count['alive'], 1):.2%} of those that differ are killed, in "
-            f"{sum(not v.alive for v in verdicts)} cores every one."]
+            f"{killed / max(killed + count['alive'], 1):.2%} of those that differ are killed; in "
+            f"{sum(not v.alive for v in verdicts)} cores all of them are."]
     else:
         lines += ["No verdict follows from the sources of today."]
     if count["alive"]:

@@ -267,7 +267,7 @@ def chain_table(report: dict) -> Table:
                           *(str(area_of(row)) for row in (chain, *fixed)), str(crossing(chain, fixed) or "–")))
     return Table("Any number of joints, on Cyclone V",
                  ("chain", "cycles, one link", "each more", "ALUT", *(f"ALUT of {one}" for one in FIXED),
-                  "no larger from n ="), tuple(lines))
+                  "no larger from"), tuple(lines))
 
 
 # Engines that iterate, and the closed form beside them

@@ -25,9 +25,10 @@ from ci.report.tables import (
 )
 
 SHOWN = """\
-Every core has its first parameter set here, of a core with modes the first of each. `make report` prints the costs and
-errors of every set, `quadrance cores --all` those on ECP5, `quadrance show CORE-SET` one on every device; report.json
-has all that was measured. A table is of one device: blocks of one and the time of another do not belong together."""
+The page shows each core at its first parameter set, and a core with modes at the first set of each mode. `make report`
+prints every set, `quadrance cores --all` their costs on ECP5, and `quadrance show CORE-SET` one set on every device;
+report.json has all that was measured. A table is of one device: blocks of one and the time of another do not belong
+together."""
 
 COST_COLUMNS = """\
 ECP5 (`synth_ecp5`, nextpnr):
@@ -57,7 +58,7 @@ ERROR_COLUMNS = """\
 Errors are distances at the tip of the arm; one LSB is 2^-F units.
 
 - **arithmetic**: the greatest error against float64 on the same input words, along the trajectory and over random and
-  border inputs. **rms**: of the same along the trajectory.
+  border inputs. **rms**: the root mean square of that error along the trajectory.
 - **words**: the greatest error over the arm's workspace, borders of the words included, of an exact core of the same
   words: what rounding joints, targets and links costs, for inverse cores also the answered joint words.
 - **total**: the greatest error of words and arithmetic together over the same samples. Both errors have a direction:
@@ -79,10 +80,11 @@ so the area and the cycles of one column may come from two cores."""
 CORDIC_NOTE = "The first figure is that of the best rational core of Q7.8, the second that of the best CORDIC core."
 
 VERDICT_NOTE = """\
-Each core has the shortest words whose *total* error at the tip is at most the target, in LSB of Q7.8 where it says no
-unit, whatever the core's own words are. Coordinates have as few bits before the point as the arm's reach needs.
-Parameters that a name does not say are those of the first set. Of CORDIC the iterative cores are compared. *Blocks
-counted* takes a MULT18X18 as {dsp} LUTs and an EBR as {mem}: their share of an ECP5 LFE5U-25."""
+Each core has the shortest words whose *total* error at the tip is at most the target. Targets without a unit are in LSB
+of Q7.8, whatever the core's own words are. Coordinates have as few bits before the point as the arm's reach needs.
+Parameters that a name leaves out are those of the first set, or fixed in `ci/report/verdict.toml`. CORDIC is compared
+by its iterative cores. *Blocks counted* takes a MULT18X18 as {dsp} LUTs and an EBR as {mem}: their share of an ECP5
+LFE5U-25."""
 
 ITSELF_NOTE = """\
 Both have tables and products, each at the tightest target that both reach (where there is none, at their first sets);
@@ -99,23 +101,23 @@ are the sum of the parts, cycles one after the other, times at the slowest clock
 together. A core that is absent has no codec, or does not reach the target."""
 
 CHAIN_NOTE = f"""\
-A chain takes a link after the other, so its area stays and its cycles grow. Of more than three joints there is no fixed
-core: it is taken to lie on the straight line through the three, and n is where the chain is no larger than that line.
-The paper says beyond {comparison.CROSSING}. `paper_mff` takes directions in the fixed frame, no joint words, and its
-roots from tables, `paper_fk*` from digits."""
+A chain takes one link after the other, so its area stays and its cycles grow. There is no fixed core of more than three
+joints: its area is taken to lie on the straight line through the three (least squares). The last column is the number
+of joints from which the chain is no larger; the paper says beyond {comparison.CROSSING}. `paper_mff` takes directions
+in the fixed frame, no joint words, and its roots from tables, `paper_fk*` from digits."""
 
 ENGINE_NOTE = f"""\
-Iterations are those of the bit-true models, cycles are measured on the Verilog, over a grid of starts: joints 1 and 2
-all round in steps of {convergence.STEP}° (twice that where the model takes long), others at 0; one target, the
-examples of the papers; of the starts that converge within {convergence.LIMIT} iterations. Cycles have every pass: the
-iterations, the one that finds the answer, and those that only change the range of a word. The cores that answer in one
-pass need no start."""
+Iterations are counted in the bit-true models, cycles in the Verilog. The starts are a grid: joints 1 and 2 go all round
+in steps of {convergence.STEP}° (twice that where the model is slow), the others are 0. The target is the example of the
+engine's paper. Starts that do not converge within {convergence.LIMIT} iterations are left out, and show in the last
+column. Cycles include every pass: the iterations, the one that finds the answer, and those that only change the range
+of a word. The cores that answer in one pass need no start."""
 
 
 def trajectory_note(report: dict) -> str:
     """What was run, in one paragraph."""
     arm = report["trajectory"]
-    yaw = "" if arm["yaw"] else " The arm has no yaw: three-joint cores see its two links stood on a turntable."
+    yaw = "" if arm["yaw"] else " The arm has no yaw: three-joint cores see its two links mounted on a turntable."
     links = f"{number(arm['l1_mm'], 5)} and {number(arm['l2_mm'], 5)} mm"
     return (f"Arm `{report['arm']}`, {arm['name']}: links of {links}, "
             f"{number(arm['mm_per_unit'], 5)} mm a unit (1 LSB of Q7.8 is {number(arm['mm_per_unit'] / 256)} mm). "

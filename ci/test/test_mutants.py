@@ -248,7 +248,7 @@ def test_survivors_of_one_argument_are_one_line_and_the_killed_none(monkeypatch)
     some = mutants.Verdict("skid_buffer-W16", "", mutants.cocotb(), 1, 97, survivors=["m1", "x", "m2"])
     text = "\n".join(mutants.section([whole, some], [find("isqrt_comb"), find("skid_buffer")], set()))
     assert "187 killed by the bulk run, 2 by the cocotb bench alone, 1 in the long run alone; 5 proved equal" in text
-    assert "3 survived.\n98.45% of those that differ are killed, in 1 cores every one." in text
+    assert "3 survived.\n98.45% of those that differ are killed; in 1 cores all of them are." in text
     assert "- `skid_buffer-W16` 97.0%\n  - 2 × why\n  - **no argument**: `x`" in text and "isqrt" not in text
     assert "b1" not in text and "Never broken" not in text
 
