@@ -1,7 +1,8 @@
 """Does this result still follow from these sources? Results are kept by the digest of all that they follow from.
 
-A source counts by its meaning: comments, docstrings and white space change no result.
-`build/cache/<digest>.json` holds what was computed.
+A source counts by its meaning: comments, docstrings and white space change no result. `closure` gives what a Python
+file reaches, `of_bulk` and `of_cocotb` what the benches of a core follow from, and `changes` what is no longer as it
+was. `build/cache/<digest>.json` holds what was computed.
 """
 
 from __future__ import annotations
@@ -9,6 +10,8 @@ from __future__ import annotations
 import ast
 import functools
 import hashlib
+import importlib
+import inspect
 import io
 import json
 import re
@@ -17,12 +20,21 @@ import tomllib
 import uuid
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from types import FunctionType, ModuleType
+
+from quadrance.cores import Core
 
 from tb.lib import tools
 
+ROOT = tools.ROOT
 FOLDER = tools.BUILD / "cache"
 SINCE = 0.0  # seconds of the epoch: what is older is made again
+PLACES = {"quadrance": ROOT / "models", "ci": ROOT, "tb": ROOT}  # top-level package -> its folder
+BULK = ("tb/lib/stimulus.py", "tb/lib/suite.py", "tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py",
+        "tb/lib/program.cpp")
+COCOTB = ("tb/lib/bench.py", "tb/lib/stream.py")
 
+# What a source means
 
 C_COMMENT = re.compile(r"(\"(?:\\.|[^\"\\])*\")|//[^\n]*|/\*.*?\*/", re.S)
 # Words and signs of Verilog; signs as long as they can be, for `& &a` is not `&&a`
@@ -79,6 +91,77 @@ def meanings(paths: Iterable[Path]) -> list[str]:
 def digest(key: object) -> str:
     """Name of a result: the content of all that it depends on."""
     return hashlib.sha256(json.dumps(key, sort_keys=True).encode()).hexdigest()[:24]
+
+
+def digests(files: Iterable[Path]) -> dict[str, str]:
+    """Path in the repository -> digest of what the file means."""
+    return {str(path.relative_to(ROOT)): digest(meaning(path))[:16] for path in files}
+
+
+def changes(old: dict, new: dict, what: str) -> list[str]:
+    """What was there, is there, or differs, by key."""
+    return [f"{what} {key} " + ("is not in the report" if key not in old else
+                                "is in the report but gone" if key not in new else "changed")
+            for key in sorted(set(old) | set(new)) if old.get(key) != new.get(key)]
+
+
+# What a result follows from
+
+
+def _file(module: str) -> Path | None:
+    """The file of a module of this project, None for any other module."""
+    folder = PLACES.get(module.split(".")[0])
+    if folder is None:
+        return None
+    path = folder.joinpath(*module.split("."))
+    return next((one for one in (path.with_suffix(".py"), path / "__init__.py") if one.exists()), None)
+
+
+@functools.cache
+def _imports(text: str) -> list[Path]:
+    """Files of this project that a source imports, at its top or inside a function."""
+    names = []
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Import):
+            names += [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            names += [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
+    return [found for one in names if (found := _file(one))]
+
+
+def closure(starts: Iterable[Path]) -> list[Path]:
+    """`starts` and every file of this project that they import, directly or not, in the order of their names.
+
+    This file is left out: it keeps results, and makes none.
+    """
+    found = list(starts)
+    for path in found:
+        found += [one for one in dict.fromkeys(_imports(path.read_text())) if one not in (*found, Path(__file__))]
+    return sorted(found)
+
+
+def stimulus(core: Core) -> list[Path]:
+    """The files that a core's samples come from: of its family, and of single models its own alone."""
+    family = importlib.import_module(f"tb.stimulus.{core.family}")
+    used = {one if isinstance(one, ModuleType) else inspect.getmodule(one) for one in vars(family).values()
+            if isinstance(one, ModuleType | FunctionType)} - {family}
+    own = getattr(family, "MODELS", {})
+    used = {one for one in used if one not in own.values()} | {own.get(core.model_name, family)} - {family}
+    return [Path(family.__file__), *sorted(Path(one.__file__) for one in used if one.__name__.startswith("tb.")
+                                           and not one.__name__.startswith("tb.lib"))]
+
+
+def of_bulk(core: Core) -> list[str]:
+    """What a bulk run of `core` follows from: its RTL, its samples, the run."""
+    return meanings((*core.sources, *stimulus(core), *(ROOT / name for name in BULK)))
+
+
+def of_cocotb() -> list[str]:
+    """What the cocotb bench follows from, beside the sources of the bulk run."""
+    return meanings(ROOT / name for name in COCOTB)
+
+
+# What is kept
 
 
 def current(path: Path) -> bool:

@@ -31,8 +31,6 @@ import numpy as np
 from quadrance.cores import Core, all_cores, at
 
 from ci import cache as store
-from ci import sources
-from ci.report import code
 from tb.lib import bulk, legal, program, stimulus, tools
 
 STORE = tools.ROOT / "reports" / "cover.json"
@@ -96,7 +94,7 @@ def _core(name: str) -> Core:
 def _follows(core: Core) -> str:
     """Digest of all that the verdicts of a core follow from, but the parameters."""
     model = sys.modules[core.model.__module__]
-    python = code.closure([Path(model.__file__), *sources.stimulus(core)])
+    python = store.closure([Path(model.__file__), *store.stimulus(core)])
     files = [*core.sources, *(tools.ROOT / name for name in HARNESS), *python]
     texts = sorted({store.meaning(path) for path in files if str(path.relative_to(tools.ROOT)) not in LIST})
     ports = [list(map(str, (port.name, port.width, port.signed, port.type)))

@@ -7,11 +7,11 @@ long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory
 counts against the bench; ci/survivors.toml has the reasons. It ends well where 99 % of all are killed and each
 survivor has its argument. The seed is the day's, or SEED.
 
-Writes reports/mutants.json and, from it, reports/mutants.md; a core whose sources, bench and tools are still those of
-its verdict there is not broken again (--fresh: it is; --again: what proofs have learned since is tried on its
-survivors). Where the cocotb bench alone has changed, those that the bulk run killed and those proved equal stay so, and
-the others go through it again. Verdicts that no longer follow from their sources stay in the file; the page names them
-and counts none of their mutants (--page writes it as of today and breaks nothing).
+Writes reports/mutants.json and, from it, a section of reports/checks.md; a core whose sources, bench and tools are
+still those of its verdict there is not broken again (--fresh: it is; --again: what proofs have learned since is tried
+on its survivors). Where the cocotb bench alone has changed, those that the bulk run killed and those proved equal stay
+so, and the others go through it again. Verdicts that no longer follow from their sources stay in the file; the section
+names them and counts none of their mutants (--page writes it as of today and breaks nothing).
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ import re
 import shutil
 import sys
 import tomllib
+from collections import Counter
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
@@ -32,7 +33,7 @@ from quadrance.cores import Core, all_cores, find
 from rich.console import Console
 from rich.table import Table
 
-from ci import cache, equivalence, mutate, pool, sources
+from ci import cache, checks, equivalence, mutate, pool
 from ci.mutate import Mutant, Mutants
 from tb.lib import suite, tools
 from tb.lib.simulate import simulate
@@ -47,7 +48,6 @@ LONG_CLOCKS = 20_000_000  # of the long run, for what nothing else kills
 COLUMNS = ("core", "killed in bulk", "by the bench alone", "in the long run alone", "equivalent", "never read",
            "survived", "rate", "seed")
 KNOWN = tomllib.loads((tools.ROOT / "ci" / "survivors.toml").read_text())
-PAGE = tools.ROOT / "reports" / "mutants.md"
 STORE = tools.ROOT / "reports" / "mutants.json"
 
 
@@ -225,13 +225,13 @@ def proved(core: Core, count: int, standing: Verdict) -> Verdict:
 
 def digest(core: Core, count: int) -> str:
     """Digest of all that a verdict follows from but the seed and the cocotb bench."""
-    return cache.digest([sources.bulk(core), mutate.preparation(core), equivalence.GRAPH,
+    return cache.digest([cache.of_bulk(core), mutate.preparation(core), equivalence.GRAPH,
                          equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
 
 
 def cocotb() -> str:
     """Digest of the cocotb bench."""
-    return cache.digest(sources.cocotb())
+    return cache.digest(cache.of_cocotb())
 
 
 def judged(core: str, count: int, seed: int, step: str = "") -> dict:
@@ -268,37 +268,43 @@ def stale(verdicts: dict[str, Verdict], every: list[Core], count: int = MUTANTS)
     return {core.id for core in every if core.id in verdicts and verdicts[core.id].digest != digest(core, count)}
 
 
-def page(committed: list[Verdict], every: list[Core], old: set[str]) -> str:
-    """The committed result; it says which of `every` core has none, and whose verdict is `old` and counts for nothing.
+def survived(verdict: Verdict) -> list[str]:
+    """Lines about the survivors of a core that count: how many there are of each argument, and those without one."""
+    found = Counter(explained(verdict.core, one) or f"**no argument**: `{one}`" for one in verdict.alive)
+    return [f"- `{verdict.core}` {verdict.rate:.1%}",
+            *(f"  - {f'{count} × ' if count > 1 else ''}{why}" for why, count in found.items())]
+
+
+def section(committed: list[Verdict], every: list[Core], old: set[str]) -> list[str]:
+    """What is committed: counts, and the survivors with what is argued of them.
+
+    It names the cores of `every` that have no verdict, and those whose verdict is `old` and counts for nothing.
     """
     verdicts = [one for one in committed if one.core not in old]
-    def listed(name: str) -> list[str]:
-        return [f"- {v.core}: `{mutation}`" for v in verdicts for mutation in getattr(v, name)] or ["none"]
-
-    alive = [(v.core, mutation) for v in verdicts for mutation in v.alive]
-    survivors = [f"- {core}: `{mutation}`{': ' * bool(why)}{why}" for core, mutation in alive
-                 for why in [explained(core, mutation)]]
-    killed = sum(v.killed + len(v.bench) + len(v.long) for v in verdicts)
-    equal = sum(v.equivalent + len(v.unread) for v in verdicts)
-    lines = ["# Mutation run", "",
-             "`make mutants`: mutants of every core killed by its bulk run, by its cocotb bench alone, by the samples",
-             "of the long run alone (`make exhaustive`), proved equivalent, in a memory word that no input reaches,",
-             "and surviving. The rate is over those that differ in function; a survivor that nothing proved equal",
-             "counts against the bench.", "",
-             f"{len(verdicts)} of {len(every)} cores: {killed} killed, {equal} equal in function, "
-             f"{len(alive)} survived; {killed / max(killed + len(alive), 1):.2%} killed of those that differ.", "",
-             f"| {' | '.join(COLUMNS)} |", "|---|" + "---:|" * (len(COLUMNS) - 1)]
-    lines += [f"| {' | '.join(row(v))} |" for v in verdicts]
-    missing = [core.id for core in every if core.id not in {v.core for v in committed}]
-    lines += ["", f"Never broken: {', '.join(missing)}."] if missing else []
-    lines += ["", f"Changed since they were broken, and left out above: {', '.join(sorted(old))}."] if old else []
-    older = [v.core for v in verdicts if v.cocotb != cocotb()]
-    lines += ["", f"The cocotb bench has changed since: {', '.join(older)}."] if older else []
-    reasons = dict.fromkeys(reason(mutation) for v in verdicts for mutation in v.unread)
-    return "\n".join([*lines, "", "## Survivors", "", *(survivors or ["none"]), "",
-                      "## In words that are never read", "", *[f"- {why}" for why in reasons or ("none",)], "",
-                      "## Killed in the long run alone", "", *listed("long"), "",
-                      "## Killed by the cocotb bench alone", "", *listed("bench"), ""])
+    count = {name: sum(len(getattr(v, name)) for v in verdicts) for name in ("bench", "long", "unread", "alive")}
+    bulk, equal = (sum(getattr(v, name) for v in verdicts) for name in ("killed", "equivalent"))
+    killed = bulk + count["bench"] + count["long"]
+    lines = [f"`make mutants` breaks each core at its first parameter set, and at that of each of its modes, {MUTANTS}",
+             "times. The rate is over the mutants that differ in function; a survivor that nothing proved equal counts",
+             "against the bench. `mutants.json` names survivors, and mutants that the bulk run did not kill.", ""]
+    if verdicts:
+        lines += [
+            f"{len(verdicts)} of {len(every)} cores: {bulk} killed by the bulk run, {count['bench']} by the cocotb "
+            f"bench alone, {count['long']} in the long run alone; {equal} proved equal, {count['unread']} in memory "
+            f"words that no input reaches (ci/survivors.toml); {count['alive']} survived.",
+            f"{killed / max(killed + count['alive'], 1):.2%} of those that differ are killed; in "
+            f"{sum(not v.alive for v in verdicts)} cores all of them are."]
+    else:
+        lines += ["No verdict follows from the sources of today."]
+    if count["alive"]:
+        lines += ["", "Cores below 100 %, and why a survivor changes nothing:", "",
+                  *(line for v in verdicts if v.alive for line in survived(v))]
+    for what, names in (
+            ("Never broken", [core.id for core in every if core.id not in {v.core for v in committed}]),
+            ("Changed since they were broken, and left out above", sorted(old)),
+            ("The cocotb bench has changed since", [v.core for v in verdicts if v.cocotb != cocotb()])):
+        lines += ["", f"{what}: {', '.join(names)}."] if names else []
+    return lines
 
 
 def main() -> int:
@@ -306,7 +312,7 @@ def main() -> int:
     parser.add_argument("core", nargs="*", help="cores to break; all by default")
     parser.add_argument("--count", type=int, default=MUTANTS)
     parser.add_argument("--fresh", action="store_true", help="break those again whose verdict still stands")
-    parser.add_argument("--page", action="store_true", help="break nothing; write the page, with what is stale today")
+    parser.add_argument("--page", action="store_true", help="break nothing; write the section as of today")
     parser.add_argument("--again", action="store_true", help="try proofs on the survivors of verdicts that stand")
     args = parser.parse_args()
     seed = int(os.environ.get("SEED") or today())
@@ -315,7 +321,7 @@ def main() -> int:
     verdicts = known()
     old = stale(verdicts, every, args.count)
     if args.page:
-        PAGE.write_text(page([verdicts[core.id] for core in every if core.id in verdicts], every, old))
+        checks.put("Mutants", section([verdicts[core.id] for core in every if core.id in verdicts], every, old))
         return 0
     stands = verdicts.keys() - old
     jobs = []
@@ -335,7 +341,7 @@ def main() -> int:
         verdicts |= {core: Verdict(**one) for (core, *_), one in found.items()}
         kept = [verdicts[core.id] for core in every if core.id in verdicts]
         STORE.write_text(json.dumps([asdict(one) for one in kept], indent=1) + "\n")
-        PAGE.write_text(page(kept, every, stale(verdicts, every, args.count)))
+        checks.put("Mutants", section(kept, every, stale(verdicts, every, args.count)))
     shown = [verdicts[core.id] for core in cores if core.id in verdicts]
     table = Table(*COLUMNS)
     for v in shown:

@@ -33,7 +33,7 @@ from quadrance.cores import Core, all_cores, find
 from rich.console import Console
 from rich.table import Table
 
-from ci import cache, checks, pool, sources, synth
+from ci import cache, checks, pool, synth
 from ci.synth.cells import count
 from ci.synth.flows import SYNTH
 from tb.lib import tools
@@ -193,21 +193,21 @@ def judged(core_id: str, target: str, seed: int) -> dict:
     """The verdict as a dict; of a netlist that passed it stands in build/cache: a run that is cut keeps it."""
     core = find(core_id)
     flow = [BEFORE.get(target), SYNTH[target], AFTER.get(target), cache.meanings(models(target))]
-    key = ["netlist", core.id, core.params, target, flow, sources.bulk(core), sources.cocotb(), TESTS, COMBINATIONAL,
+    key = ["netlist", core.id, core.params, target, flow, cache.of_bulk(core), cache.of_cocotb(), TESTS, COMBINATIONAL,
            tools.versions(), seed]
     return cache.cached(key, lambda: asdict(judge(core_id, target, seed)), keep=lambda one: Verdict(**one).passed)
 
 
 def section(verdicts: list[Verdict]) -> list[str]:
-    """What is committed: counts, and the netlists that are too slow."""
+    """What is committed: counts."""
     count = Counter(result for one in verdicts for result in one.results.values())
-    slow = [f"{one.core} ({one.target})" for one in verdicts if LATE in one.results.values()]
+    slow = Counter(one.target for one in verdicts if LATE in one.results.values())
     return ["`make netlist` runs the cocotb bench of each core, under Icarus, on what the flows of the report make of",
             "its first parameter set. Every flip-flop starts undefined.", "",
             f"{len(verdicts)} netlists: "
             + ", ".join(f"{count[name]} tests {name}" for name in (PASSED, FAILED, LATE, LEFT)) + ".", "",
             f"A netlist that takes more than {LIMIT} s of a processor is too slow, and its further tests are left out: "
-            + (", ".join(slow) or "none") + "."]
+            + (", ".join(f"{slow[target]} of {target}" for target in TARGETS if slow[target]) or "none") + "."]
 
 
 def main() -> int:

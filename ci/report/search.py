@@ -17,7 +17,7 @@ from quadrance import arms, cores
 from quadrance.cores import ROOT, Core
 
 from ci import cache, pool, synth
-from ci.report import code, designs, freshness, reach
+from ci.report import designs, reach, run
 from ci.report.designs import Design
 from tb.lib import legal, tools
 
@@ -27,13 +27,13 @@ FLOWS = ("ecp5", "cyclonev", "cyclonev_nodsp")
 
 def judge() -> str:
     """Digest of the code that searches and judges every design alike."""
-    return cache.digest([code.digests(code.closure(CODE)), tools.versions()["numpy"]])[:16]
+    return cache.digest([cache.digests(cache.closure(CODE)), tools.versions()["numpy"]])[:16]
 
 
 def flow() -> str:
     """Digest of how parts are synthesised and placed."""
-    used = [tools.versions()[tool] for tool in freshness.CONCERNS["clock"][2]]
-    return cache.digest([code.digests(freshness.AREA), used])[:16]
+    used = [tools.versions()[tool] for tool in run.CONCERNS["clock"][2]]
+    return cache.digest([cache.digests(run.AREA), used])[:16]
 
 
 def source(design: Design, arm_name: str) -> str:
@@ -43,8 +43,8 @@ def source(design: Design, arm_name: str) -> str:
     entries = [[*entry, designs.rule(name), legal.ranges(cores.find(name))]
                for name in names for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
     rules = {key: rule for key, rule in designs.RULES.items() if key != "price"}
-    own = [path for path in code.closure(sorted(models)) if path not in code.closure(CODE)]
-    return cache.digest([entries, code.digests(own), design.word, cache.meaning(arms.path_of(arm_name)), rules])[:16]
+    own = [path for path in cache.closure(sorted(models)) if path not in cache.closure(CODE)]
+    return cache.digest([entries, cache.digests(own), design.word, cache.meaning(arms.path_of(arm_name)), rules])[:16]
 
 
 def named(name: str, params: dict[str, int]) -> str:
@@ -103,7 +103,7 @@ def job(what: str, subject: Design | str, arm_name: str) -> object:
     if what == "reach":
         return searched(subject, arm_name)
     if what == "confirm":
-        return confirmed(subject, arm_name, freshness.committed()["verdict"]["designs"][subject.id]["picks"])["same"]
+        return confirmed(subject, arm_name, run.committed()["verdict"]["designs"][subject.id]["picks"])["same"]
     core = of_id(subject)
     if what == "clock":
         return synth.core_fmax(core)
@@ -178,7 +178,7 @@ def put_together(arm_name: str, committed: dict | None, fresh: bool = False) -> 
     verdict: dict = {"designs": {one.id: kept.get(one) or found["reach", one, arm_name] for one in every}, "parts": {}}
     made = {part: of_id(part) for design in verdict["designs"].values() for pick in design["picks"].values() if pick
             for part, _ in pick["parts"]}
-    digests = {part: freshness.synthesis(core) for part, core in made.items()}
+    digests = {part: run.synthesis(core) for part, core in made.items()}
     parts = {part: row for part, row in parts.items() if row["digest"] == digests.get(part)}
     measured = {(what, part, arm_name): parts[part][key] for part in parts for what, key in (
         ("area", "area"), ("clock", "fmax_mhz"))}
@@ -204,9 +204,9 @@ def differences(old: dict | None, new: dict) -> list[str]:
 def check(report: dict | None = None) -> list[str]:
     """`stale` of a report, the committed one by default, whose verdict must be there and show what is searched.
 
-    A report that cannot be read is `freshness.check`'s.
+    A report that cannot be read is `run.check`'s.
     """
-    report = freshness.committed() if report is None else report
+    report = run.committed() if report is None else report
     if not report:
         return []
     if not report.get("verdict"):
@@ -223,14 +223,14 @@ def stale(report: dict) -> list[str]:
     verdict, arm_name = report["verdict"], report["arm"]
     now = {design.id: source(design, arm_name) for design in everything()}
     then = {name: design["digest"] for name, design in verdict["designs"].items()}
-    problems = freshness.changes(then, now, "verdict:")
+    problems = cache.changes(then, now, "verdict:")
     if verdict["judge"] != judge():
         problems.append("verdict: the code that judges every core changed")
     if verdict["flow"] != flow():
         problems.append("verdict: synthesis changed")
     for part, row in verdict["parts"].items():
         core = of_id(part) if row["core"] in {one.name for one in cores.all_cores()} else None
-        if core is None or (core.latency, core.ii, freshness.synthesis(core)) != (row["cycles"], row["ii"],
+        if core is None or (core.latency, core.ii, run.synthesis(core)) != (row["cycles"], row["ii"],
                                                                                  row["digest"]):
             problems.append(f"verdict: part {part} changed")
     if _altered(verdict):

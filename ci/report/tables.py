@@ -24,7 +24,7 @@ def number(value: float | None, digits: int = 3) -> str:
     if value == 0:
         return "0"
     if abs(value) < 10.0**-digits:
-        return f"< {10.0**-digits:.{digits}f}"
+        return f"<{10.0**-digits:.{digits}f}"
     text = f"{value:.{digits}g}"
     return text if "e" not in text else f"{value:.0f}"
 
@@ -52,8 +52,8 @@ def q7_8(rows: Iterable[Row]) -> list[Row]:
 
 
 def leading(rows: Iterable[Row]) -> list[Row]:
-    """The first parameter set of each core, which is the one that is compared."""
-    return list({row["core"]: row for row in reversed(list(rows))}.values())[::-1]
+    """The first parameter set of each core and of each of its modes, which is the one that is compared."""
+    return list({(row["core"], row["params"].get("MODE")): row for row in reversed(list(rows))}.values())[::-1]
 
 
 def leaders(report: dict) -> dict[str, dict[str, Row]]:
@@ -153,72 +153,49 @@ def interval(row: Row) -> str:
     return "–" if row["ii"] in (0, None) else str(row["ii"])
 
 
-def _blocks(row: Row, device: str, names: dict[str, str]) -> str:
-    """What a core takes on a device, its blocks named."""
-    found = row["area"][device]
-    return " + ".join(f"{found[key]} {what}" for key, what in names.items() if key == "lut" or found[key])
-
-
-def ecp5(row: Row) -> str:
-    """LUTs with the multipliers and memory blocks beside them."""
-    return _blocks(row, "ecp5", {"lut": "LUT", "dsp": "MULT18X18", "mem": "EBR"})
-
-
-def cyclonev(row: Row) -> str:
-    """ALUTs with the DSP and memory blocks beside them."""
-    return _blocks(row, "cyclonev", {"lut": "ALUT", "dsp": "DSP", "mem": "M10K"})
+def blocks(row: Row, device: str) -> str:
+    """LUTs, multipliers and memory blocks on a device, in one word."""
+    return "/".join(str(row["area"][device][key]) for key in ("lut", "dsp", "mem"))
 
 
 def cost_tables(title: str, rows: Iterable[Row]) -> list[Table]:
-    """Area of every core, a table a device; cycles, clock and latency beside that of ECP5, whose clock it is."""
+    """Area of every core, a table a device; cycles, clock and latency beside that of ECP5, whose clock it is.
+
+    A kind of block that no core takes has no column.
+    """
     rows = list(rows)
 
-    def columns(row: Row, device: str, keys: Iterable[str]) -> tuple[str, ...]:
-        return tuple(str(row["area"][device][key]) for key in keys)
+    def table(device: str, columns: dict[str, str], more: dict[str, Callable[[Row], str]], flow: str) -> Table:
+        cells = more | {head: lambda row, key=key: str(row["area"][flow][key]) for key, head in columns.items()
+                        if key in ("lut", "ff") or any(row["area"][flow][key] for row in rows)}
+        cells |= {"ALUT, no DSP": lambda row: str(without_dsp(row))} if flow == "cyclonev" else {}
+        return Table(f"{title}: {device}", ("core", *cells),
+                     tuple((f"`{name(row)}`", *(cell(row) for cell in cells.values())) for row in rows))
 
-    def table(device: str, head: tuple[str, ...], cells: Callable[[Row], tuple[str, ...]], text: int = 1) -> Table:
-        return Table(f"{title}: {device}", ("core", *head), tuple((f"`{name(row)}`", *cells(row)) for row in rows),
-                     text)
-
+    times = {"cycles": cycles, "II": interval, "MHz": lambda row: number(row["fmax_mhz"]["ecp5"], 4),
+             "ns": lambda row: number(row["latency_ns"])}
     return [
-        table("ECP5", ("architecture", "cycles", "II", "MHz", "ns", "LUT", "FF", "MULT18X18", "EBR", "LUTRAM"),
-              lambda row: (row["architecture"], cycles(row), interval(row), number(row["fmax_mhz"]["ecp5"], 4),
-                           number(row["latency_ns"]), *columns(row, "ecp5", ("lut", "ff", "dsp", "mem", "lutram"))), 2),
-        table("Cyclone V", ("ALUT", "FF", "DSP", "M10K", "ALUT, no DSP"),
-              lambda row: (*columns(row, "cyclonev", ("lut", "ff", "dsp", "mem")), str(without_dsp(row)))),
-        table("iCE40", ("LC", "FF", "RAM4K"), lambda row: columns(row, "ice40", ("lut", "ff", "mem")))]
+        table("ECP5", {"lut": "LUT", "ff": "FF", "dsp": "MULT18X18", "mem": "EBR", "lutram": "LUTRAM"}, times, "ecp5"),
+        table("Cyclone V", {"lut": "ALUT", "ff": "FF", "dsp": "DSP", "mem": "M10K"}, {}, "cyclonev"),
+        table("iCE40", {"lut": "LC", "ff": "FF", "mem": "RAM4K"}, {}, "ice40")]
 
 
 def accuracy_table(title: str, rows: Iterable[Row]) -> Table:
-    """Arithmetic error on the trajectory and in the sweep, words' and total error over the workspace."""
+    """Greatest arithmetic error, its rms along the trajectory, words' and total error over the workspace."""
     def line(row: Row) -> tuple[str, ...]:
-        return (f"`{name(row)}`", *(number(part(row, *which)) for which in (
-            ("error_lsb", "max"), ("error_lsb", "rms"), ("error_mm", "max"), ("error_mm", "rms"),
-            ("sweep_error_lsb", "max"), ("sweep_error_lsb", "rms"))),
-            *(number(row[key]) for key in ("words_lsb", "words_mm", "total_lsb", "total_mm")))
+        return (f"`{name(row)}`", number(greatest_error(row)), number(part(row, "error_lsb", "rms")),
+                *(number(row[key]) for key in ("words_lsb", "total_lsb", "total_mm")))
 
-    return Table(title, ("core", "max LSB", "rms LSB", "max mm", "rms mm", "sweep max LSB", "sweep rms LSB",
-                         "words LSB", "words mm", "total LSB", "total mm"), tuple(map(line, rows)))
+    return Table(title, ("core", "arithmetic LSB", "rms LSB", "words LSB", "total LSB", "total mm"),
+                 tuple(map(line, rows)))
 
 
 def primitive_table(rows: Iterable[Row]) -> Table:
-    """Error of the primitives that have a real-valued truth."""
+    """Error of the parts that have a real-valued truth."""
     lines = tuple((f"`{name(row)}`", number(row["sweep_error_lsb"]["max"]), number(row["sweep_error_lsb"]["rms"]))
                   for row in rows if row["sweep_error_lsb"])
-    return Table("Error against the real-valued function in LSB of the output, over random and border inputs",
-                 ("primitive", "max LSB", "rms LSB"), lines)
-
-
-def glance_table(report: dict) -> Table:
-    """Every kinematic core of Q7.8 at its first parameter set, a line each."""
-    def line(row: Row) -> tuple[str, ...]:
-        return (f"`{name(row)}`", cycles(row), number(row["latency_ns"]), number(row["fmax_mhz"]["ecp5"], 4),
-                *(str(row["area"]["ecp5"][key]) for key in ("lut", "dsp", "mem")), number(greatest_error(row)),
-                number(row["words_lsb"]), number(row["total_lsb"]), number(row["total_mm"]))
-
-    return Table("At a glance: every core of Q7.8 at its first parameter set, on ECP5", (
-        "core", "cycles", "ns", "MHz", "LUT", "MULT18X18", "EBR", "arithmetic LSB", "words LSB", "total LSB",
-        "total mm"), tuple(map(line, leading(q7_8(pick(report, KINEMATIC))))))
+    return Table("Error against the real-valued function, LSB of the output, over random and border inputs",
+                 ("core", "max LSB", "rms LSB"), lines)
 
 
 def headline_table(report: dict) -> Table:
@@ -226,8 +203,7 @@ def headline_table(report: dict) -> Table:
     def cell(row: Row | None) -> str:
         if row is None:
             return "–"
-        area = "/".join(str(row["area"]["ecp5"][key]) for key in ("lut", "dsp", "mem"))
-        return f"{area}; {cycles(row)} ({number(row['latency_ns'])}); {number(row['total_mm'])}"
+        return f"{blocks(row, 'ecp5')}; {cycles(row)} ({number(row['latency_ns'])}); {number(row['total_mm'])}"
 
     lines = tuple((f"`{function}` {KINEMATIC[function]}", *(cell(found.get(family)) for family in HEADLINE))
                   for function, found in leaders(report).items())
@@ -245,7 +221,7 @@ def cordic_table(report: dict) -> Table:
         for function, both in rivals.items():
             found = [best(rows, measure) for rows in both]
             ours, theirs = (measure(row) if row else None for row in found)
-            cells.append(f"{number(ours, 4)} / {number(theirs, 4)}")
+            cells.append(f"{number(ours, 4)}/{number(theirs, 4)}")
             wins += [function] * (None not in (ours, theirs) and theirs < ours)
         lines.append((label, *cells, ", ".join(wins) or "–"))
     return Table("Least of `rational_*` / least of `classic_*` (CORDIC), figure by figure",

