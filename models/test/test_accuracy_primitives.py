@@ -36,7 +36,7 @@ def test_bit_true_models_of_the_primitives_are_near_their_functions(one):
     exact = PRIMITIVES[one.function][1](one, case.inputs)
     most = 1.5  # LSB; a spread of 24 bits is much finer than an angle of 18
     if one.function == "angle_to_spread":
-        most = bounds.angle_to_spread(one.params, np.pi / 4)
+        most = bounds.codec.angle_to_spread(one.params, np.pi / 4)
     assert 0 <= accuracy.errors(one, ARM, case, answer).arithmetic.max() <= most
     shifted = {name: words + 2 * (name in exact) for name, words in answer.items()}
     assert accuracy.errors(one, ARM, case, shifted).arithmetic.max() >= 1.5

@@ -29,21 +29,21 @@ def test_the_tip_stays_within_its_bound_on_every_arm(one):
 def test_figures_that_the_paper_s_page_prints(s, r, forward, inverse):
     p = W16 | {"S": s, "R": r}
     links = [(256 * l1, 256 * l2) for l1, l2 in ((3, 2), (32.5, 27.5), (63.9, 63.9))]
-    assert [bounds.paper_forward(p, 2, *pair) for pair in links] == pytest.approx(forward, abs=0.5)
-    assert [bounds.paper_inverse(p, 2, *pair) for pair in links] == pytest.approx(inverse, abs=0.5)
+    assert [bounds.paper.forward(p, 2, *pair) for pair in links] == pytest.approx(forward, abs=0.5)
+    assert [bounds.paper.inverse(p, 2, *pair) for pair in links] == pytest.approx(inverse, abs=0.5)
 
 
 def test_figures_that_the_other_pages_print():
     """To the digit printed, rounded or rounded up."""
     aim = [part for magnitude, guard in ((True, cordic.AIM_GUARD), (False, classic.AIM_GUARD))
-           for part in bounds.cordic_angle(W16, guard, magnitude)]
+           for part in bounds.cordic.angle(W16, guard, magnitude)]
     turn = 2 * np.pi / 65536
     half, full = 1 << 13, 65532
     for bound, printed, digit in (
-            (bounds.cordic_rotate(W16), 1.47, 0.01), (aim[0], 0.84, 0.01), (aim[1] * turn, 0.24, 0.01),
+            (bounds.cordic.rotate(W16), 1.47, 0.01), (aim[0], 0.84, 0.01), (aim[1] * turn, 0.24, 0.01),
             (aim[2], 0.88, 0.01), (aim[3] * turn, 0.39, 0.01),
-            (bounds.spread_chord(16), 0.83, 0.01), (bounds.rational_turn(16) * 2**16, 1.06, 0.01),
-            (bounds.rational_fk1(1 << 14), 0.83, 0.01), (bounds.rational_gap(W16 | {"S": 24}, half, half), 16, 1),
-            (bounds.classic_chain(W16, 2, 0, 2 * half), 2, 0.1), (bounds.classic_chain(W16, 3, 0, 2 * half), 2.9, 0.1),
-            (bounds.classic_chain(W16, 2, full, full), 3.5, 0.1), (bounds.classic_chain(W16, 3, full, full), 5.4, 0.1)):
+            (bounds.codec.spread_chord(16), 0.83, 0.01), (bounds.rational.turn(16) * 2**16, 1.06, 0.01),
+            (bounds.rational.fk1(1 << 14), 0.83, 0.01), (bounds.rational.gap(W16 | {"S": 24}, half, half), 16, 1),
+            (bounds.classic.chain(W16, 2, 0, 2 * half), 2, 0.1), (bounds.classic.chain(W16, 3, 0, 2 * half), 2.9, 0.1),
+            (bounds.classic.chain(W16, 2, full, full), 3.5, 0.1), (bounds.classic.chain(W16, 3, full, full), 5.4, 0.1)):
         assert printed - digit <= bound <= printed + digit / 2, (bound, printed)

@@ -23,14 +23,14 @@ def _turned(p, words, x, y):
 
 def test_the_derived_bounds_are_the_promise_at_every_parameter():
     """The figures of the page, over all that the cores accept."""
-    rotations = {(w, a): bounds.cordic_rotate({"W": w, "A": a}) for w in range(8, 17) for a in range(5, w + 4)}
+    rotations = {(w, a): bounds.cordic.rotate({"W": w, "A": a}) for w in range(8, 17) for a in range(5, w + 4)}
     assert 1.54 < max(rotations.values()) <= 1.55 and rotations[16, 16] <= 1.48
-    lengths = [bounds.cordic_magnitude({"W": w}) for w in range(8, 17)]
+    lengths = [bounds.cordic.magnitude({"W": w}) for w in range(8, 17)]
     assert 1.12 < max(lengths) <= 1.13 and lengths[-1] <= 0.98
-    angles = [bounds.cordic_angle({"W": w, "A": a}, cordic.AIM_GUARD, True) for w in range(8, 17)
+    angles = [bounds.cordic.angle({"W": w, "A": a}, cordic.AIM_GUARD, True) for w in range(8, 17)
               for a in range(4, w + 1)]
     assert 0.83 < max(fixed for fixed, _ in angles) <= 0.84
-    assert bounds.cordic_angle(W16, cordic.AIM_GUARD, True)[1] * LSB <= 0.24
+    assert bounds.cordic.angle(W16, cordic.AIM_GUARD, True)[1] * LSB <= 0.24
 
 
 def legal(low: int, above: int) -> list[dict[str, int]]:
@@ -46,7 +46,7 @@ def test_rotation_over_the_whole_circle(p):
     words = np.arange(1 << p["A"]) if p["A"] <= 16 else rng.integers(0, 1 << p["A"], 1 << 16)
     full = 1 << p["W"] - 1
     lengths = [full, full * 1.41, *(full * 1.41 * 2.0 ** -rng.uniform(0, p["W"], 12))]
-    bound = bounds.cordic_rotate(p)
+    bound = bounds.cordic.rotate(p)
     worst = 0.0
     for length in lengths:
         phi = rng.uniform(0, 2 * math.pi)
@@ -88,11 +88,11 @@ def test_vectoring(p):
     out = cordic.vector(p, in_x=x, in_y=y)
     true = np.hypot(x, y)
     error = np.abs(out["out_magnitude"] - true)
-    assert error.max() <= bounds.cordic_magnitude(p)
+    assert error.max() <= bounds.cordic.magnitude(p)
     assert error.max() > 0.5
     off = wrap(np.zeros(1), 1) + out["out_angle"] - np.arctan2(y, x) * 2 ** p["A"] / (2 * math.pi)
     off = np.abs((off + 2 ** (p["A"] - 1)) % 2 ** p["A"] - 2 ** (p["A"] - 1))
-    fixed, slope = bounds.cordic_angle(p, cordic.AIM_GUARD, True)
+    fixed, slope = bounds.cordic.angle(p, cordic.AIM_GUARD, True)
     assert fixed < 1.0
     assert np.all(off <= fixed + slope / true)
     assert not out["out_status"].any()

@@ -119,7 +119,7 @@ def test_forward_within_the_bound_in_every_cell(p, l1, l2):
                           (paper.fk3(p, in_j1=joints[0], in_j2=joints[1], in_j3=joints[2], **cfg),
                            truth.fk3(*angles, *links))):
         error = np.sqrt(sum((answer[f"out_{axis}"] - tip) ** 2 for axis, tip in zip("xyz", exact)))
-        assert np.max(error) <= bounds.paper_forward(p, len(exact), *links)
+        assert np.max(error) <= bounds.paper.forward(p, len(exact), *links)
         assert not np.any(answer["out_status"])
 
 
@@ -130,7 +130,7 @@ def test_forward_flags_a_tip_out_of_range(p):
     answer = paper.fk2(p, in_j1=j1, in_j2=j2, cfg_l1=100 << 8, cfg_l2=90 << 8)
     reach = np.hypot(*truth.fk2(*(truth.spread_word_to_angle(j, p["S"]) for j in (j1, j2)), 100, 90))
     flag = answer["out_status"] == OVERFLOW
-    band = bounds.paper_reach(p) / 256
+    band = bounds.paper.reach(p) / 256
     assert np.all(flag[reach > 128 + band]) and not np.any(flag[reach < 128 - 0.5 / 256 - band])
     assert np.all(np.abs(answer["out_x"][flag]) == 32767) and np.all(np.abs(answer["out_y"][flag]) == 32767)
     assert np.all(paper.fk2(p, in_j1=j1, in_j2=j2, cfg_l1=1 << 15, cfg_l2=0)["out_status"] == OVERFLOW)
@@ -171,7 +171,7 @@ def test_inverse_within_the_bound_both_elbows(p, l1, l2):
         defined = (answer["out_status"] & SINGULAR == 0) & np.all(np.isfinite(exact), axis=0)
         near = [in_cell(answer[f"out_j{i + 1}"], theta, p["S"]) for i, theta in enumerate(exact)]
         error = np.sqrt(sum((a - b) ** 2 for a, b in zip(forward(*near, *links), forward(*exact, *links))))
-        assert np.max(error[defined]) <= bounds.paper_inverse(p, len(exact), *links) and np.mean(defined) > 0.7
+        assert np.max(error[defined]) <= bounds.paper.inverse(p, len(exact), *links) and np.mean(defined) > 0.7
 
 
 @pytest.mark.parametrize("p", INVERSE, ids=lambda p: f"S{p['S']}")
@@ -193,7 +193,7 @@ def test_unreachable_is_the_nearest_point(p):
         assert np.all(answer["out_status"] == 1) and np.all(answer["out_j2"] == stretched << p["S"])
         exact = truth.ik2(x, y, l1, l2)[0]
         off = truth.difference(in_cell(answer["out_j1"], exact, p["S"]), exact)
-        assert np.max(np.abs(off)) <= bounds.paper_nearest(p, 2, 256 * radius)
+        assert np.max(np.abs(off)) <= bounds.paper.nearest(p, 2, 256 * radius)
     inside = paper.ik2(p, in_x=np.rint(256 * 4.9 * np.cos(turn)).astype(np.int64),
                        in_y=np.rint(256 * 4.9 * np.sin(turn)).astype(np.int64), in_elbow=0, cfg_l1=768, cfg_l2=512)
     assert not np.any(inside["out_status"])

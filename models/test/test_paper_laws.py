@@ -44,11 +44,11 @@ def test_the_tip_in_reach_and_the_nearest_point_beyond(p, joints, share):
     defined = out["out_status"] & SINGULAR == 0
     inside = defined & (r >= abs(l1 - l2)) & (r <= l1 + l2) & (out["out_status"] == 0)
     error = np.linalg.norm(tip - target, axis=0)
-    assert np.max(error[inside], initial=0) <= bounds.paper_inverse(p, joints, l1, l2)
+    assert np.max(error[inside], initial=0) <= bounds.paper.inverse(p, joints, l1, l2)
     beyond = defined & ((r < abs(l1 - l2)) | (r > l1 + l2)) & (out["out_status"] & UNREACHABLE > 0)
     plane = target if joints == 2 else np.stack([np.hypot(*target[:2]), target[2]])
     theta = np.arctan2(plane[1], plane[0]) + np.where((r < abs(l1 - l2)) & (l2 > l1), np.pi, 0)
     off = np.abs(truth.difference(codecs.within_cell(joint, {"j": out["out_j1"]}, theta), theta))
-    assert np.all((off <= bounds.paper_nearest(p, joints, r))[beyond])
+    assert np.all((off <= bounds.paper.nearest(p, joints, r))[beyond])
     if p["S"] == 24 or p["S"] == 2 * p["F"]:
         assert beyond.sum() > 250 or share[0] == share[1] or min(share) < 1e-4

@@ -33,7 +33,7 @@ def test_fk1_error(s, length):
     answer = rational.fk1(ONE | {"S": s}, in_j1=word, cfg_l1=length)
     x, y = truth.fk1(truth.spread_word_to_angle(word, s), length)
     dx, dy = answer["out_x"] - x, answer["out_y"] - y
-    assert max(np.abs(dx).max(), np.abs(dy).max()) <= bounds.rational_fk1(length)
+    assert max(np.abs(dx).max(), np.abs(dy).max()) <= bounds.rational.fk1(length)
     assert np.hypot(dx, dy).max() <= 1.0
     assert not answer["out_status"].any()
 
@@ -71,7 +71,7 @@ def test_fk1_saturates_with_a_flag():
     word = _words(24)
     answer = rational.fk1(ONE, in_j1=word, cfg_l1=65535)
     x, y = truth.fk1(truth.spread_word_to_angle(word, 24), 65535)
-    away = bounds.rational_fk1(65535)
+    away = bounds.rational.fk1(65535)
     for port, exact in (("out_x", x), ("out_y", y)):
         assert (np.abs(answer[port] - np.clip(exact, -32768, 32767)) <= away).all()
     outside = np.maximum.reduce([x - 32767, -32768 - x, y - 32767, -32768 - y])
@@ -95,7 +95,7 @@ def test_ik1_error(s):
     keep = (x != 0) | (y != 0)
     x, y = x[keep], y[keep]
     word = rational.ik1(ONE | {"S": s}, in_x=x, in_y=y)["out_j1"]
-    assert _cell_error(x, y, word, s).max() <= bounds.RATIONAL_DIRECTION
+    assert _cell_error(x, y, word, s).max() <= bounds.rational.DIRECTION
 
 
 def test_ik1_error_of_every_short_point():
@@ -103,7 +103,7 @@ def test_ik1_error_of_every_short_point():
     answer = rational.ik1({"W": 8, "F": 4, "S": 24}, in_x=x, in_y=y)
     zero = (x == 0) & (y == 0)
     assert (answer["out_status"] == np.where(zero, 2, 0)).all()
-    assert _cell_error(x[~zero], y[~zero], answer["out_j1"][~zero], 24).max() <= bounds.RATIONAL_DIRECTION
+    assert _cell_error(x[~zero], y[~zero], answer["out_j1"][~zero], 24).max() <= bounds.rational.DIRECTION
 
 
 def test_ik1_error_first_words_past_the_borders():
@@ -111,7 +111,7 @@ def test_ik1_error_first_words_past_the_borders():
     m, long = (grid.ravel() for grid in np.meshgrid(np.arange(-40, 41), np.arange(8192, 32768, 7)))
     for x, y in ((long, m), (m, long), (-long, m), (m, -long)):
         word = rational.ik1(ONE, in_x=x, in_y=y)["out_j1"]
-        assert _cell_error(x, y, word, 24).max() <= bounds.RATIONAL_DIRECTION
+        assert _cell_error(x, y, word, 24).max() <= bounds.rational.DIRECTION
 
 
 def test_ik1_is_exact_on_every_axis():
@@ -141,4 +141,4 @@ def test_one_joint_there_and_back(length):
     tip = rational.fk1(ONE, in_j1=word, cfg_l1=length)
     back = rational.ik1(ONE, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
     turned = _cell_error(*truth.fk1(truth.spread_word_to_angle(word, 24), length), back, 24)
-    assert turned.max() <= 1.0 / (length - 1) + bounds.RATIONAL_DIRECTION
+    assert turned.max() <= 1.0 / (length - 1) + bounds.rational.DIRECTION

@@ -25,7 +25,7 @@ def test_roots_are_within_their_bound_in_every_quadrant(p: dict[str, int]) -> No
     words = np.append(_words(np.random.default_rng(1), p["S"], 200_000), borders)
     theta = truth.spread_word_to_angle(words, p["S"])
     for root, exact in zip(codecs.spread_chords(p, words), truth.unit(theta)):
-        assert np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"] <= bounds.spread_chord(p["U"])
+        assert np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"] <= bounds.codec.spread_chord(p["U"])
 
 
 @pytest.mark.parametrize(("l1", "l2"), LINKS)
@@ -35,7 +35,7 @@ def test_fk2_is_within_its_bound(l1: int, l2: int) -> None:
     out = rational.fk2(P, in_j1=j1, in_j2=j2, cfg_l1=l1, cfg_l2=l2)
     exact = truth.fk2(*(truth.spread_word_to_angle(j, P["S"]) for j in (j1, j2)), l1, l2)
     error = [out[f"out_{axis}"] - value for axis, value in zip("xy", exact)]
-    assert np.max(np.abs(error)) <= min(bounds.rational_chain(P, 2, l1, l2), 0.85)
+    assert np.max(np.abs(error)) <= min(bounds.rational.chain(P, 2, l1, l2), 0.85)
     assert np.max(np.hypot(*error)) <= 1.02
     assert not out["out_status"].any()
 
@@ -47,7 +47,7 @@ def test_fk3_is_within_its_bound(l1: int, l2: int) -> None:
     out = rational.fk3(P, in_j1=words[0], in_j2=words[1], in_j3=words[2], cfg_l1=l1, cfg_l2=l2)
     exact = truth.fk3(*(truth.spread_word_to_angle(j, P["S"]) for j in words), l1, l2)
     error = [out[f"out_{axis}"] - value for axis, value in zip("xyz", exact)]
-    assert np.max(np.abs(error)) <= min(bounds.rational_chain(P, 3, l1, l2), 1.0)
+    assert np.max(np.abs(error)) <= min(bounds.rational.chain(P, 3, l1, l2), 1.0)
     assert not out["out_status"].any()
 
 
@@ -56,7 +56,7 @@ def test_overflow_is_flagged_exactly_where_a_coordinate_leaves_the_word() -> Non
     words = [_words(rng, P["S"], 50_000) for _ in range(3)]
     out = rational.fk3(P, in_j1=words[0], in_j2=words[1], in_j3=words[2], cfg_l1=40_000, cfg_l2=30_000)
     exact = np.array(truth.fk3(*(truth.spread_word_to_angle(j, P["S"]) for j in words), 40_000, 30_000))
-    bound = bounds.rational_chain(P, 3, 40_000, 30_000)
+    bound = bounds.rational.chain(P, 3, 40_000, 30_000)
     beyond = np.max(np.maximum(exact - 32767.5, -32768.5 - exact), axis=0)  # what rounds to a word that is too long
     told = np.abs(beyond) > bound - 0.5
     assert np.array_equal((out["out_status"] == 4)[told], (beyond > 0)[told])

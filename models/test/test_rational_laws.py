@@ -54,7 +54,7 @@ def test_ik2_beside_the_circles(p: dict[str, int], l1: int, l2: int) -> None:
                        **rational.config(p, cfg_l1=l1, cfg_l2=l2))
     assert not out["out_status"].any()
     error = np.hypot(*(_tip(p, out, truth.ik2(x, y, l1, l2, elbow), l1, l2) - np.stack([x, y])))
-    assert np.all(error <= bounds.rational_ik2(p, l1, l2, np.hypot(x, y)))
+    assert np.all(error <= bounds.rational.ik2(p, l1, l2, np.hypot(x, y)))
 
 
 def test_coarse_words_cost_most_beside_the_circles() -> None:
@@ -85,7 +85,7 @@ def test_ik3_beside_the_circles(p: dict[str, int], l1: int, l2: int) -> None:
     assert not out["out_status"].any()
     target = np.stack([x, y, z])
     error = np.linalg.norm(_tip(p, out, truth.ik3(*target, l1, l2, elbow), l1, l2) - target, axis=0)
-    assert np.all(error <= bounds.rational_ik3(p, l1, l2, target))
+    assert np.all(error <= bounds.rational.ik3(p, l1, l2, target))
 
 
 @SET
@@ -110,7 +110,7 @@ def test_out_of_reach_and_in_the_hole_the_nearest_point(p: dict[str, int], joint
     exact = truth.nearest(target.T, l1, l2).T if joints == 3 else \
         target * np.clip(np.hypot(*target), hole, l1 + l2) / np.hypot(*target)
     error = np.linalg.norm(_tip(p, out, inverse(*target, l1, l2, elbow), l1, l2) - exact, axis=0)
-    law = bounds.rational_nearest(p, l1, l2, target)
+    law = bounds.rational.nearest(p, l1, l2, target)
     assert np.all((error <= law)[flagged])
     if joints == 3 and (l1, l2) == (12000, 4384) and p["S"] == 24:  # the hole's own law is needed, and not idle
         assert error[flagged].max() > 80 and np.max((error / law)[flagged]) > 0.3

@@ -40,7 +40,7 @@ def test_ik2_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
     assert not out["out_status"].any()  # nothing in reach is flagged, borders included
     tip = truth.fk2(*(codecs.within_cell(joint, out, theta) for joint, theta in zip(JOINTS, exact)), l1, l2)
     error = np.hypot(tip[0] - x, tip[1] - y)
-    assert np.all(error <= bounds.rational_ik2(P, l1, l2, rho))
+    assert np.all(error <= bounds.rational.ik2(P, l1, l2, rho))
     if l1 + l2 <= 16384:  # 64 units of Q7.8
         away = (rho >= 256) & (np.abs(np.sin(exact[1])) > 2**-8)
         assert np.max(error[away], initial=0) <= 1.0
@@ -53,7 +53,7 @@ def test_ik2_out_of_reach_answers_the_nearest_point(l1: int, l2: int) -> None:
     hole = rng.uniform(0, abs(l1 - l2), 10_000) + 1
     x[:10_000] = np.clip(np.rint(hole * np.cos(x[:10_000])), -32768, 32767)
     y[:10_000] = np.clip(np.rint(np.sqrt(np.maximum(hole**2 - x[:10_000] ** 2.0, 0))), 0, 32767)
-    q, edge = x * x + y * y, bounds.rational_gap(P, l1, l2)
+    q, edge = x * x + y * y, bounds.rational.gap(P, l1, l2)
     far, near = q > (l1 + l2) ** 2 + edge, q < (l1 - l2) ** 2 - edge
     out = _answer(l1, l2, x, y, elbow)
     assert np.all(out["out_status"][far | near] & 1)
@@ -65,7 +65,7 @@ def test_ik2_out_of_reach_answers_the_nearest_point(l1: int, l2: int) -> None:
              np.where(near[far | near], np.pi, 0)]
     reached, nearest = truth.fk2(*theta, l1, l2), np.where(near[far | near], abs(l1 - l2), l1 + l2) / np.maximum(rho, 1)
     error = np.hypot(reached[0] - x * nearest, reached[1] - y * nearest)
-    assert np.all((error <= bounds.rational_nearest(P, l1, l2, np.stack([x, y])))[keep])
+    assert np.all((error <= bounds.rational.nearest(P, l1, l2, np.stack([x, y])))[keep])
 
 
 @pytest.mark.parametrize(("l1", "l2"), LINKS)
@@ -84,7 +84,7 @@ def test_ik3_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
     tip = truth.fk3(*(codecs.within_cell(joint, out, theta) for joint, theta in zip(JOINTS, exact)), l1, l2)
     error = np.sqrt(sum((a - b) ** 2 for a, b in zip(tip, (x, y, z))))
     n2 = np.abs(np.sin(exact[1]))
-    assert np.all(error <= bounds.rational_ik3(P, l1, l2, np.array([x, y, z])))
+    assert np.all(error <= bounds.rational.ik3(P, l1, l2, np.array([x, y, z])))
     if l1 + l2 <= 16384:
         away = (length >= 256) & (n2 > 2**-8)
         assert np.max(error[away], initial=0) <= 1.0
