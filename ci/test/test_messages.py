@@ -143,9 +143,9 @@ def test_forms_of_an_assertion():
 
 def test_a_new_core_without_configuration_words_is_named():
     core = cores.find("vector_ik2")
-    assert simulate.unconfigured(core) == ""
+    assert simulate.incomplete(core) == ""
     new = replace(core, name="vector_new", cfg=(*core.cfg, Port("cfg_mu", 8, False)))
     line = "vector_new: configs() in tb/stimulus/vector.py gives no word for "
-    assert simulate.unconfigured(new).startswith(line) and "cfg_mu" in simulate.unconfigured(new)
+    assert simulate.incomplete(new).startswith(line) and "cfg_mu" in simulate.incomplete(new)
     with pytest.raises(RuntimeError, match="vector_new: configs"):
         simulate.simulate(new, simulators()[0])
