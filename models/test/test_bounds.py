@@ -1,5 +1,9 @@
 """The bounds themselves: they hold along a day of real arms, and give the figures that the pages of the cores print."""
 
+import re
+from importlib import import_module
+from importlib.util import find_spec
+
 import numpy as np
 import pytest
 from quadrance import accuracy, arms, bounds, classic, cordic, cores
@@ -47,3 +51,15 @@ def test_figures_that_the_other_pages_print():
             (bounds.classic.chain(W16, 2, 0, 2 * half), 2, 0.1), (bounds.classic.chain(W16, 3, 0, 2 * half), 2.9, 0.1),
             (bounds.classic.chain(W16, 2, full, full), 3.5, 0.1), (bounds.classic.chain(W16, 3, full, full), 5.4, 0.1)):
         assert printed - digit <= bound <= printed + digit / 2, (bound, printed)
+
+
+def test_every_bound_that_a_page_or_a_header_names_is_there():
+    paths = [*cores.RTL.rglob("*.md"), *cores.RTL.rglob("*.v")]
+    named = {(path.name, name) for path in paths for name in re.findall(r"\bbounds\.(\w+(?:\.\w+)*)", path.read_text())}
+
+    def there(name: str) -> bool:
+        module, _, function = name.rpartition(".")
+        return bool(find_spec(f"quadrance.bounds.{name}" if not module else f"quadrance.bounds.{module}")) and \
+            (not module or hasattr(import_module(f"quadrance.bounds.{module}"), function))
+
+    assert len(named) > 30 and not [one for one in sorted(named) if not there(one[1])]
