@@ -63,8 +63,8 @@ report-check: setup ## fails when the committed report no longer follows from th
 packages: setup ## manifests of FuseSoC and Bender: written from the Verilog
 	@$(PY) -m ci.packages
 
-formal: setup ## proofs of the arithmetic primitives and the handshakes that do not stand; FRESH=1 all, WITHIN=minutes
-	@$(PY) -m ci.formal $(if $(FRESH),--fresh) $(if $(WITHIN),--within $(WITHIN))
+formal: setup ## proofs of the primitives and the handshakes that do not stand; CORE=name; FRESH=1 all, WITHIN=minutes
+	@$(PY) -m ci.formal $(if $(filter file,$(origin CORE)),,$(CORE)) $(if $(FRESH),--fresh) $(if $(WITHIN),--within $(WITHIN))
 
 netlist: setup ## every core's bench on its iCE40 and Cyclone V netlist
 	@$(PY) -m ci.netlist

@@ -33,7 +33,7 @@ def pytest_configure(config: pytest.Config) -> None:
         if name := config.getoption("--sim"):
             choose("simulator", name, ("icarus", "verilator"))
         _shard(config)
-    except Refused as error:
+    except ValueError as error:  # Refused, and a list that cannot be read
         raise pytest.UsageError(str(error)) from None
     if config.getoption("--names") and not hasattr(config, "workerinput"):
         config.pluginmanager.register(Names(), "names")

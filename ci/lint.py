@@ -40,7 +40,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from ci import cache, packages, schedules
 from ci.report import tables
 from tb.lib import tools
-from tb.lib.simulate import available, unconfigured
+from tb.lib.simulate import available, incomplete
 
 Declared = tuple[str, str, int, bool]  # a port: In or Out, name, bits, signed
 REPORT = ROOT / "reports" / "report.json"
@@ -178,8 +178,19 @@ def check_file(path: Path) -> list[str]:
     return wrong
 
 
+def check_entry(core: Core) -> list[str]:
+    """The entry of a core has a page, a model, samples, and a parameter set that must be refused."""
+    page = RTL / core.family / "README.md"
+    wrong = [missing] if (missing := incomplete(core)) else []
+    if not page.exists() or core.name not in page.read_text():
+        wrong.append(f"{core.name}: {page.relative_to(ROOT)} does not name it")
+    if core.params and not core.illegal:
+        wrong.append(f"{core.name}: no illegal parameter set listed to show that its check works")
+    return wrong
+
+
 def check_list(cores: tuple[Core, ...]) -> list[str]:
-    """The list reaches every file, and every entry has bench, page and report row."""
+    """The list reaches every file, and every set has a row in the report."""
     wrong = []
     listed = {source for core in cores for source in core.sources}
     for path in sorted(RTL.rglob("*.v")):
@@ -188,15 +199,8 @@ def check_list(cores: tuple[Core, ...]) -> list[str]:
     reported = {(row["core"], json.dumps(row["params"], sort_keys=True))
                 for row in json.loads(REPORT.read_text())["cores"]} if REPORT.exists() else set()
     for core in cores:
-        page = RTL / core.family / "README.md"
-        if not page.exists() or core.name not in page.read_text():
-            wrong.append(f"{core.name}: {page.relative_to(ROOT)} does not name it")
-        if core.first_set and (missing := unconfigured(core)):
-            wrong.append(missing)
         if core.reported and (core.name, json.dumps(core.params, sort_keys=True)) not in reported:
             wrong.append(f"{core.id}: no row in reports/report.json (make report)")
-        if core.first_set and core.params and not core.illegal:
-            wrong.append(f"{core.name}: no illegal parameter set listed to show that its check works")
     return wrong + schedules.check(cores)
 
 
@@ -264,8 +268,11 @@ def main() -> int:
     chosen = parser.parse_args().core
     try:
         named = catalogue.find(chosen) if chosen else None
-    except catalogue.Refused as error:
-        raise SystemExit(f"lint: {error}") from None
+        all_cores()
+    except ValueError as error:
+        orphan = next(RTL.rglob(f"{chosen}.v"), None) if isinstance(error, catalogue.Refused) else None
+        raise SystemExit(f"lint: {orphan.relative_to(ROOT)}: rtl/cores.toml has no core of this name" if orphan else
+                         f"lint: {error}") from None
     cores = tuple(core for core in all_cores() if chosen in (None, core.id, core.name))
     jobs: dict[Callable[[], list[str]], str] = {functools.partial(kept, core): core.id for core in cores}
     if not named:
@@ -277,13 +284,14 @@ def main() -> int:
         raise SystemExit("lint: interrupted; what passed is kept in build/cache") from None
     files = named.sources if named else sorted(RTL.rglob("*.v"))
     wrong += [line for path in files for line in check_file(path)]
+    wrong += [line for core in cores if core.first_set for line in check_entry(core)] + packages.stale()
     if not named:
-        wrong += check_list(cores) + check_pages() + packages.stale()
+        wrong += check_list(cores) + check_pages()
         code, text = _call("ruff", "check", "--quiet", "models", "tb", "ci")
         wrong += [text] if code else []
     print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")
     if named:
-        print("lint: one core; list, pages, reports and Python are checked without CORE")
+        print("lint: one core; schedules, reports and Python are checked without CORE")
     if not available("icarus"):
         print("lint: Icarus Verilog is not installed, Verilator and Yosys alone were asked")
     return bool(wrong)

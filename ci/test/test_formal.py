@@ -135,6 +135,22 @@ def test_a_circuit_that_was_proved_passes_under_other_names(tmp_path: Path, monk
     assert formal.judge(dataclasses.replace(one, depth=one.depth + 1), frozenset({found}))[0].word == "FAIL"
 
 
+@pytest.mark.parametrize(("old", "new", "name"), [
+    (r"\dut.skid ", r"\dut.skit ", "dut.skit"), (r"(* hierconn *) wire [W-1:0] \dut.skid ;", "", "dut.skid"),
+    (r"wire [W-1:0] \dut.skid ", r"wire [W:0] \dut.skid ", "dut.skid")], ids=["another name", "not joined", "wider"])
+def test_a_property_that_names_no_wire_of_the_core_is_refused(old, new, name, tmp_path, monkeypatch) -> None:
+    one = proof("skid_buffer-W16")
+    text = one.sources[0].read_text()
+    assert old in text
+    (tmp_path / "skid_buffer.sv").write_text(text.replace(old, new))
+    monkeypatch.setattr(formal, "run", lambda *_: formal.Verdict("PASS"))
+    verdict, _ = formal.judge(dataclasses.replace(one, sources=(tmp_path / "skid_buffer.sv", *one.sources[1:])),
+                              frozenset())
+    assert verdict.word == "ERROR"
+    assert verdict.why == f"{tools.local(tmp_path)}/skid_buffer.sv: `{name}` is no wire of skid_buffer"
+    assert formal.judge(one, frozenset())[0].word == "PASS"
+
+
 def test_a_proof_that_its_time_does_not_reach_is_named(monkeypatch, tmp_path, capsys) -> None:
     """It fails nothing; a refutation fails, and so does a proof that ran out of its own time."""
     names = ["round_saturate-16to8by6", "round_saturate-12to16by3"]

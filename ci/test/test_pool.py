@@ -1,4 +1,4 @@
-"""The workers return all answers and all failures, and none is left when the parent ends."""
+"""All jobs are answered, on this machine and on a farm, whichever worker dies; no worker is left behind."""
 
 import os
 import signal
@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from ci import cache, pool
+from ci import cache, farm, pool
 from tb.lib import tools
 
 
@@ -84,3 +84,108 @@ def test_workers_and_their_tools_die_with_the_parent(how, tmp_path):
     assert wait(lambda: parent.poll() is not None), "the parent waits for its workers"
     assert wait(lambda: not running())
     assert len(list(tmp_path.glob("*.pid"))) == workers, "no other job was begun"
+
+
+# The farm
+
+JOBS = [(f"job{i}", i) for i in range(12)]
+
+
+def work(name, number, folder=None):
+    """A job that takes a while and says which worker does it."""
+    folder = Path(os.environ["FARM_TEST"])
+    (folder / f"{name}.{os.getppid()}").touch()
+    time.sleep(0.3)
+    return {"name": name, "value": number ** 3}
+
+
+def fails(number):
+    if number == 2:
+        raise ValueError("two is wrong")
+    return number
+
+
+@pytest.fixture
+def cluster(tmp_path, monkeypatch):
+    """A scheduler and three workers, each a process of its own; their address and the workers."""
+    monkeypatch.setenv("FARM_TEST", str(tmp_path))
+    monkeypatch.setattr(pool, "LOGS", tmp_path)
+    env = os.environ | {"PYTHONPATH": f"{tools.ROOT}:{tools.ROOT / 'models'}", "FARM_TEST": str(tmp_path)}
+    address = tmp_path / "scheduler.json"
+
+    def start(*words):
+        return subprocess.Popen([sys.executable, "-m", *words, "--scheduler-file", str(address)], cwd=tools.ROOT,
+                                env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    started = [start("distributed.cli.dask_scheduler", "--port", "0", "--no-dashboard", "--host", "127.0.0.1")]
+    while not address.exists():
+        time.sleep(0.1)
+    workers = [start("distributed.cli.dask_worker", "--nthreads", "1", "--no-nanny", "--no-dashboard",
+                     "--name", f"w{i}") for i in range(3)]
+    import json
+
+    url = json.loads(address.read_text())["address"]
+    from distributed import Client
+
+    with Client(url) as client:
+        client.wait_for_workers(3, timeout=120)
+    yield url, workers
+    for process in workers + started:
+        process.kill()
+        process.wait()
+
+
+@pytest.mark.slow
+def test_a_worker_killed_in_the_middle_loses_nothing(cluster, tmp_path, monkeypatch):
+    url, workers = cluster
+    local = pool.run(work, JOBS)
+    here = {path.name for path in tmp_path.glob("job*")}
+    monkeypatch.setenv("FARM", url)
+    killed = []
+
+    def kill_when_some_are_done(*arguments, **named):
+        for i, one in enumerate(original(*arguments, **named)):
+            if i == 2:
+                victim = workers[0]
+                victim.send_signal(signal.SIGKILL)
+                victim.wait()
+                killed.append(victim.pid)
+            yield one
+
+    original = farm.run
+    monkeypatch.setattr(farm, "run", kill_when_some_are_done)
+    assert pool.run(work, JOBS) == local
+    ran = [path.name.split(".") for path in tmp_path.glob("job*") if path.name not in here]
+    assert killed and {name for name, _ in ran} == {name for name, _ in JOBS}
+    assert {int(pid) for _, pid in ran} <= {process.pid for process in workers}
+    assert len({pid for _, pid in ran}) > 1, "the farm used one worker alone"
+
+
+@pytest.mark.slow
+def test_errors_and_another_checkout_are_named(cluster, monkeypatch):
+    url, _ = cluster
+    monkeypatch.setenv("FARM", url)
+    with pytest.raises(RuntimeError, match="1 jobs failed\n2: two is wrong"):
+        pool.run(fails, [(1,), (2,)])
+    monkeypatch.setattr(farm, "_odd", lambda client: ["tcp://elsewhere:1"])
+    with pytest.raises(RuntimeError, match="another checkout or other tools on tcp://elsewhere:1"):
+        pool.run(fails, [(1,)])
+
+
+def test_no_scheduler_is_a_sentence(monkeypatch, tmp_path):
+    monkeypatch.setattr(pool, "LOGS", tmp_path)
+    monkeypatch.setattr(farm, "CONNECT", 1)
+    monkeypatch.setenv("FARM", "tcp://127.0.0.1:9")
+    with pytest.raises(RuntimeError, match="FARM=tcp://127.0.0.1:9: no scheduler answers"):
+        pool.run(fails, [(1,)])
+
+
+def test_the_fingerprint_follows_the_sources(monkeypatch, tmp_path):
+    for name in ("rtl/a.v", "models/a.py"):
+        (tmp_path / name).parent.mkdir()
+        (tmp_path / name).write_text("one")
+    monkeypatch.setattr(tools, "ROOT", tmp_path)
+    before = farm.fingerprint()
+    assert farm.fingerprint() == before
+    (tmp_path / "rtl/a.v").write_text("two")
+    assert farm.fingerprint() != before

@@ -72,25 +72,25 @@ class Rational(Claim):
 
     def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
         """Never flagged in reach; always where the quadrance is out by more than `rational_gap`."""
-        q, gap = self.quadrances(target).sum(axis=0), bounds.rational_gap(self.p, self.l1, self.l2)
+        q, gap = self.quadrances(target).sum(axis=0), bounds.rational.gap(self.p, self.l1, self.l2)
         far, near = (self.l1 + self.l2) ** 2, (self.l1 - self.l2) ** 2
         return (q > far + gap) | (q < near - gap), (q > far) | (q < near)
 
     def coordinate(self) -> float:
         if self.joints == 1:
-            return bounds.rational_fk1(self.l1)
-        return bounds.rational_chain(self.p, self.joints, self.l1, self.l2)
+            return bounds.rational.fk1(self.l1)
+        return bounds.rational.chain(self.p, self.joints, self.l1, self.l2)
 
     def direction(self, r: Floats) -> Floats:
-        return bounds.RATIONAL_DIRECTION + 0 * r
+        return bounds.rational.DIRECTION + 0 * r
 
     def reached(self, target: Ints) -> Floats:
         if self.joints == 2:
-            return bounds.rational_ik2(self.p, self.l1, self.l2, np.hypot(*target))
-        return bounds.rational_ik3(self.p, self.l1, self.l2, target)
+            return bounds.rational.ik2(self.p, self.l1, self.l2, np.hypot(*target))
+        return bounds.rational.ik3(self.p, self.l1, self.l2, target)
 
     def nearest(self, target: Ints) -> Floats:
-        return bounds.rational_nearest(self.p, self.l1, self.l2, target)
+        return bounds.rational.nearest(self.p, self.l1, self.l2, target)
 
 
 class Classic(Claim):
@@ -100,21 +100,21 @@ class Classic(Claim):
 
     def coordinate(self) -> float:
         if self.joints == 1:
-            return bounds.classic_fk1(self.p, self.l1)
-        return bounds.classic_chain(self.p, self.joints, self.l1, self.l2)
+            return bounds.classic.fk1(self.p, self.l1)
+        return bounds.classic.chain(self.p, self.joints, self.l1, self.l2)
 
     def direction(self, r: Floats) -> Floats:
-        fixed, slope = bounds.cordic_angle(self.p, 3, False)
+        fixed, slope = bounds.cordic.angle(self.p, 3, False)
         return (fixed + slope / r) * (2 * np.pi / 2 ** self.p["A"])
 
     def reached(self, target: Ints) -> Floats:
         r = np.sqrt((target.astype(float) ** 2).sum(axis=0))
-        return bounds.classic_ik(self.p, self.joints, self.l1, self.l2, r)
+        return bounds.classic.ik(self.p, self.joints, self.l1, self.l2, r)
 
     nearest = reached
 
     def folded(self) -> float:
-        return bounds.classic_elbow(self.p, self.joints, self.l1, self.l2)
+        return bounds.classic.elbow(self.p, self.joints, self.l1, self.l2)
 
 
 class Paper(Claim):
@@ -132,13 +132,13 @@ class Paper(Claim):
         return out, out
 
     def coordinate(self) -> float:
-        return 0.5 if self.joints == 1 else bounds.paper_forward(self.p, self.joints, self.l1, self.l2)
+        return 0.5 if self.joints == 1 else bounds.paper.forward(self.p, self.joints, self.l1, self.l2)
 
     def overflow(self, tip: Floats) -> tuple[Ints, Ints]:
         """One joint: where the coordinate rounds out of the word. More: where the tip is at 2^I units or beyond."""
         if self.joints == 1:
             return super().overflow(tip)
-        full, band = 1 << self.p["W"] - 1, bounds.paper_reach(self.p)
+        full, band = 1 << self.p["W"] - 1, bounds.paper.reach(self.p)
         reach = np.sqrt((tip * tip).sum(axis=0))
         return reach > full + band, reach >= full - 0.5 - band
 
@@ -146,25 +146,26 @@ class Paper(Claim):
         return 1e-9 + 0 * r  # float64, at a border of a quadrant
 
     def reached(self, target: Ints) -> Floats:
-        return bounds.paper_inverse(self.p, self.joints, self.l1, self.l2) + np.zeros(target.shape[1])
+        return bounds.paper.inverse(self.p, self.joints, self.l1, self.l2) + np.zeros(target.shape[1])
 
     def nearest(self, target: Ints) -> Floats:
         r = np.sqrt((target.astype(float) ** 2).sum(axis=0))
         radius = np.where(r > self.l1 + self.l2, self.l1 + self.l2, abs(self.l1 - self.l2))
         u = 2.0 ** (self.p["F"] - min(self.p["S"], 2 * self.p["F"]) / 2)
         far = np.hypot(*target[:2].astype(float))
-        yaw = bounds._turned(2.0 ** -bounds.paper_share(self.p)) + 2 * u / np.maximum(far, 1) if self.joints == 3 else 0
-        return np.minimum(radius * (bounds.paper_nearest(self.p, self.joints, r) + yaw), 2 * radius) + 1e-6
+        yaw = bounds.paper.turned(2.0 ** -bounds.paper.share(self.p)) + 2 * u / np.maximum(far, 1)
+        yaw = yaw if self.joints == 3 else 0
+        return np.minimum(radius * (bounds.paper.nearest(self.p, self.joints, r) + yaw), 2 * radius) + 1e-6
 
 
 class Table(Claim):
     """rtl/table."""
 
     def coordinate(self) -> float:
-        return bounds.table_forward(self.p, self.joints, self.l1, self.l2)
+        return bounds.table.forward(self.p, self.joints, self.l1, self.l2)
 
     def direction(self, r: Floats) -> Floats:
-        return bounds.table_direction(self.p) + 0 * r
+        return bounds.table.direction(self.p) + 0 * r
 
     @property
     def words_in_law(self) -> bool:
@@ -179,11 +180,11 @@ class Table(Claim):
         q, (near, far) = (target * target).sum(axis=0), ((self.l1 - self.l2) ** 2.0, (self.l1 + self.l2) ** 2)
         sine = np.sqrt(np.maximum((far - q) * (q - near), 0)) / max(2 * self.l1 * self.l2, 1)
         if self.joints == 2:
-            return bounds.table_ik2(self.p, self.l1, self.l2, np.sqrt(q), sine)
-        return bounds.table_ik3(self.p, self.l1, self.l2, target, sine)
+            return bounds.table.ik2(self.p, self.l1, self.l2, np.sqrt(q), sine)
+        return bounds.table.ik3(self.p, self.l1, self.l2, target, sine)
 
     def nearest(self, target: Ints) -> Floats:
-        return bounds.table_nearest(self.p, self.l1, self.l2, target)
+        return bounds.table.nearest(self.p, self.l1, self.l2, target)
 
     def folded(self) -> float:
         """The last bit of m at the ends of its arc sine, and half a word."""
@@ -196,16 +197,16 @@ class Vector(Claim):
     words_in_law = True
 
     def coordinate(self) -> float:
-        return bounds.vector_coordinate(self.p, self.joints, self.l1, self.l2)
+        return bounds.vector.coordinate(self.p, self.joints, self.l1, self.l2)
 
     def direction(self, r: Floats) -> Floats:
         """The direction before both words are rounded is exact; of a rounded vector, sqrt(1/2) 2^-U and its length."""
-        return np.arcsin(np.sqrt(0.5) * 2.0 ** -self.p["U"] / (1 - 2 * bounds.vector_length())) + 1e-9 + 0 * r
+        return np.arcsin(np.sqrt(0.5) * 2.0 ** -self.p["U"] / (1 - 2 * bounds.vector.length())) + 1e-9 + 0 * r
 
     def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
         """Always where the quadrance is out by more than `vector_reach`; two joints: never in reach."""
         q, far, near = (target * target).sum(axis=0), (self.l1 + self.l2) ** 2, (self.l1 - self.l2) ** 2
-        missed, mistaken = bounds.vector_reach(self.p, self.l1, self.l2, target)
+        missed, mistaken = bounds.vector.reach(self.p, self.l1, self.l2, target)
         return (q > far + missed) | (q < near - missed), (q > far - mistaken) | (q < near + mistaken)
 
     def reached(self, target: Ints) -> Floats:
@@ -215,19 +216,19 @@ class Vector(Claim):
         near, far, rho = (self.l1 - self.l2) ** 2.0, (self.l1 + self.l2) ** 2, np.sqrt(q)
         sine = np.sqrt(np.maximum((far - q) * (q - near), 0)) / max(2 * self.l1 * self.l2, 1)
         if self.joints == 2:
-            length = bounds.vector_ik2_length(self.p, self.l1, self.l2, rho, sine) * unit
+            length = bounds.vector.ik2_length(self.p, self.l1, self.l2, rho, sine) * unit
             words = length * rho + self.l2 * 1.5 * unit
-            return bounds.vector_ik2(self.p, self.l1, self.l2, rho, sine) + np.minimum(words, rho)
-        length = bounds.vector_ik3_length(self.p, self.l1, self.l2, target, sine) * unit
+            return bounds.vector.ik2(self.p, self.l1, self.l2, rho, sine) + np.minimum(words, rho)
+        length = bounds.vector.ik3_length(self.p, self.l1, self.l2, target, sine) * unit
         words = length * rho + self.l2 * 1.5 * unit
-        return bounds.vector_ik3(self.p, self.l1, self.l2, target, sine) + np.minimum(words, 2 * rho)
+        return bounds.vector.ik3(self.p, self.l1, self.l2, target, sine) + np.minimum(words, 2 * rho)
 
     def nearest(self, target: Ints) -> Floats:
         """`VECTOR_NEAREST`, and the length of (c1, n1), two words; of (c3, n3) once more."""
         words = 2 * (self.l1 + self.l2) / 2 ** self.p["U"]
         if self.joints == 2:
-            return bounds.VECTOR_NEAREST * (self.l1 + self.l2) / 2 ** self.p["U"] + words + 0 * target[0]
-        return bounds.vector_ik3_nearest(self.p, self.l1, self.l2, target) + 2 * words
+            return bounds.vector.NEAREST * (self.l1 + self.l2) / 2 ** self.p["U"] + words + 0 * target[0]
+        return bounds.vector.ik3_nearest(self.p, self.l1, self.l2, target) + 2 * words
 
 
 CLAIMS: dict[str, type[Claim]] = {"rational": Rational, "classic": Classic, "paper": Paper,

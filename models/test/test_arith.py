@@ -66,9 +66,9 @@ def test_round_saturate_is_nearest_ties_upward(wi: int, wo: int, data: st.DataOb
 def test_chord_slopes_cover_every_read(bits, bound):
     """|sqrt(v) - w slope / 2^(B + 17)| <= bound / 2^15 over both readings of a 16-bit spread, and 0 at 0."""
     v = np.arange(1 << 16)
-    assert bounds.root_product(bits) == bound / 2**15
+    assert bounds.codec.root_product(bits) == bound / 2**15
     for flip in (0, 1):
         parts = arith.root_product({"S": 16, "B": bits}, in_v=v, in_not=np.full(v.shape, flip))
         root = parts["out_w"] * parts["out_slope"] / 2.0 ** (bits + 17)
         exact = np.sqrt((65536 - v) / 65536 if flip else v / 65536)
-        assert np.abs(root - exact).max() <= bounds.root_product(bits) + 2.0**-24
+        assert np.abs(root - exact).max() <= bounds.codec.root_product(bits) + 2.0**-24

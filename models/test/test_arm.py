@@ -84,7 +84,7 @@ def _claims(p: dict[str, int], built: arms.Arm) -> None:
     far, inside = np.hypot(radius, height), truth_arm.reachable(target.T, l1, l2, frame, back)
     sine = np.sqrt(np.maximum(((l1 + l2) ** 2 - far**2) * (far**2 - (l1 - l2) ** 2), 0)) / (2 * l1 * l2)
     rho = np.abs(radius + frame.shoulder)
-    limit, regular = limits.arm_ik3(p, l1, l2, rho, height, far, sine), (inside >= 0) & (out["out_status"] & 1 == 0)
+    limit, regular = limits.ik3(p, l1, l2, rho, height, far, sine), (inside >= 0) & (out["out_status"] & 1 == 0)
     assert regular.sum() > 5000
     assert np.all(error[regular] <= limit[regular])
     away = regular & (far >= 1 << p["F"])
@@ -92,13 +92,13 @@ def _claims(p: dict[str, int], built: arms.Arm) -> None:
         assert np.max(error[away]) <= 2  # LSB, all over the workspace, a unit and more from the shoulder axis
     off = limits.radius(p, rho)
     # always flagged out of reach, never in reach, but for what rho errs and the gap that vector_reach allows
-    allowed = 1.1 * off + (bounds.vector_gap(p, l1, l2) * 4.0 ** (p["W"] - 16) + 2) / np.maximum(2 * far, 1) + 1e-6
+    allowed = 1.1 * off + (bounds.vector.gap(p, l1, l2) * 4.0 ** (p["W"] - 16) + 2) / np.maximum(2 * far, 1) + 1e-6
     assert np.all(out["out_status"][inside < -allowed] & 1 == 1)
     assert np.all(out["out_status"][inside > allowed] & 1 == 0)
     beyond = (inside < -2) & (far > 16)
     if beyond.any():
         found = np.linalg.norm(tip.T - truth_arm.nearest(target.T, l1, l2, frame, back), axis=1)
-        assert np.all(found[beyond] <= limits.arm_ik3_nearest(p, l1, l2, rho, far, np.hypot(*target[:2]), sine)[beyond])
+        assert np.all(found[beyond] <= limits.ik3_nearest(p, l1, l2, rho, far, np.hypot(*target[:2]), sine)[beyond])
     second = _angles(out)[1] + frame.turn - (_angles(out)[0] if frame.absolute else 0)
     assert np.all((np.sin(second) * (1 - 2 * elbow))[regular & (sine > 0.01)] > 0)  # the elbow asked for
 
@@ -128,13 +128,13 @@ def test_forward_of_every_arm(p, built):
     got = np.stack([out[f"out_{axis}"] for axis in "xyz"])
     held = np.all(np.abs(exact) < (1 << p["W"] - 1) - 1, axis=0) & (np.max(np.abs(np.abs([v1, v2, v3]))) < 2)
     assert held.sum() > 5000 and not np.any(out["out_status"][held])
-    assert np.max(np.abs(got - exact)[:, held]) <= limits.arm_fk3() + (words["cfg_l1"] + words["cfg_l2"]) * 1e-9
+    assert np.max(np.abs(got - exact)[:, held]) <= limits.fk3() + (words["cfg_l1"] + words["cfg_l2"]) * 1e-9
     over = np.any(np.abs(exact) > (1 << p["W"] - 1) + 1, axis=0)
     assert np.all(out["out_status"][over] == 4)
     l1, l2, frame = _seen(p, words, False)
     tip = np.stack(truth_arm.fk3(*[np.angle(v) for v in (v1, v2, v3)], l1, l2, frame))
     around = abs(frame.shoulder) + abs(frame.lateral)
-    assert np.max(np.linalg.norm(got - tip, axis=0)[held]) <= limits.arm_fk3_tip(p, l1, l2, around)
+    assert np.max(np.linalg.norm(got - tip, axis=0)[held]) <= limits.fk3_tip(p, l1, l2, around)
     if p["W"] == 16:
         assert np.max(np.linalg.norm(got - tip, axis=0)[held]) <= 2
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from quadrance import chain, codecs, truth
 from quadrance.bounds import chain as bounds
-from quadrance.bounds import paper_forward
+from quadrance.bounds import paper
 from quadrance.cores import all_cores, joints
 
 SPACE = [pytest.param(core, id=core.id) for core in all_cores() if core.params.get("SPACE")]
@@ -318,11 +318,11 @@ def test_joints_four_and_five(core):
         answer = core.model(p, **inputs, cfg_l1=upper, cfg_d4=near, cfg_d5=far)
         for name, away in (("4", near), ("5", far)):
             error = np.stack([answer[f"out_{axis}{name}"] for axis in "xyz"]) - truth.fk3(*exact, upper, away)
-            assert np.linalg.norm(error, axis=0).max() <= paper_forward(p, 3, upper, away)
+            assert np.linalg.norm(error, axis=0).max() <= paper.forward(p, 3, upper, away)
         assert not answer["out_status"].any()
     for near, far in ((full, 40), (40, full)):
         answer = core.model(p, **inputs, cfg_l1=40, cfg_d4=near, cfg_d5=far)
         right = "5" if near > far else "4"
         error = np.stack([answer[f"out_{axis}{right}"] for axis in "xyz"]) - truth.fk3(*exact, 40, 40)
-        assert np.linalg.norm(error, axis=0).max() <= paper_forward(p, 3, 40, 40)
+        assert np.linalg.norm(error, axis=0).max() <= paper.forward(p, 3, 40, 40)
         assert np.all(answer["out_status"] == OVERFLOW)

@@ -15,7 +15,7 @@ P = {"W": 16, "F": 8, "A": 16}
 def test_the_law_of_fk1_is_the_promise_at_every_parameter():
     """The figures of the page, over all that the cores accept; fewer angles are some of these."""
     for length, promise in ((lambda w: 1 << w - 2, 1.6), (lambda w: (1 << w) - 3, 2.01)):
-        laws = [bounds.classic_fk1({"W": w, "A": w + 3}, length(w)) for w in range(8, 17)]
+        laws = [bounds.classic.fk1({"W": w, "A": w + 3}, length(w)) for w in range(8, 17)]
         assert promise - 0.03 < max(laws) <= promise
 
 
@@ -33,7 +33,7 @@ def test_fk1_at_every_width(w):
                              np.abs(out["out_y"] - np.clip(tip.imag, -half, half - 1)))
             inside = np.maximum(np.abs(tip.real), np.abs(tip.imag)) < half - 1
             apart = np.abs(out["out_x"] + 1j * out["out_y"] - tip)[inside].max(initial=0)
-            assert 0.5 < max(off.max(), apart) <= bounds.classic_fk1(p, length)
+            assert 0.5 < max(off.max(), apart) <= bounds.classic.fk1(p, length)
 
 
 @pytest.mark.parametrize("length", [0, 1, 77, 1000, 8191, 16384, 32767, 65532])
@@ -45,12 +45,12 @@ def test_fk1_at_every_angle(length):
     x, y = length * np.cos(theta), length * np.sin(theta)
     clip = lambda v: np.clip(v, -32768, 32767)  # noqa: E731
     error = np.maximum(np.abs(out["out_x"] - clip(x)), np.abs(out["out_y"] - clip(y)))
-    assert error.max() <= bounds.classic_fk1(P, length)
+    assert error.max() <= bounds.classic.fk1(P, length)
     assert (length == 0) or error.max() > 0.5
     inside = (np.abs(x) < 32767) & (np.abs(y) < 32767)
-    assert np.hypot(out["out_x"] - x, out["out_y"] - y)[inside].max(initial=0) <= bounds.classic_fk1(P, length)
+    assert np.hypot(out["out_x"] - x, out["out_y"] - y)[inside].max(initial=0) <= bounds.classic.fk1(P, length)
     beyond = np.max([x - 32767.5, y - 32767.5, -32768.5 - x, -32768.5 - y], axis=0)  # of the last word's cell
-    told = np.abs(beyond) > bounds.classic_fk1(P, length) - 0.5
+    told = np.abs(beyond) > bounds.classic.fk1(P, length) - 0.5
     assert np.array_equal(out["out_status"][told], np.where(beyond > 0, cordic.OVERFLOW, 0)[told])
 
 
@@ -78,7 +78,7 @@ def test_fk2_and_fk3(p, l1, l2):
     two = classic.fk2(p, in_j1=words[0], in_j2=words[1], **cfg)
     three = classic.fk3(p, in_j1=words[0], in_j2=words[1], in_j3=words[2], **cfg)
     for joints, out, tip in ((2, two, (rho, z)), (3, three, (rho * np.cos(t3), rho * np.sin(t3), z))):
-        bound = bounds.classic_chain(p, joints, l1, l2)
+        bound = bounds.classic.chain(p, joints, l1, l2)
         answer = np.stack([out[f"out_{axis}"] for axis in "xyz"[:joints]])
         error = np.abs(answer - np.clip(tip, -full, full - 1))
         assert 0.5 < error.max() <= bound
@@ -96,7 +96,7 @@ def test_ik1():
     x, y = x[(x != 0) | (y != 0)], y[(x != 0) | (y != 0)]
     off = classic.ik1(P, in_x=x, in_y=y)["out_j1"] - np.arctan2(y, x) * 65536 / (2 * math.pi)
     off = np.abs((off + 32768) % 65536 - 32768)
-    fixed, slope = bounds.cordic_angle(P, classic.AIM_GUARD, False)
+    fixed, slope = bounds.cordic.angle(P, classic.AIM_GUARD, False)
     assert fixed < 1.0
     assert np.all(off <= fixed + slope / np.hypot(x, y))
 
@@ -149,14 +149,14 @@ def test_ik2_and_ik3(p, l1, l2):
         tip = np.stack((truth.fk2 if joints == 2 else truth.fk3)(*angles, l1, l2))
         length = np.linalg.norm(target, axis=0)
         error = np.linalg.norm(tip - target * (np.clip(length, near, far) / length), axis=0)
-        law = bounds.classic_ik(p, joints, l1, l2, length)
+        law = bounds.classic.ik(p, joints, l1, l2, length)
         assert np.all(error <= law)
         if p["A"] == 16 and far <= full // 2 and max(l1, l2) < 4 * min(l1, l2):
             assert error[(length >= near) & (length <= far)].max() <= 2.0
         assert np.array_equal(out["out_status"] & 1, (length > far) | (length < near))
         signed = wrap(out["out_j2"], p["A"])
         aside = np.minimum(np.abs(signed), (1 << p["A"] - 1) - np.abs(signed))  # from straight and from folded
-        assert np.all((signed < 0) == bend, where=aside > bounds.classic_elbow(p, joints, l1, l2))
+        assert np.all((signed < 0) == bend, where=aside > bounds.classic.elbow(p, joints, l1, l2))
 
 
 def test_ik_at_the_singular_points():

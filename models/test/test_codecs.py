@@ -243,7 +243,7 @@ def test_there_and_back(s, u):
     back = codecs.vector_to_spread({"W": u + 2, "S": s}, in_c=c, in_n=n)["out_j"]
     size = 4 << s
     away = np.abs((back - word + size // 2) % size - size // 2)
-    assert (away <= bounds.vector_to_spread(s, u, theta) + 1e-6).all()
+    assert (away <= bounds.codec.vector_to_spread(s, u, theta) + 1e-6).all()
 
 
 def test_no_direction_holds_the_last_word():

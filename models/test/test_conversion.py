@@ -6,10 +6,10 @@ from quadrance import bounds, codecs, conversion, cores, truth
 from quadrance.cores import Core, joints
 
 CODECS = [core for core in cores.all_cores() if core.model_name.startswith("conversion.")]
-TO_VECTOR = {"angle_to_vector": bounds.angle_to_vector, "spread_to_vector": bounds.spread_to_vector,
-             "half_tangent_to_vector": bounds.half_tangent_to_vector}
-FROM_VECTOR = {"vector_to_angle": bounds.vector_to_angle, "vector_to_spread": bounds.unit_to_spread,
-               "vector_to_half_tangent": bounds.vector_to_half_tangent}
+TO_VECTOR = {"angle_to_vector": bounds.codec.angle_to_vector, "spread_to_vector": bounds.codec.spread_to_vector,
+             "half_tangent_to_vector": bounds.codec.half_tangent_to_vector}
+FROM_VECTOR = {"vector_to_angle": bounds.codec.vector_to_angle, "vector_to_spread": bounds.codec.unit_to_spread,
+               "vector_to_half_tangent": bounds.codec.vector_to_half_tangent}
 
 
 def some(names):
@@ -108,7 +108,7 @@ def test_angle_to_spread(core):
     words = every_word(joint)
     theta = codecs.decode(joint, words)
     answer = core.model(core.params, **words)
-    error, bound = off(core, answer, theta), bounds.angle_to_spread(core.params, theta)
+    error, bound = off(core, answer, theta), bounds.codec.angle_to_spread(core.params, theta)
     assert np.all(error <= bound + 1e-6) and (error / bound).max() > 0.7
     axes = core.model(core.params, in_j=np.arange(4) * codecs.quadrant(joint))["out_j"]
     assert axes.tolist() == [k << core.params["S"] for k in range(4)]
@@ -125,13 +125,13 @@ def test_one_newton_step(core):
     length = np.hypot(c, n) / 2.0**u
     answer = core.model(core.params, in_c=c, in_n=n)
     assert not answer["out_status"].any()
-    factor, bound = (3 - length**2) / 2, bounds.vector_normalise(length)
+    factor, bound = (3 - length**2) / 2, bounds.codec.vector_normalise(length)
     error = np.maximum(np.abs(answer["out_c"] - c * factor), np.abs(answer["out_n"] - n * factor))
     assert np.all(error <= bound) and (error / bound).max() > 0.8
     after = np.hypot(answer["out_c"], answer["out_n"]) / 2.0**u
-    assert np.all(np.abs(after - bounds.normalised(length)) <= np.sqrt(2) * bound / 2**u)
+    assert np.all(np.abs(after - bounds.codec.normalised(length)) <= np.sqrt(2) * bound / 2**u)
     e = 0.02
-    assert bounds.normalised(1 + e) == pytest.approx(1 - 1.5 * e * e - 0.5 * e**3, abs=1e-12)
+    assert bounds.codec.normalised(1 + e) == pytest.approx(1 - 1.5 * e * e - 0.5 * e**3, abs=1e-12)
 
 
 @some(["vector_normalise"])

@@ -188,7 +188,7 @@ def test_one_pass_is_the_closed_form(core: cores.Core, elbow: int) -> None:
     inside = (np.abs(c2) < 1) & (answer["out_status"] == 0)
     assert inside.mean() > 0.98 and not (answer["out_status"] & 6).any()
     assert np.all(np.sin(found[:, 1]) * (1 - 2 * elbow) >= -1e-3) and np.all(orientation(p, answer) == phi)
-    share = off[inside] / bounds.table_ik3r(p, *links.tolist(), rho[inside], np.sqrt(1 - c2[inside] ** 2))
+    share = off[inside] / bounds.table.ik3r(p, *links.tolist(), rho[inside], np.sqrt(1 - c2[inside] ** 2))
     assert 0.2 < share.max() <= 1
 
 

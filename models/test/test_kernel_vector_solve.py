@@ -55,15 +55,15 @@ def test_ik2_puts_the_tip_within_its_bound(p: dict[str, int], l1: int, l2: int) 
     assert not out["out_status"].any()  # nothing in reach is flagged, borders included
     tip = _tip(p, out, l1, l2)
     error = np.hypot(tip[0] - x, tip[1] - y)
-    assert np.all(error <= bounds.vector_ik2(p, l1, l2, rho, n2))
+    assert np.all(error <= bounds.vector.ik2(p, l1, l2, rho, n2))
     if p["W"] == 16 and l1 + l2 <= 16384:  # 64 units of Q7.8
         assert np.max(error[rho >= 256], initial=0) <= 0.6
     assert np.all(out["out_n2"] * (1 - 2 * elbow) >= 0)  # the elbow asked for
     length2 = np.hypot(out["out_c2"], out["out_n2"]) - (1 << p["U"])
     assert np.max(np.abs(length2)[n2 > 2**-6], initial=0) <= 1.5
-    far = (rho * 2.0 ** (16 - p["W"])) ** 2 > 4 * bounds._vector_quadrance(p, l1, l2, n2) + 4
+    far = (rho * 2.0 ** (16 - p["W"])) ** 2 > 4 * bounds.vector.quadrance(p, l1, l2, n2) + 4
     length1 = np.abs(np.hypot(out["out_c1"], out["out_n1"]) - (1 << p["U"]))
-    assert np.all(length1[far] <= bounds.vector_ik2_length(p, l1, l2, rho, n2)[far])
+    assert np.all(length1[far] <= bounds.vector.ik2_length(p, l1, l2, rho, n2)[far])
 
 
 def test_ik2_keeps_joint_1_a_unit_vector() -> None:
@@ -85,7 +85,7 @@ def test_ik2_out_of_reach_answers_the_nearest_point(p: dict[str, int], l1: int, 
     turn = rng.uniform(-np.pi, np.pi, 10_000)
     x[:10_000] = np.clip(np.rint(hole * np.cos(turn)), -high, high - 1)
     y[:10_000] = np.clip(np.rint(hole * np.sin(turn)), -high, high - 1)
-    q, edge = x * x + y * y, bounds.vector_gap(p, l1, l2) / 4 ** (16 - p["W"])
+    q, edge = x * x + y * y, bounds.vector.gap(p, l1, l2) / 4 ** (16 - p["W"])
     far, near = q > (l1 + l2) ** 2 + edge, q < (l1 - l2) ** 2 - edge
     out = _answer(p, l1, l2, x, y, elbow)
     assert np.all(out["out_status"][far | near] & 1)
@@ -96,7 +96,7 @@ def test_ik2_out_of_reach_answers_the_nearest_point(p: dict[str, int], l1: int, 
     nearest = np.where(near, abs(l1 - l2), l1 + l2)[keep] / np.sqrt(q[keep])
     tip = [part[keep] for part in _tip(p, out, l1, l2)]
     error = np.hypot(tip[0] - x[keep] * nearest, tip[1] - y[keep] * nearest)
-    assert np.max(error, initial=0) <= bounds.VECTOR_NEAREST * (l1 + l2) / 2 ** p["U"]
+    assert np.max(error, initial=0) <= bounds.vector.NEAREST * (l1 + l2) / 2 ** p["U"]
 
 
 @pytest.mark.parametrize(("l1", "l2"), [(0, 0), (0, 8192), (8192, 0), (65535, 0), (65535, 1), (1, 65535)])
@@ -168,13 +168,13 @@ def test_ik3_puts_the_tip_within_its_bound(p: dict[str, int], l1: int, l2: int) 
     keep = (q > 0) & (q <= (l1 + l2) ** 2) & (q >= (l1 - l2) ** 2) & (target[:2] != 0).any(axis=0)
     target, elbow, q = target[:, keep], elbow[keep], q[keep]
     out, long = _answer3(p, l1, l2, target, elbow), np.sqrt(q)
-    missed, mistaken = bounds.vector_reach(p, l1, l2, target)
+    missed, mistaken = bounds.vector.reach(p, l1, l2, target)
     edge = (q > (l1 + l2) ** 2 - mistaken) | (q < (l1 - l2) ** 2 + mistaken)
     assert not out["out_status"][~edge].any()
     n2 = np.sqrt(((l1 + l2) ** 2 - q) * (q - (l1 - l2) ** 2.0)) / max(2 * l1 * l2, 1)
     error = np.linalg.norm(_tip3(p, out, l1, l2) - target, axis=0)
     answered = out["out_status"] == 0
-    assert np.all((error <= bounds.vector_ik3(p, l1, l2, target, n2))[answered])
+    assert np.all((error <= bounds.vector.ik3(p, l1, l2, target, n2))[answered])
     if p["W"] == 16 and l1 + l2 <= 16384:  # 64 units of Q7.8, rounding of the six words included
         assert np.max(error[long >= 256], initial=0) <= 0.75
     assert np.all(out["out_n2"] * (1 - 2 * elbow) >= 0)
@@ -190,7 +190,7 @@ def test_ik3_far_and_near_are_flagged_in_space() -> None:
     target, elbow = rng.integers(-32768, 32768, (3, 60_000)), rng.integers(0, 2, 60_000)
     target[:, :20_000] >>= rng.integers(1, 16, 20_000)
     for l1, l2 in ((8192, 8192), (12000, 4384), (4384, 12000), (300, 200)):
-        q, (missed, mistaken) = (target * target).sum(axis=0), bounds.vector_reach(P, l1, l2, target)
+        q, (missed, mistaken) = (target * target).sum(axis=0), bounds.vector.reach(P, l1, l2, target)
         far, near = (l1 + l2) ** 2, (l1 - l2) ** 2
         flag = _answer3(P, l1, l2, target, elbow)["out_status"] & 1 > 0
         assert np.all(flag[(q > far + missed) | (q < near - missed)])
@@ -215,7 +215,7 @@ def test_rho_and_the_yaw_are_within_their_bounds() -> None:
     target = target[:, (target != 0).any(axis=0)]
     exact = np.hypot(*target)
     b, a, r, rho = kernel_vector_solve.yaw(*target)
-    assert np.all(np.abs(rho / 16 - exact) <= bounds.vector_rho(P, target))
-    c3, n3, (length, turned) = b * r / 2**49, a * r / 2**49, bounds._vector_yaw(exact)
+    assert np.all(np.abs(rho / 16 - exact) <= bounds.vector.radius(P, target))
+    c3, n3, (length, turned) = b * r / 2**49, a * r / 2**49, bounds.vector.yaw(exact)
     assert np.all(np.abs(np.hypot(c3, n3) - 1) <= length)
     assert np.all(np.abs(target[0] * n3 - target[1] * c3) / exact <= turned)

@@ -1,4 +1,4 @@
-"""The paper family against the float64 truth: bounds of rtl/paper/README.md, borders, holds, saturation."""
+"""The paper family against the float64 truth: bounds of rtl/paper/README.md, borders, holds, saturation, any word."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from quadrance import bounds, codecs, paper, paper_printed, truth
 from quadrance.cores import Port
 
 SETS = [{"W": 16, "F": 8, "S": s} for s in (8, 24)]
-OVERFLOW, SINGULAR = 4, 2
+UNREACHABLE, SINGULAR, OVERFLOW = 1, 2, 4
 
 
 def words(p: dict[str, int], rng: np.random.Generator, count: int) -> np.ndarray:
@@ -119,7 +119,7 @@ def test_forward_within_the_bound_in_every_cell(p, l1, l2):
                           (paper.fk3(p, in_j1=joints[0], in_j2=joints[1], in_j3=joints[2], **cfg),
                            truth.fk3(*angles, *links))):
         error = np.sqrt(sum((answer[f"out_{axis}"] - tip) ** 2 for axis, tip in zip("xyz", exact)))
-        assert np.max(error) <= bounds.paper_forward(p, len(exact), *links)
+        assert np.max(error) <= bounds.paper.forward(p, len(exact), *links)
         assert not np.any(answer["out_status"])
 
 
@@ -130,7 +130,7 @@ def test_forward_flags_a_tip_out_of_range(p):
     answer = paper.fk2(p, in_j1=j1, in_j2=j2, cfg_l1=100 << 8, cfg_l2=90 << 8)
     reach = np.hypot(*truth.fk2(*(truth.spread_word_to_angle(j, p["S"]) for j in (j1, j2)), 100, 90))
     flag = answer["out_status"] == OVERFLOW
-    band = bounds.paper_reach(p) / 256
+    band = bounds.paper.reach(p) / 256
     assert np.all(flag[reach > 128 + band]) and not np.any(flag[reach < 128 - 0.5 / 256 - band])
     assert np.all(np.abs(answer["out_x"][flag]) == 32767) and np.all(np.abs(answer["out_y"][flag]) == 32767)
     assert np.all(paper.fk2(p, in_j1=j1, in_j2=j2, cfg_l1=1 << 15, cfg_l2=0)["out_status"] == OVERFLOW)
@@ -171,7 +171,7 @@ def test_inverse_within_the_bound_both_elbows(p, l1, l2):
         defined = (answer["out_status"] & SINGULAR == 0) & np.all(np.isfinite(exact), axis=0)
         near = [in_cell(answer[f"out_j{i + 1}"], theta, p["S"]) for i, theta in enumerate(exact)]
         error = np.sqrt(sum((a - b) ** 2 for a, b in zip(forward(*near, *links), forward(*exact, *links))))
-        assert np.max(error[defined]) <= bounds.paper_inverse(p, len(exact), *links) and np.mean(defined) > 0.7
+        assert np.max(error[defined]) <= bounds.paper.inverse(p, len(exact), *links) and np.mean(defined) > 0.7
 
 
 @pytest.mark.parametrize("p", INVERSE, ids=lambda p: f"S{p['S']}")
@@ -193,7 +193,7 @@ def test_unreachable_is_the_nearest_point(p):
         assert np.all(answer["out_status"] == 1) and np.all(answer["out_j2"] == stretched << p["S"])
         exact = truth.ik2(x, y, l1, l2)[0]
         off = truth.difference(in_cell(answer["out_j1"], exact, p["S"]), exact)
-        assert np.max(np.abs(off)) <= bounds.paper_nearest(p, 2, 256 * radius)
+        assert np.max(np.abs(off)) <= bounds.paper.nearest(p, 2, 256 * radius)
     inside = paper.ik2(p, in_x=np.rint(256 * 4.9 * np.cos(turn)).astype(np.int64),
                        in_y=np.rint(256 * 4.9 * np.sin(turn)).astype(np.int64), in_elbow=0, cfg_l1=768, cfg_l2=512)
     assert not np.any(inside["out_status"])
@@ -210,3 +210,84 @@ def test_inverse_holds_what_is_undefined(p):
     assert flat["out_status"].tolist() == [SINGULAR, 0, SINGULAR] and flat["out_j1"][0] == 0
     assert flat["out_j1"][2] == flat["out_j1"][1]
     assert np.all(paper.ik2(p, in_x=x, in_y=y, in_elbow=0, cfg_l1=1 << 15, cfg_l2=1)["out_status"] & OVERFLOW)
+
+
+# In the hole the answer is the nearest point
+
+HOLE = {"S8": {"W": 16, "F": 8, "S": 8, "R": 4}, "S24": {"W": 16, "F": 8, "S": 24, "R": 3}}
+
+
+def test_a_target_in_the_hole_turns_joint_one_to_it():
+    answer = paper.ik2(HOLE["S24"], in_x=np.array([300]), in_y=np.array([100]), in_elbow=0, cfg_l1=4384, cfg_l2=12000)
+    assert answer["out_status"].tolist() == [UNREACHABLE] and answer["out_j2"].tolist() == [2 << 24]
+    assert abs(int(answer["out_j1"][0]) - 35232154) <= 1  # half a turn past the target: link 2 is the longer one
+
+
+@pytest.mark.parametrize("l1, l2", [(4384, 12000), (12000, 4384), (0, 5000), (700, 30000), (16000, 15000)])
+@pytest.mark.parametrize("p", HOLE.values(), ids=HOLE)
+def test_the_hole_is_answered_by_its_nearest_point(p, l1, l2):
+    rng = np.random.default_rng(6)
+    hole, turn = abs(l1 - l2), rng.uniform(-np.pi, np.pi, 20_000)
+    radius = np.maximum(1, (hole - 2) * 2.0 ** -rng.uniform(0, 12, turn.size))
+    x, y = (np.rint(radius * f(turn)).astype(np.int64) for f in (np.cos, np.sin))
+    answer = paper.ik2(p, in_x=x, in_y=y, in_elbow=rng.integers(0, 2, x.size), cfg_l1=l1, cfg_l2=l2)
+    defined = answer["out_status"] & 2 == 0
+    assert np.all(answer["out_status"] & UNREACHABLE) and np.mean(defined) > 0.3
+    assert np.all(answer["out_j2"] == 2 << p["S"])
+    exact = np.arctan2(y, x) + (np.pi if l2 > l1 else 0)
+    off = np.mod(truth.angle_to_spread(exact, p["S"]) - answer["out_j1"] + (2 << p["S"]), 4 << p["S"]) - (2 << p["S"])
+    near = truth.spread_word_to_angle(answer["out_j1"] + np.clip(off, -0.5, 0.5), p["S"])
+    error = hole * 2 * np.abs(np.sin((near - exact) / 2))
+    digits, root, lost = (12, 12, 2.0**-8) if p["S"] == 8 else (27, 26, 0.0)
+    # README's law: sa truncated and its root; and quadrances truncated by `lost` units^2, seen from the target
+    reached = hole / 256 * (2 * 2.0 ** (-digits / 2) + np.sqrt(3) * 2.0 ** (-root / 2))
+    blurred = 2 * hole / np.maximum(np.hypot(x, y), 1) * np.sqrt(lost)
+    assert np.all((error <= 256 * (reached + blurred) + 1e-6)[defined])
+
+
+# The laws of the inverse cores at every word: any S, W and F, short and unequal links, the hole
+
+WORDS = [{"W": w, "F": f, "S": s, "R": r} for w, f, s, r in (
+    (16, 8, 8, 4), (16, 8, 16, 4), (16, 8, 24, 3), (12, 6, 16, 3), (18, 10, 16, 3), (24, 11, 24, 3))]
+SHORT = [(0.5, 0.5), (0.45, 0.3), (0.05, 0.9), (0.002, 0.002), (1 / 32768, 0.3), (0.3, 1 / 32768)]
+EACH = pytest.mark.parametrize("p", WORDS, ids=lambda p: f"W{p['W']}F{p['F']}S{p['S']}")
+
+
+def _lattice(joints: int, l1: int, l2: int, full: int) -> tuple[np.ndarray, ...]:
+    """Targets (joints, N): anywhere in reach, crowded at both circles, in the hole to its middle, beyond; the elbow."""
+    rng, n = np.random.default_rng(5), 1500
+    near, far = abs(l1 - l2), l1 + l2
+    crowd = (far - near) * 2.0 ** -rng.uniform(0, 24, n)
+    r = np.concatenate([rng.uniform(near, far, n), near + crowd, far - crowd, near * 2.0 ** -rng.uniform(0, 24, n),
+                        rng.uniform(far, 2 * far, n // 4)])
+    way = rng.normal(size=(joints, r.size))
+    way[:, ::3] *= 2.0 ** -rng.integers(0, 18, way[:, ::3].shape)  # close to axes and planes
+    target = np.clip(np.rint(r * way / np.linalg.norm(way, axis=0)), -full, full - 1).astype(np.int64)
+    return target, rng.integers(0, 2, r.size)
+
+
+@EACH
+@pytest.mark.parametrize("joints", [2, 3])
+@pytest.mark.parametrize("share", SHORT, ids=str)
+def test_the_tip_in_reach_and_the_nearest_point_beyond(p, joints, share):
+    full = 1 << p["W"] - 1
+    l1, l2 = (max(round(full * part), 1) for part in share)
+    target, elbow = _lattice(joints, l1, l2, full)
+    model, inverse, forward = ((paper.ik2, truth.ik2, truth.fk2), (paper.ik3, truth.ik3, truth.fk3))[joints - 2]
+    out = model(p, **dict(zip(("in_x", "in_y", "in_z"), target)), in_elbow=elbow, cfg_l1=l1, cfg_l2=l2)
+    exact = np.nan_to_num(inverse(*target, l1, l2, elbow))
+    joint = (Port("j", p["S"] + 2, False, "spread"),)
+    near = [codecs.within_cell(joint, {"j": out[f"out_j{i}"]}, theta) for i, theta in enumerate(exact, 1)]
+    tip = np.stack(forward(*near, l1, l2))
+    r = np.sqrt((target.astype(float) ** 2).sum(axis=0))
+    defined = out["out_status"] & SINGULAR == 0
+    inside = defined & (r >= abs(l1 - l2)) & (r <= l1 + l2) & (out["out_status"] == 0)
+    error = np.linalg.norm(tip - target, axis=0)
+    assert np.max(error[inside], initial=0) <= bounds.paper.inverse(p, joints, l1, l2)
+    beyond = defined & ((r < abs(l1 - l2)) | (r > l1 + l2)) & (out["out_status"] & UNREACHABLE > 0)
+    plane = target if joints == 2 else np.stack([np.hypot(*target[:2]), target[2]])
+    theta = np.arctan2(plane[1], plane[0]) + np.where((r < abs(l1 - l2)) & (l2 > l1), np.pi, 0)
+    off = np.abs(truth.difference(codecs.within_cell(joint, {"j": out["out_j1"]}, theta), theta))
+    assert np.all((off <= bounds.paper.nearest(p, joints, r))[beyond])
+    if p["S"] == 24 or p["S"] == 2 * p["F"]:
+        assert beyond.sum() > 250 or share[0] == share[1] or min(share) < 1e-4

@@ -1,4 +1,6 @@
-"""rational_* models against float64: derived error bounds, borders, symmetries, status."""
+"""rational_* models against float64, one joint and forward: derived error bounds, borders, symmetries, status."""
+
+from __future__ import annotations
 
 import numpy as np
 import pytest
@@ -33,7 +35,7 @@ def test_fk1_error(s, length):
     answer = rational.fk1(ONE | {"S": s}, in_j1=word, cfg_l1=length)
     x, y = truth.fk1(truth.spread_word_to_angle(word, s), length)
     dx, dy = answer["out_x"] - x, answer["out_y"] - y
-    assert max(np.abs(dx).max(), np.abs(dy).max()) <= bounds.rational_fk1(length)
+    assert max(np.abs(dx).max(), np.abs(dy).max()) <= bounds.rational.fk1(length)
     assert np.hypot(dx, dy).max() <= 1.0
     assert not answer["out_status"].any()
 
@@ -71,7 +73,7 @@ def test_fk1_saturates_with_a_flag():
     word = _words(24)
     answer = rational.fk1(ONE, in_j1=word, cfg_l1=65535)
     x, y = truth.fk1(truth.spread_word_to_angle(word, 24), 65535)
-    away = bounds.rational_fk1(65535)
+    away = bounds.rational.fk1(65535)
     for port, exact in (("out_x", x), ("out_y", y)):
         assert (np.abs(answer[port] - np.clip(exact, -32768, 32767)) <= away).all()
     outside = np.maximum.reduce([x - 32767, -32768 - x, y - 32767, -32768 - y])
@@ -95,7 +97,7 @@ def test_ik1_error(s):
     keep = (x != 0) | (y != 0)
     x, y = x[keep], y[keep]
     word = rational.ik1(ONE | {"S": s}, in_x=x, in_y=y)["out_j1"]
-    assert _cell_error(x, y, word, s).max() <= bounds.RATIONAL_DIRECTION
+    assert _cell_error(x, y, word, s).max() <= bounds.rational.DIRECTION
 
 
 def test_ik1_error_of_every_short_point():
@@ -103,7 +105,7 @@ def test_ik1_error_of_every_short_point():
     answer = rational.ik1({"W": 8, "F": 4, "S": 24}, in_x=x, in_y=y)
     zero = (x == 0) & (y == 0)
     assert (answer["out_status"] == np.where(zero, 2, 0)).all()
-    assert _cell_error(x[~zero], y[~zero], answer["out_j1"][~zero], 24).max() <= bounds.RATIONAL_DIRECTION
+    assert _cell_error(x[~zero], y[~zero], answer["out_j1"][~zero], 24).max() <= bounds.rational.DIRECTION
 
 
 def test_ik1_error_first_words_past_the_borders():
@@ -111,7 +113,7 @@ def test_ik1_error_first_words_past_the_borders():
     m, long = (grid.ravel() for grid in np.meshgrid(np.arange(-40, 41), np.arange(8192, 32768, 7)))
     for x, y in ((long, m), (m, long), (-long, m), (m, -long)):
         word = rational.ik1(ONE, in_x=x, in_y=y)["out_j1"]
-        assert _cell_error(x, y, word, 24).max() <= bounds.RATIONAL_DIRECTION
+        assert _cell_error(x, y, word, 24).max() <= bounds.rational.DIRECTION
 
 
 def test_ik1_is_exact_on_every_axis():
@@ -141,4 +143,64 @@ def test_one_joint_there_and_back(length):
     tip = rational.fk1(ONE, in_j1=word, cfg_l1=length)
     back = rational.ik1(ONE, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
     turned = _cell_error(*truth.fk1(truth.spread_word_to_angle(word, 24), length), back, 24)
-    assert turned.max() <= 1.0 / (length - 1) + bounds.RATIONAL_DIRECTION
+    assert turned.max() <= 1.0 / (length - 1) + bounds.rational.DIRECTION
+
+
+# Two and three joints
+
+ARM = {"W": 16, "F": 8, "S": 24, "U": 16}
+FINE = {"W": 16, "F": 8, "S": 28, "U": 17}
+LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16384, 0), (0, 16384), (768, 512), (1, 1)]
+
+
+def _angles(rng: np.random.Generator, s: int, count: int) -> np.ndarray:
+    """Uniform words, and words about every quadrant border at every scale of the spread."""
+    words = rng.integers(0, 4 << s, count)
+    near = rng.integers(0, 1 << s, count // 2) >> rng.integers(0, s, count // 2)
+    words[::2] = (rng.integers(0, 4, count // 2) << s) + rng.choice([-1, 1], count // 2) * near
+    return words & (4 << s) - 1
+
+
+@pytest.mark.parametrize("p", [ARM, FINE], ids=["S24", "S28U17"])
+def test_roots_are_within_their_bound_in_every_quadrant(p: dict[str, int]) -> None:
+    borders = (np.arange(4)[:, None] * (1 << p["S"]) + np.arange(-4096, 4096)).ravel() & (4 << p["S"]) - 1
+    words = np.append(_angles(np.random.default_rng(1), p["S"], 200_000), borders)
+    theta = truth.spread_word_to_angle(words, p["S"])
+    for root, exact in zip(codecs.spread_chords(p, words), truth.unit(theta)):
+        assert np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"] <= bounds.codec.spread_chord(p["U"])
+
+
+@pytest.mark.parametrize(("l1", "l2"), LINKS)
+def test_fk2_is_within_its_bound(l1: int, l2: int) -> None:
+    rng = np.random.default_rng(2)
+    j1, j2 = _angles(rng, ARM["S"], 100_000), _angles(rng, ARM["S"], 100_000)
+    out = rational.fk2(ARM, in_j1=j1, in_j2=j2, cfg_l1=l1, cfg_l2=l2)
+    exact = truth.fk2(*(truth.spread_word_to_angle(j, ARM["S"]) for j in (j1, j2)), l1, l2)
+    error = [out[f"out_{axis}"] - value for axis, value in zip("xy", exact)]
+    assert np.max(np.abs(error)) <= min(bounds.rational.chain(ARM, 2, l1, l2), 0.85)
+    assert np.max(np.hypot(*error)) <= 1.02
+    assert not out["out_status"].any()
+
+
+@pytest.mark.parametrize(("l1", "l2"), LINKS)
+def test_fk3_is_within_its_bound(l1: int, l2: int) -> None:
+    rng = np.random.default_rng(3)
+    words = [_angles(rng, ARM["S"], 100_000) for _ in range(3)]
+    out = rational.fk3(ARM, in_j1=words[0], in_j2=words[1], in_j3=words[2], cfg_l1=l1, cfg_l2=l2)
+    exact = truth.fk3(*(truth.spread_word_to_angle(j, ARM["S"]) for j in words), l1, l2)
+    error = [out[f"out_{axis}"] - value for axis, value in zip("xyz", exact)]
+    assert np.max(np.abs(error)) <= min(bounds.rational.chain(ARM, 3, l1, l2), 1.0)
+    assert not out["out_status"].any()
+
+
+def test_overflow_is_flagged_exactly_where_a_coordinate_leaves_the_word() -> None:
+    rng = np.random.default_rng(4)
+    words = [_angles(rng, ARM["S"], 50_000) for _ in range(3)]
+    out = rational.fk3(ARM, in_j1=words[0], in_j2=words[1], in_j3=words[2], cfg_l1=40_000, cfg_l2=30_000)
+    exact = np.array(truth.fk3(*(truth.spread_word_to_angle(j, ARM["S"]) for j in words), 40_000, 30_000))
+    bound = bounds.rational.chain(ARM, 3, 40_000, 30_000)
+    beyond = np.max(np.maximum(exact - 32767.5, -32768.5 - exact), axis=0)  # what rounds to a word that is too long
+    told = np.abs(beyond) > bound - 0.5
+    assert np.array_equal((out["out_status"] == 4)[told], (beyond > 0)[told])
+    for axis, value in zip("xyz", exact):
+        assert np.max(np.abs(out[f"out_{axis}"] - np.clip(value, -32768, 32767))) <= bound

@@ -38,7 +38,7 @@ def test_sines_are_within_their_bound_and_never_step_back(p, joints):
     words = np.arange(1 << p["A"])
     for root, exact in zip(table._unit(p, joints, words), truth.unit(_angle(p, words))):
         error = np.abs(root / 2.0 ** (p["W"] + 1) - exact).max()
-        assert 0.5 * bounds.table_sine(p, joints) < error <= bounds.table_sine(p, joints)
+        assert 0.5 * bounds.table.sine(p, joints) < error <= bounds.table.sine(p, joints)
         assert (np.diff(root) * np.sign(np.diff(exact)) >= 0).all()
 
 
@@ -51,7 +51,7 @@ def test_fk1_error(p, share):
     exact = truth.fk1(_angle(p, words), length)
     high = 2 ** (p["W"] - 1)
     error = np.abs([answer[f"out_{axis}"] - np.clip(value, -high, high - 1) for axis, value in zip("xy", exact)])
-    assert 0.499 <= error.max() <= bounds.table_forward(p, 1, length, 0)
+    assert 0.499 <= error.max() <= bounds.table.forward(p, 1, length, 0)
     if share <= 1 and p["A"] >= p["W"]:
         assert error.max() <= 0.8 and np.hypot(*error).max() <= 1.0
     assert answer["out_status"].any() == (share == 2.0)  # 1.0 does not fit the word
@@ -68,7 +68,7 @@ def test_fk2_and_fk3_error(p, share, joints):
     answer = (table.fk2 if joints == 2 else table.fk3)(p, **words, cfg_l1=l1, cfg_l2=l2)
     exact = (truth.fk2 if joints == 2 else truth.fk3)(*(_angle(p, word) for word in words.values()), l1, l2)
     error = np.abs([answer[f"out_{axis}"] - value for axis, value in zip("xyz", exact)])
-    assert 0.5 < error.max() <= bounds.table_forward(p, joints, l1, l2)
+    assert 0.5 < error.max() <= bounds.table.forward(p, joints, l1, l2)
     assert error.max() <= 1.0
     assert not answer["out_status"].any()
 
@@ -131,7 +131,7 @@ def test_ik1_error(a):
     keep = (x != 0) | (y != 0)
     x, y = x[keep], y[keep]
     found = _cell_error(a, x, y, table.ik1(p, in_x=x, in_y=y)["out_j1"]).max()
-    assert found <= bounds.table_direction(p)
+    assert found <= bounds.table.direction(p)
     assert a < 18 or 0.2 < found * 2**14 < 0.42
 
 
@@ -141,7 +141,7 @@ def test_ik1_error_of_every_short_point(p):
     answer = table.ik1(p, in_x=x, in_y=y)
     zero = (x == 0) & (y == 0)
     assert (answer["out_status"] == np.where(zero, 2, 0)).all()
-    assert _cell_error(p["A"], x[~zero], y[~zero], answer["out_j1"][~zero]).max() <= bounds.table_direction(p)
+    assert _cell_error(p["A"], x[~zero], y[~zero], answer["out_j1"][~zero]).max() <= bounds.table.direction(p)
 
 
 def test_ik1_error_where_the_tangent_is_longest():
@@ -151,7 +151,7 @@ def test_ik1_error_where_the_tangent_is_longest():
     for x, y in ((m, long), (long, m), (-m, long), (long, -m), (m, -long), (-long, m), (-m, -long), (-long, -m)):
         x, y = np.clip(x, -32768, 32767), np.clip(y, -32768, 32767)
         word = table.ik1(DEFAULT, in_x=x, in_y=y)["out_j1"]
-        assert _cell_error(18, x, y, word).max() <= bounds.table_direction(DEFAULT)
+        assert _cell_error(18, x, y, word).max() <= bounds.table.direction(DEFAULT)
 
 
 def test_ik1_is_exact_on_every_axis():
@@ -173,7 +173,7 @@ def test_one_joint_there_and_back(length):
     tip = table.fk1(DEFAULT, in_j1=word, cfg_l1=length)
     back = table.ik1(DEFAULT, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
     turned = _cell_error(18, *truth.fk1(_angle(DEFAULT, word), length), back)
-    assert turned.max() <= 1.0 / (length - 1) + bounds.table_direction(DEFAULT)
+    assert turned.max() <= 1.0 / (length - 1) + bounds.table.direction(DEFAULT)
 
 
 # Inverse, two and three joints: as rtl/vector but for the codec; models/test/test_vector_solve.py has the kernel's law
@@ -192,7 +192,7 @@ def test_the_angle_of_a_vector(a):
         + rng.normal(size=100_000) * 1e-5
     c, n = (np.floor(part * 2**20).astype(np.int64) for part in truth.unit(theta))
     error = np.abs(truth.difference(codecs.angle_of_vector(a, c, n) * truth.TURN / 2**a, theta)) - np.pi / 2**a
-    assert 0.6 * bounds.angle_of_vector(a) < error.max() <= bounds.angle_of_vector(a)
+    assert 0.6 * bounds.codec.angle_of_vector(a) < error.max() <= bounds.codec.angle_of_vector(a)
 
 
 @pytest.mark.parametrize("a", [10, 18, 24])
@@ -203,7 +203,7 @@ def test_the_angle_of_a_vector_follows_every_cosine(a):
     word = codecs.angle_of_vector(a, c, n).astype(np.int64)
     exact = np.arccos(c / 2**20) * 2**a / truth.TURN
     inside = np.abs(c) < 1 << 20
-    assert np.all(np.abs(word - exact)[inside] <= 0.5 + bounds.angle_of_vector(a) * 2**a / truth.TURN + (
+    assert np.all(np.abs(word - exact)[inside] <= 0.5 + bounds.codec.angle_of_vector(a) * 2**a / truth.TURN + (
         2.0 ** (a - 20) / truth.TURN * 1.6))
     small = np.abs(c) < 3 << 18
     assert np.all(np.diff(word[small]) <= (1 if a > 20 else 0))
@@ -229,7 +229,7 @@ def test_inverse_puts_the_tip_within_its_bound(l1, l2, a, joints):
     theta = [_angle(p, out[f"out_j{joint + 1}"]) for joint in range(joints)]
     error = np.linalg.norm(np.stack(forward(*theta, l1, l2)) - target, axis=0)
     n2 = np.sqrt(((l1 + l2) ** 2 - q) * (q - (l1 - l2) ** 2.0)) / (2 * l1 * l2)
-    law = bounds.table_ik2(p, l1, l2, np.sqrt(q), n2) if joints == 2 else bounds.table_ik3(p, l1, l2, target, n2)
+    law = bounds.table.ik2(p, l1, l2, np.sqrt(q), n2) if joints == 2 else bounds.table.ik3(p, l1, l2, target, n2)
     answered = out["out_status"] == 0
     assert answered.mean() > 0.95 and np.all((error <= law)[answered])
     if l1 + l2 <= 16384 and a == 24:  # 64 units of Q7.8; of the words half a step is 0.002 LSB
@@ -245,4 +245,4 @@ def test_inverse_is_straight_or_folded_out_of_reach():
     assert out["out_status"].tolist() == [1, 1, 1, 1]
     assert out["out_j2"].tolist() == [0, 1 << 17, 0, 1 << 17]
     off = truth.difference(_angle(DEFAULT, out["out_j1"]), np.arctan2(y, x))
-    assert np.abs(off).max() <= np.pi / 2**18 + 2 * bounds.angle_of_vector(18)
+    assert np.abs(off).max() <= np.pi / 2**18 + 2 * bounds.codec.angle_of_vector(18)

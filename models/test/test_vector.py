@@ -78,7 +78,7 @@ def test_coordinates_are_within_their_bound(core):
         clear = np.all(np.abs(exact) < (1 << core.params["W"] - 1) - 2, axis=0)  # a rounded vector may be longer than 1
         assert not status[clear].any() and clear.mean() > 0.5
         error = np.abs(tip - exact)[:, clear]
-        assert error.max() <= bounds.vector_chain(count, 1 + off)
+        assert error.max() <= bounds.vector.chain(count, 1 + off)
         worst = max(worst, error.max())
     assert worst > 0.5
 
@@ -93,7 +93,7 @@ def test_the_tip_is_that_of_the_directions(core):
         theta = [codecs.decode(joint, inputs) for joint in joints(core.inputs)]
         exact = truth.fk1(*theta, l1) if count == 1 else (truth.fk2 if count == 2 else truth.fk3)(*theta, l1, l2)
         assert not status.any()
-        assert np.linalg.norm(tip - np.stack(exact), axis=0).max() <= bounds.vector_tip(core.params, count, l1, l2)
+        assert np.linalg.norm(tip - np.stack(exact), axis=0).max() <= bounds.vector.tip(core.params, count, l1, l2)
 
 
 @listed("fk2", "fk3")
@@ -109,7 +109,7 @@ def test_vectors_of_other_lengths_scale_the_tip(core):
         tip, status = run(core, inputs, l1, l2)
         exact = turned(core, inputs, l1, l2)
         error = np.abs(tip - np.clip(exact, -high, high - 1))[:, inside]
-        assert error.max() <= bounds.vector_chain(len(size), 2 * np.sqrt(2))
+        assert error.max() <= bounds.vector.chain(len(size), 2 * np.sqrt(2))
         sure = inside & np.all(np.abs(np.abs(exact) - high) > 2, axis=0)
         assert np.array_equal(status[sure] == 4, np.any((exact < -high) | (exact >= high), axis=0)[sure])
         seen += np.count_nonzero(status[sure])
@@ -143,7 +143,7 @@ def test_the_direction_is_exact_and_the_length_within_its_bound(core):
     x, y = x[(x != 0) | (y != 0)], y[(x != 0) | (y != 0)]
     answer = core.model(core.params, in_x=x, in_y=y)
     low, high = scales(core, x, y, answer)
-    tight, bound = 1e-9, bounds.vector_length()
+    tight, bound = 1e-9, bounds.vector.length()
     assert np.all(low <= high + tight)
     assert np.all(low <= 1 + bound + tight) and np.all(high >= 1 - bound - tight)
     theta = np.arctan2(y, x)
@@ -176,7 +176,7 @@ def test_reciprocal_root_at_every_word():
     """Within its share of the length's bound: all but what the squares lose."""
     q = np.arange(1 << 16, (1 << 19) + 2)
     relative = arith.reciprocal_root(q) / 2.0**19 * np.sqrt(q / 2.0**18) - 1
-    assert np.abs(relative).max() <= bounds.vector_length()
+    assert np.abs(relative).max() <= bounds.vector.length()
 
 
 @pytest.mark.parametrize("name", arms.known())
@@ -191,4 +191,4 @@ def test_one_joint_there_and_back(name):
     away = np.abs(np.hypot(x, y) - l1)
     off = np.hypot(*(tip - np.stack([x, y]))) - away
     assert not status.any()
-    assert off.max() <= np.sqrt(0.5) + l1 * (np.sqrt(0.5) * 2.0**-16 + bounds.vector_length())
+    assert off.max() <= np.sqrt(0.5) + l1 * (np.sqrt(0.5) * 2.0**-16 + bounds.vector.length())

@@ -4,7 +4,7 @@
 //   rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2), vector_ik2 on (rho - a, z - base)
 // Formats: in_*, cfg_base, cfg_lateral s(W-F).F; cfg_shoulder s(W-F-2).F; out_c*, out_n* s2.U, rounded to nearest;
 // other cfg_* by arm.config. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE.
-// Error of the tip in reach: bounds.arm.arm_ik3, that of vector_ik2 plus 2 d, d = 3/32 LSB + 2^-16 rho, plus (|rho| +
+// Error of the tip in reach: bounds.arm.ik3, that of vector_ik2 plus 2 d, d = 3/32 LSB + 2^-16 rho, plus (|rho| +
 // L1 + L2)(2^-U sqrt(1/2) + 2^-18), plus 2^-U sqrt(5) L2 each for ELBOW and ABSOLUTE.
 // Status: unreachable (the nearest point in the plane of the arm is answered), singular (joint 1 or 3 has no direction
 // and holds its last word, (1, 0) after a reset), overflow (z - base was saturated).

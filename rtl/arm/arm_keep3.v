@@ -3,7 +3,7 @@
 // then arm_choose. It prefers, in this order, a branch within the joint limits, one in reach, and the one nearest to
 // the last answer. Formats: those of arm_ik3; cfg_mc*, cfg_mn* s2.U the middle of a joint's range and cfg_h* s2.U the
 // cosine of half the range (arm_keep.limit). out_elbow and out_back are the chosen branch.
-// Error of the tip: bounds.arm.arm_ik3. Latency and II: 106 + 20 LATERAL + 8 ABSOLUTE.
+// Error of the tip: bounds.arm.ik3. Latency and II: 106 + 20 LATERAL + 8 ABSOLUTE.
 // Status: unreachable (the nearest point in the plane of the arm is answered), singular (a joint without a direction
 // takes its word from the last answer), overflow (z - base was saturated). out_beyond: no branch is within the limits;
 // the answer is not remembered.

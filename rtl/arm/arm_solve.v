@@ -5,7 +5,7 @@
 // Formats: in_* s16.0; cfg_* by arm.config; out_word s4.20, in clocks of out_cos[i] the cosine and of out_sin[i] the
 // sine of joint i + 1, half a unit of U bits added; out_flat: c2 is 1, or -1 with out_negative; out_none: the joint has
 // no direction; out_to_c, out_to_n, out_by1 turn joint 2 in arm_vectors.
-// Error of the tip: bounds.arm.arm_ik3. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE. Status: unreachable (the nearest
+// Error of the tip: bounds.arm.ik3. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE. Status: unreachable (the nearest
 // point in the plane of the arm is answered), singular (joint 1 or 3 has no direction), overflow (z - base was
 // saturated).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form, with the offsets of real arms. Model: arm.ik3

@@ -4,7 +4,7 @@
 // Formats: in_j1 uA, 2^A to the turn; out_x, out_y s(W-F).F, nearest, saturated;
 //   cfg_c1 = floor(L1 * 0.607252935 * 2^4), L1 u(W-F).F: it takes out the gain.
 // It starts in the middle of the quadrant, so that the signs of the start word replace the first micro-rotation.
-// Error: the tip is within 1.6 LSB up to L1 = 2^(W-2), within 2.01 at any length (bounds.classic_fk1).
+// Error: the tip is within 1.6 LSB up to L1 = 2^(W-2), within 2.01 at any length (bounds.classic.fk1).
 // Latency and II: 15 at W = 16 in MODE 0, 1 in MODE 1.
 // Status: overflow. Paper: the parallel CORDIC of its tables III and IV. Model: classic.fk1
 `default_nettype none

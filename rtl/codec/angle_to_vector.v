@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Unit vector of a binary angle: c = cos j, n = sin j, by one sine table and one multiplier.
 // Formats: in_j angle of A bits; out_c, out_n s2.U (1.0 is 2^U), rounded to nearest; exact on the axes.
-// Error of a coordinate: 0.83 * 2^-U, half a unit of rounding included (bounds.angle_to_vector).
+// Error of a coordinate: 0.83 * 2^-U, half a unit of rounding included (bounds.codec.angle_to_vector).
 // Latency 2, II 2: the cosine, then the sine of the accepted word.
 // Status: none. Source: the definition; sine table with linear interpolation. Model: conversion.angle_to_vector
 `default_nettype none

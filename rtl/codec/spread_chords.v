@@ -5,7 +5,7 @@
 // complement of f with ones below. The minor root has ranges of v with tops 2^-1, 2^-5, 2^-9, 2^-15, 2^-21, powers of 4
 // apart: one table of 512 segments serves all, and spread_minor shifts the root. In the last range every word is a
 // knot.
-// Error of a completed root: 0.83 * 2^-U at U = 16, of which half the sag is 0.18 (bounds.spread_chord).
+// Error of a completed root: 0.83 * 2^-U at U = 16, of which half the sag is 0.18 (bounds.codec.spread_chord).
 // Latency CLOCKS, II 1. Source: paper, eqs. 51 and 52; tables with linear interpolation. Model: codecs.spread_chords
 `default_nettype none
 module spread_chords #(

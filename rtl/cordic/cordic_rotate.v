@@ -2,7 +2,7 @@
 // Rotates a vector by a binary angle, full circle, gain compensated: a micro-rotation a clock, or a rotation a clock.
 //   out_x + j out_y = (in_x + j in_y) * exp(2 pi j in_angle / 2^A), rounded to nearest, saturated
 // Formats: in_angle uA, 2^A to the turn; in_x, in_y, out_x, out_y sW, any fraction.
-// Error: at most 1.55 LSB each at every W and A (bounds.cordic_rotate).
+// Error: at most 1.55 LSB each at every W and A (bounds.cordic.rotate).
 // Latency: at W = 16 21 clocks in MODE 0 (6 for the gain, 8 micro-rotations, 5 digits, 1 to round) and 20 in MODE 1.
 // II: the latency in MODE 0, 1 in MODE 1, whose pipeline moves as a whole.
 // Status: overflow. Model: cordic.rotate

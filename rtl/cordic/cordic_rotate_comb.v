@@ -2,7 +2,7 @@
 // This core rotates a vector by a binary angle, full circle, gain compensated: a parallel CORDIC, combinational.
 //   out_x + j out_y = (in_x + j in_y) * exp(2 pi j in_angle / 2^A), nearest, saturated
 // Formats: in_angle is uA, a turn is 2^A; in_x, in_y, out_x and out_y are sW, any fraction.
-// Error: a coordinate is within 1.55 LSB at every W and A (bounds.cordic_rotate; 1.05 found at W = A = 16).
+// Error: a coordinate is within 1.55 LSB at every W and A (bounds.cordic.rotate; 1.05 found at W = A = 16).
 // Status: overflow (a coordinate was saturated). Model: cordic.rotate
 `default_nettype none
 module cordic_rotate_comb #(

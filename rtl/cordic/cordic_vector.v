@@ -3,7 +3,7 @@
 //   out_magnitude = sqrt(in_x^2 + in_y^2), out_angle = atan2(in_y, in_x) / (2 pi) * 2^A, both to nearest
 // Formats: in_x, in_y sW, any fraction; out_magnitude uW, the same; out_angle uA, 2^A to the turn.
 // Error at W = A = 16: magnitude at most 1 LSB; angle at most 0.84 LSB + 0.24 rad LSB / length, so 1 LSB from a
-// length of 16000 LSB on, and 0.24 LSB across the vector for short ones (bounds.cordic_angle).
+// length of 16000 LSB on, and 0.24 LSB across the vector for short ones (bounds.cordic.angle).
 // Latency at W = 16: 18 in MODE 0, 17 in MODE 1. II: the latency in MODE 0; 1 in MODE 1, which moves as a whole.
 // Status: singular (x = y = 0: magnitude 0, the angle means nothing). Model: cordic.vector
 `default_nettype none

@@ -6,7 +6,7 @@
 // Formats: roots are odd integers of 2^-(U+1), so ~root is -root and 1.0 needs no extra bit. A and B are s(W+2+G) with
 // G bits below the LSB, to which every product is truncated. Outputs are rounded to nearest (ties upward) and
 // saturated.
-// Error of a coordinate: 1/2 LSB, that of the roots (bounds.rational_chain), and 2^-5 LSB for each truncated product.
+// Error of a coordinate: 1/2 LSB, that of the roots (bounds.rational.chain), and 2^-5 LSB for each truncated product.
 // Latency and II: 7 with two joints, 10 with three. Overflow: a coordinate was saturated.
 // Source: rational trigonometry paper, eqs. 84 and 96. Models: rational.fk2, rational.fk3
 `default_nettype none

@@ -6,7 +6,7 @@
 // Formats: cfg_l1 uW, in_w u19, in_slope u17; out_x, out_y sW, rounded to nearest (ties upward), saturated. L1 * w is
 // truncated 4 bits below the LSB of the coordinate. A constant 1 below it centres that error and makes the one's
 // complement an exact negation: -(2 n + 1) = 2 ~n + 1.
-// Error of a coordinate: 1/2 + 1/16 LSB, and that of the value times the length (bounds.rational_fk1).
+// Error of a coordinate: 1/2 + 1/16 LSB, and that of the value times the length (bounds.rational.fk1).
 // Latency 2, II 2: out_cos comes in the accepting clock, out_sin in the next; y stays at the memory until it is taken.
 // Overflow: a coordinate was saturated. Source: rational trigonometry paper, eqs. 51 and 52. Model: rational.fk1
 `default_nettype none

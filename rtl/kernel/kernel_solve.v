@@ -6,7 +6,7 @@
 // Out of reach c2 = +-1, n2 = 0 and (c1, n1) = +-p / |p|, by the same products: 2 / sqrt(q) for 1/q, a power of two for
 // k. Formats: in_* s16.0; cfg_*: kernel_vector_solve.config; out_axis u2.0 quarter turns; out_below: clockwise of the
 // axis; out_square u1.40, square of the sine. Valid for joint i + 1 in each clock of out_take[i]; the last one holds.
-// Error of the tip: bounds.rational_ik2, rational_ik3, 0.37 and 0.80 LSB at L1 = L2 = 2^13 from a quarter to 0.99 of
+// Error of the tip: bounds.rational.ik2, rational_ik3, 0.37 and 0.80 LSB at L1 = L2 = 2^13 from a quarter to 0.99 of
 // the reach, 6 and 6.5 at full reach. Latency and II: 12, 26. Status: unreachable (nearest point), singular
 // (x = y = 0: joint 3, of two joints joint 1, is not given; nor is joint 1 of three where z = 0 too). Source: rational
 // trigonometry paper, eqs. 18-23 and 32-40, in vector form. Models: rational.ik2, rational.ik3

@@ -4,7 +4,7 @@
 //   j2)
 // Formats: in_x, in_y s(W-F).F; out_j1, out_j2 angles of A bits modulo a turn, rounded to nearest; cfg_q, cfg_r, cfg_e
 // by table.config.
-// Error of the tip at the answered words: bounds.table_ik2, at L1 = L2 = 2^13 from a quarter of the reach on 1.27 LSB
+// Error of the tip at the answered words: bounds.table.ik2, at L1 = L2 = 2^13 from a quarter of the reach on 1.27 LSB
 // at A = 18 and 0.94 at A = 24.
 // Latency 12, II 12.
 // Status: unreachable (the nearest point is answered), singular (x = y = 0: j1 is held, 0 after a reset).

@@ -3,7 +3,7 @@
 // those of table_ik2 for (rho, z).
 // Formats: in_* s(W-F).F; out_j1..3 angles of A bits modulo a turn, rounded to nearest; cfg_q, cfg_r, cfg_e by
 // table.config.
-// Error of the tip at the answered words: bounds.table_ik3, at L1 = L2 = 2^13 from a quarter of the reach on 2.09 LSB
+// Error of the tip at the answered words: bounds.table.ik3, at L1 = L2 = 2^13 from a quarter of the reach on 2.09 LSB
 // at A = 18 and 1.55 at A = 24.
 // Latency 21, II 21.
 // Status: unreachable (the nearest point is answered), singular (x = y = 0: j3 is held; z = 0 too: j1).

@@ -5,7 +5,7 @@
 // Formats: in_x, in_y s(W-F).F; in_phi, out_j* angles of A bits modulo a turn, j1 and j2 rounded to nearest; the three
 // words add up to in_phi exactly. cfg_l3 u(W-F).F; cfg_q, cfg_r, cfg_e by table.config.
 // Error of the tip: that of table_ik2, and sqrt(2) (1/2 + 1.62 L3 / 2^16) for the wrist in 16-bit words
-// (bounds.table_ik3r). Latency 16, II 16.
+// (bounds.table.ik3r). Latency 16, II 16.
 // Status: unreachable (the wrist is at its nearest point), singular (the wrist is the shoulder: j1 is held), overflow
 // (the wrist was saturated).
 // Source: Newton-Raphson paper, eq. 14, in closed form. Model: table.ik3r

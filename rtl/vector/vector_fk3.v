@@ -3,7 +3,7 @@
 //   rho, z = x, y of vector_fk2; x = rho c3, y = rho n3; rho keeps its sign and its fraction bits
 // Formats: in_c1 ... in_n3 s2.U (1.0 is 2^U); cfg_l1, cfg_l2 uQ(W-F).F; out_x ... out_z sQ(W-F).F, rounded to nearest
 // and saturated.
-// Error of a coordinate: 0.64 LSB for the vectors as they are given, if none is longer than 1 (bounds.vector_chain).
+// Error of a coordinate: 0.64 LSB for the vectors as they are given, if none is longer than 1 (bounds.vector.chain).
 // Range: (L1 + L2 |v2|) |v1| and that times |v3| below 2^(W+1) LSB; beyond it a coordinate wraps. Latency 6, II 6.
 // Status: overflow (a coordinate was saturated).
 // Source: rational trigonometry paper, eqs. 24-31 in vector form. Model: vector.fk3

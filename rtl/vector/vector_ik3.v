@@ -4,7 +4,7 @@
 //   (c3, n3) = (x, y) / sqrt(x^2 + y^2), rho = c3 x + n3 y
 // Formats: in_* s(W-F).F; out_c*, out_n* cosine and sine of a joint, s2.U, rounded to nearest; cfg_q, cfg_r, cfg_e by
 // kernel_vector_solve.config.
-// Error of the tip, rounding included: bounds.vector_ik3, 1.04 LSB at L1 = L2 = 2^13 from a quarter of the reach on.
+// Error of the tip, rounding included: bounds.vector.ik3, 1.04 LSB at L1 = L2 = 2^13 from a quarter of the reach on.
 // Latency 19, II 19.
 // Status: unreachable (the nearest point is answered), singular (x = y = 0: c3, n3 are held; z = 0 too: c1, n1).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form. Model: vector.ik3

@@ -314,13 +314,13 @@ def inverse_law(core: Core, arm: Machine, place: Floats, tip: Floats) -> Floats:
         return np.sqrt(np.maximum(room, 0)) / (2 * l1 * l2)
 
     if core.function == "ik3r":
-        return bounds.table_ik3r(p, l1, l2, round(arm.key("links", "l3") / lsb(core, arm)), far, sine(far))
+        return bounds.table.ik3r(p, l1, l2, round(arm.key("links", "l3") / lsb(core, arm)), far, sine(far))
     if core.function == "keep2":
         return CLAIMS["vector"](find("vector_ik2"), l1, l2).reached(target)
     x, y, z = tip / lsb(core, arm)
     base, a, b = (arm.key("constants", key) / lsb(core, arm) for key in ("base", "shoulder", "lateral"))
     rho = np.sqrt(np.maximum(x * x + y * y - b * b, 0))
-    best = [arm_bounds.arm_ik3(p, l1, l2, rho, z - base, far, sine(far))
+    best = [arm_bounds.ik3(p, l1, l2, rho, z - base, far, sine(far))
             for far in (np.hypot(rho - a, z - base), np.hypot(rho + a, z - base))]
     return np.maximum(*best)
 
@@ -409,7 +409,7 @@ def forward_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict
     l1, l2 = lengths(core, arm)
     if core.function == "arm_fk3":
         around = (abs(arm.key("constants", "shoulder")) + abs(arm.key("constants", "lateral"))) / step
-        law = arm_bounds.arm_fk3_tip(core.params, l1, l2, around)
+        law = arm_bounds.fk3_tip(core.params, l1, l2, around)
     else:
         axes = 3 if core.function == "fk3" else 2
         law = CLAIMS[core.family](core, l1, l2).coordinate() * math.sqrt(axes)
@@ -546,7 +546,7 @@ def six_forward_judge(core: Core, arm: Machine, text: Printed, case: dict, out: 
     frame, step = arm.chain(case["angles"], links=6), lsb(core, arm)
     p, size = core.params, sum(map(abs, seven(core, arm)))
     u = p.get("U", 16)
-    codec = 6 * math.sqrt(2) * bounds.angle_to_vector(p | {"U": u}) * 2.0**-u if "A" in p else 0.0
+    codec = 6 * math.sqrt(2) * bounds.codec.angle_to_vector(p | {"U": u}) * 2.0**-u if "A" in p else 0.0
     tip = np.stack([out[f"out_{axis}"] for axis in "xyz"], axis=-1)
     off = np.abs(tip - frame[:, :3, 3] / step).max(axis=1)
     matrix = np.stack([out[f"out_r{i}{k}"] for i in "123" for k in "123"], axis=-1).reshape(-1, 3, 3) * 2.0**-u

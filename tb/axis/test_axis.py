@@ -149,13 +149,11 @@ def test_a_broken_wrapper_fails(what, by, tmp_path):
                  failures=1)
 
 
-def test_a_beat_is_packed_in_whole_bytes_and_port_order():
-    core = cores.find("rational_ik2")
-    words = {"in_x": -2, "in_y": 0x1234, "in_elbow": 1}
-    assert axis.pack(core, "in", words) == bytes([0xFE, 0xFF, 0x34, 0x12, 1])
-    assert axis.unpack(core, "in", axis.pack(core, "in", words)) == words
-    out = {"out_j1": (1 << 26) - 1, "out_j2": 5}
-    assert axis.unpack(core, "out", axis.pack(core, "out", out)) == out
+def test_the_example_of_the_page():
+    """x in bits 15:0, y in 31:16, the elbow in bit 32."""
+    ports = cores.find("rational_ik2").inputs
+    assert [(port.name, at) for port, at, _ in beats.places(ports)] == [("in_x", 0), ("in_y", 16), ("in_elbow", 32)]
+    assert beats.result(ports, {"in_x": -2, "in_y": 0x1234, "in_elbow": 1}) == 0x11234FFFE
 
 
 @pytest.mark.parametrize("formula, expression", [

@@ -1,6 +1,6 @@
 """The haptic circle through the Verilog of an engine: solver, PID and plant sample by sample, as `quadrance track`.
 
-Runs inside the simulator; test_track.py starts it. +counts=1,2,5 are the iterations a sample, +samples=8 their number.
+Runs inside the simulator; test_engine.py starts it. +counts=1,2,5 are the iterations a sample, +samples=8 their number.
 """
 
 from __future__ import annotations

@@ -77,15 +77,27 @@ def available(simulator: str) -> bool:
     return simulator != "icarus" or shutil.which("iverilog", path=tools.environment()["PATH"]) is not None
 
 
-def unconfigured(core: Core) -> str:
-    """What the samples of a core lack: one line where `configs` of its family has no word for a port, else empty."""
+def incomplete(core: Core) -> str:
+    """What the list promises of a core and no file has: one line with the file and the key, else empty."""
+    module, _, function = core.model_name.rpartition(".")
+    family = f"tb/stimulus/{core.family}.py"
+    try:
+        _ = core.model
+    except (ImportError, AttributeError):
+        return f"{core.name}: models/quadrance/{module.replace('.', '/')}.py has no {function}(), " \
+               f"the model that rtl/cores.toml names"
     try:
         found, port = stimulus.configs(core, np.random.default_rng(1)), ""
         port = next((port.name for words in found for port in core.cfg if port.name not in words), "")
     except (KeyError, AttributeError, TypeError) as error:
         port = f"{type(error).__name__}: {error}"
-    return f"{core.name}: configs() in tb/stimulus/{core.family}.py gives no word for {port}; add it there" if port \
-        else ""
+    if port:
+        return f"{core.name}: configs() in {family} gives no word for {port}; add it there"
+    try:
+        stimulus.corners(core, found[0])
+    except KeyError as error:
+        return f"{core.name}: corners() in {family} has no entry for {error.args[0]}; add it there"
+    return ""
 
 
 def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests: str | None = None,
@@ -111,7 +123,7 @@ def simulate(core: Core, simulator: str, *, module: str = "tb.lib.bench", tests:
     """
     if not available(simulator):
         tools.require("iverilog")
-    if missing := unconfigured(core):
+    if missing := incomplete(core):
         raise RuntimeError(missing)
     if simulator == "verilator" and not waves:
         runner = Built

@@ -7,14 +7,15 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import arm_velocity, bounds
+from quadrance import arm_velocity
+from quadrance.bounds import vector
 from quadrance.truth import Floats, floats
 from quadrance.vector import GUARD
 
 Params = dict[str, int]
 
 
-def arm_fk3() -> float:
+def fk3() -> float:
     """A coordinate of arm_fk3 against the vectors as they are given, none longer than 1.
 
     In units of 2^-GUARD: A and B are each cut twice by less than 1, and A has the complement of e, 1 more: together at
@@ -24,13 +25,13 @@ def arm_fk3() -> float:
     return 0.5 + (math.sqrt(13) + 3 + 3) / 2**GUARD
 
 
-def arm_fk3_tip(p: Params, l1: float, l2: float, around: float) -> float:
+def fk3_tip(p: Params, l1: float, l2: float, around: float) -> float:
     """Tip of arm_fk3 from that of the vectors' directions; `around`: offsets of shoulder and plane, together.
 
-    `arm_fk3` in three coordinates; the length of a rounded vector, off by sqrt(1/2) 2^-U at most, of every joint that
+    `fk3` in three coordinates; the length of a rounded vector, off by sqrt(1/2) 2^-U at most, of every joint that
     turns a link or an offset.
     """
-    return math.sqrt(3) * arm_fk3() + math.sqrt(0.5) * 2.0 ** -p["U"] * (2 * l1 + 3 * l2 + around)
+    return math.sqrt(3) * fk3() + math.sqrt(0.5) * 2.0 ** -p["U"] * (2 * l1 + 3 * l2 + around)
 
 
 def radius(p: Params, rho: ArrayLike) -> Floats:
@@ -41,7 +42,7 @@ def radius(p: Params, rho: ArrayLike) -> Floats:
     what rounds it. 4 fraction bits, and a half below them that is dropped: 3/32.
     """
     rho = floats(rho) * 2.0 ** (16 - p["W"])
-    return (3 / 32 + rho * (bounds._vector_yaw(rho)[0] + 2**-18)) * 2.0 ** (p["W"] - 16)
+    return (3 / 32 + rho * (vector.yaw(rho)[0] + 2**-18)) * 2.0 ** (p["W"] - 16)
 
 
 def turned(p: Params) -> float:
@@ -50,7 +51,7 @@ def turned(p: Params) -> float:
     return math.hypot(2, 1)
 
 
-def arm_ik3(p: Params, l1: int, l2: int, rho: ArrayLike, height: ArrayLike, far: ArrayLike, n2: ArrayLike) -> Floats:
+def ik3(p: Params, l1: int, l2: int, rho: ArrayLike, height: ArrayLike, far: ArrayLike, n2: ArrayLike) -> Floats:
     """Tip of the words' directions of arm_ik3 for a target in reach.
 
     Parameters
@@ -72,27 +73,27 @@ def arm_ik3(p: Params, l1: int, l2: int, rho: ArrayLike, height: ArrayLike, far:
     """
     unit, off, far = 2.0 ** -p["U"], radius(p, rho), floats(far)
     seen = ((2 * far + off) * off) * 4.0 ** (16 - p["W"]) + 1 / 8
-    plane = [bounds.vector_ik2(p, l1, l2, np.maximum(far + sign * off, 0), n2, seen) for sign in (-1, 1)]
-    length = bounds.vector_ik2_length(p, l1, l2, np.maximum(far - off, 0.5), n2, seen) * unit
+    plane = [vector.ik2(p, l1, l2, np.maximum(far + sign * off, 0), n2, seen) for sign in (-1, 1)]
+    length = vector.ik2_length(p, l1, l2, np.maximum(far - off, 0.5), n2, seen) * unit
     words = np.minimum(length, 1) * far + l2 * 1.5 * unit
     yaw = (np.abs(rho) + l1 + l2) * (math.sqrt(0.5) * unit + 2**-18)
     return 1.001 * np.maximum(*plane) + words + 2 * off + yaw + (p["ELBOW"] + p["ABSOLUTE"]) * turned(p) * unit * l2
 
 
-def arm_ik3_nearest(p: Params, l1: int, l2: int, rho: ArrayLike, far: ArrayLike, axis: ArrayLike,
+def ik3_nearest(p: Params, l1: int, l2: int, rho: ArrayLike, far: ArrayLike, axis: ArrayLike,
                     n2: ArrayLike) -> Floats:
-    """Tip of the words' directions of arm_ik3 from `truth_arm.nearest`, for targets out of reach; as `arm_ik3`.
+    """Tip of the words' directions of arm_ik3 from `truth_arm.nearest`, for targets out of reach; as `ik3`.
 
     `axis` is the distance from the yaw axis. The error of rho turns the direction from the shoulder, and the arm ends
     where its border of reach is, (L1 + L2) / far of the target's distance at most; `VECTOR_NEAREST` and the lengths of
     its words; the direction of (x, y) as `vector_ik3` has it, at the distance of the answer. Where the plane of the arm
-    is too far out alone, the arm reaches its own rho: `arm_ik3`.
+    is too far out alone, the arm reaches its own rho: `ik3`.
     """
     off, unit, far = radius(p, rho), 2.0 ** -p["U"], np.maximum(floats(far), 1)
-    border = off * np.maximum((l1 + l2) / far, 1) + (bounds.VECTOR_NEAREST + 2) * (l1 + l2) * unit
+    border = off * np.maximum((l1 + l2) / far, 1) + (vector.NEAREST + 2) * (l1 + l2) * unit
     yaw = (axis + l1 + l2) * (math.sqrt(0.5) * unit + 2**-16)
     turns = (p["ELBOW"] + p["ABSOLUTE"]) * turned(p) * unit * l2
-    return np.maximum(border + off + yaw + turns, arm_ik3(p, l1, l2, rho, 0, far, n2))
+    return np.maximum(border + off + yaw + turns, ik3(p, l1, l2, rho, 0, far, n2))
 
 
 # Velocity: rates in radians in a unit of time, velocities in LSB in that unit; cuts in units of 2^-GUARD, 1/16 LSB

@@ -7,7 +7,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import bounds, chain
+from quadrance import chain
+from quadrance.bounds import codec, table
 from quadrance.truth import Floats, floats
 
 Params = dict[str, int]
@@ -19,7 +20,7 @@ starts 2^(D - 1) of these high."""
 
 def table_sine(p: Params) -> float:
     """Error of a sine or cosine of table_chain: it has the table of table_fk2, in space that of table_fk3."""
-    return bounds.table_sine(p, 2 + p["SPACE"])
+    return table.sine(p, 2 + p["SPACE"])
 
 
 def table_chain(p: Params, lengths: ArrayLike) -> Floats:
@@ -77,5 +78,5 @@ def mff(p: Params, lengths: ArrayLike) -> tuple[Floats, Floats]:
     `SUM`, and a root's error times the length; x and y have a second root. Their product has been truncated twice, so a
     positive one loses up to two units of 2^-G, a negative one up to one and gains up to one: three times `SUM`'s part.
     """
-    root = bounds.spread_chord(p["U"]) * 2.0 ** -p["U"] * np.cumsum(floats(lengths))
+    root = codec.spread_chord(p["U"]) * 2.0 ** -p["U"] * np.cumsum(floats(lengths))
     return 0.5 + 3 / 16 + 2 * root, SUM + root

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import codecs
+from quadrance.bounds import codec
 from quadrance.fixed import Ints
 from quadrance.iterative import fixed, gradient, newton, newton_fixed
 from quadrance.truth import TURN, Floats, floats
@@ -18,12 +18,8 @@ Params = dict[str, int]
 
 @cache
 def _root(w: int) -> float:
-    """Error of a sine or cosine: as `bounds.table_sine`, of the table of the engines."""
-    k, t = w + 1, (w + 4) // 2
-    knots, place = codecs.sine_knots(k, t), np.linspace(0, 1, 33)[:, None]
-    exact = np.sin(TURN / 2**t * (np.arange(2**t) + place)) * 2**k
-    error = knots[:-1] + np.diff(knots) * place - exact
-    return float(max(error.max(), 1 - error.min())) / 2**k
+    """Error of a sine or cosine of the engines' table."""
+    return codec.sine(w + 1, (w + 4) // 2)
 
 
 def tip(p: Params, *links: float, square: ArrayLike, cut: int | None = None) -> Floats:

@@ -136,20 +136,3 @@ def wrapper(core: Core) -> str:
     lines.append(f"    {core.name} {f'#({values}) ' if values else ''}core (")
     lines += [f"        {pin}{',' if i + 1 < len(pins) else ''}" for i, pin in enumerate(pins)]
     return "\n".join([*lines, "    );", "endmodule", "`default_nettype wire"]) + "\n"
-
-
-def pack(core: Core, kind: str, words: dict[str, int]) -> bytes:
-    """A beat of `wrapper` from words by port: little end first."""
-    ports = [port for port in (core.inputs if kind == "in" else core.outputs) if port.name != "out_status"]
-    return b"".join(int(words[port.name]).to_bytes(-(-port.width // 8), "little", signed=port.signed) for port in ports)
-
-
-def unpack(core: Core, kind: str, beat: bytes) -> dict[str, int]:
-    """Words by port from a beat."""
-    words, at = {}, 0
-    for port in core.inputs if kind == "in" else core.outputs:
-        if port.name != "out_status":
-            size = -(-port.width // 8)
-            words[port.name] = int.from_bytes(beat[at:at + size], "little", signed=port.signed)
-            at += size
-    return words

@@ -13,7 +13,6 @@ from quadrance import cores, six
 from quadrance.cores import STATUS_BITS, Core, Port
 
 WORDS = {"spread": "turn-spread", "angle": "binary angle", "vector": "unit vector", "half_tangent": "half-tangent"}
-FRACTION = {"spread": 2, "vector": 2, "half_tangent": 2}  # bits before the point of a joint word
 
 
 class Refused(ValueError):

@@ -4,7 +4,7 @@
 // then their product.
 // Formats: in_c, in_n s2.16 in the clock of in_valid; in_take, one clock later, accepts the word; out_j angle of A bits
 // modulo a turn, rounded to nearest. The legs give unit vectors only, also after an overflow.
-// Error: 0.89 LSB at A = 18 (bounds.vector_to_angle). Latency 2.
+// Error: 0.89 LSB at A = 18 (bounds.codec.vector_to_angle). Latency 2.
 // Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_angle
 `default_nettype none
 module engine_rus_angle #(

@@ -5,7 +5,7 @@
 // angles of A bits modulo a turn, rounded to nearest, 0 where a leg has no answer. in_load: the sample is the geometry
 // of leg in_leg, in the words that engine_rus_ik lists.
 // Error of an angle: (LB/LA dC + dG) / S + dS / sqrt(e^2 + f^2), dC 0.0135 LSB (bounds.engine.rus_angle), and 0.89 LSB
-// of the angle at A = 18 (bounds.vector_to_angle). Latency 80, II 48.
+// of the angle at A = 18 (bounds.codec.vector_to_angle). Latency 80, II 48.
 // Status: unreachable (out_far says which leg; nearest crank), singular (S below cfg_near), overflow (the word of a leg
 // is meaningless).
 // Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik_angle

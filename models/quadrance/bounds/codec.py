@@ -1,0 +1,185 @@
+"""Error bounds of rtl/codec and of the parts that its cores share with others."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quadrance import codecs, conversion, truth
+from quadrance.fixed import ints
+from quadrance.truth import Floats, floats
+
+Params = dict[str, int]
+
+
+def vector_to_spread(s: int, u: int, theta: ArrayLike) -> Floats:
+    """How far (LSB of 2^-S) the turn-spread of a unit vector rounded to `u` fraction bits is from that of `theta`.
+
+    Half an LSB on both coordinates turns the vector by d <= sqrt(1/2) 2^-u, so sin^2 moves by at most
+    |sin 2 theta| d + d^2; the word itself is the nearest, 1/2.
+    """
+    turn = math.sqrt(0.5) * 2.0**-u / (1 - 2.0**-u)
+    return (np.abs(np.sin(2 * floats(theta))) * turn + turn * turn) * 2.0**s + 0.5
+
+
+def root_product(bits: int = 17) -> float:
+    """|sqrt(v) - w slope / 2^(B + 17)| of `root_product` with slopes of B = `bits` bits, v <= 1 with 24 bits.
+
+    Half the sag of the tangent in the middle of a segment, the cut of the offset to 2^-9 of it, and at B = 17 half a
+    unit of the slope, 2^-17, times w < 2. The sum is found over all words: 0.515 / 2^15 at B = 17, 0.305 / 2^15 above.
+    """
+    return (0.52 if bits == 17 else 0.31) / 2**15
+
+
+def spread_chord(u: int) -> float:
+    """Error of cos and sin of a turn-spread as `rational_fk2` reads them (odd integers of 2^-(U+1)), in units of 2^-U.
+
+    Half the spacing of odd words 0.5, half the greatest sag (2^-18.5 of 1), one unit of knot and cut 1/8, the offset's
+    cut 0.022 at U = 16. 0.824 at U = 16, 1.023 at U = 17.
+    """
+    return 0.5 + 2.0 ** (u - 18.5) + 0.125 + 0.022 * 2.0 ** (u - 16)
+
+
+def _chords(knots: ArrayLike, exact: ArrayLike) -> float:
+    """Greatest error of a root from chords, in units of the knots, its truncation by less than a unit included.
+
+    `exact` are the values (..., chords, places) of the function at equally spaced places of each chord, ends included.
+    """
+    knots, place = floats(knots), np.linspace(0, 1, np.shape(exact)[-1])
+    error = knots[..., :-1, None] + np.diff(knots)[..., None] * place - exact
+    return float(max(error.max(), 1 - error.min()))
+
+
+PLACES = np.linspace(0, 1, 33)
+"""The error of a chord is taken here."""
+
+
+def sine(k: int, t: int) -> float:
+    """Error of a sine or cosine from a table of 2^t chords a turn with knots of k fraction bits, by every chord.
+
+    A chord errs by half its sag, (2 pi / 2^t)^2 / 16, either way; next to +-1, where no knot can lie outside the curve,
+    by 1.5 of that. Knots are rounded up by less than a unit of 2^-k, and the completed root is truncated by less than
+    one.
+    """
+    exact = np.sin(2 * np.pi / 2**t * (np.arange(2**t)[:, None] + PLACES)) * 2**k
+    return _chords(codecs.sine_knots(k, t), exact) / 2**k
+
+
+def angle_to_vector(p: Params) -> float:
+    """A coordinate, LSB of 2^-U, by every chord of the table.
+
+    Half its sag, (2 pi / 2^T)^2 / 16, either way, 1.5 of that next to +-1; knots to an eighth of an LSB, as the
+    truncation. Rounding 1/2.
+    """
+    k, t = conversion.sizes(p)
+    exact = np.sin(2 * np.pi / 2**t * (np.arange(2**t)[:, None] + PLACES)) * 2**k
+    return 0.5 + _chords(codecs.sine_knots(k, t, 3) - 4, exact) / 8
+
+
+def spread_to_vector(p: Params) -> float:
+    """A coordinate, LSB of 2^-U: `root_product` with slopes of 20 bits, and rounding 1/2."""
+    return 0.5 + root_product(20) * 2 ** p["U"]
+
+
+def half_tangent_to_vector(p: Params) -> float:
+    """A coordinate, LSB of 2^-U, by every chord of both functions, knots and truncation to an eighth of an LSB.
+
+    A negative t is taken 2^-20 nearer to 0, which moves the sine, whose slope is 2 at most. Rounding 1/2.
+    """
+    k = p["U"] + 3
+    exact = np.stack(truth.half_tangent_to_unit((np.arange(256)[:, None] + PLACES) / 256))[:, None] * 2**k
+    return 0.5 + (_chords(conversion.half_tangent_knots(k) - 4, exact * [[[[1]], [[-1]]]]) + 2.0 ** (k - 19)) / 8
+
+
+def _minor() -> Floats:
+    """Sines (chords, places) that a unit vector's minor coordinate reaches, and on to the end of a chord."""
+    return (np.arange(-187, 187)[:, None] + PLACES) / 256
+
+
+def _arc(knots: ArrayLike, exact: ArrayLike, slope: float) -> float:
+    """LSB of a word of 4 units, whose half is in the knots, as are half of a truncation and of a rounding.
+
+    Rounding 1/2, the chord, and the one's complement of the sine, 2^-20, times `slope`, LSB.
+    """
+    return 0.5 + _chords(ints(knots)[..., 256 - 187:256 + 188] - 2, exact) / 4 + slope * 2**-20
+
+
+def vector_to_angle(p: Params) -> float:
+    """LSB of 2^-A turn, for the angle whose sine from the nearer axis is the minor coordinate as it is given.
+
+    Half the sag of a chord of the arc sine, 2^-20 sin / cos^3; knots and truncation a unit of 2^-(A+2) either way.
+    The angle is that of a rounded unit vector within sqrt(1/2) 2^-U rad, since cos >= 0.687 and half an LSB of one
+    coordinate is all that is seen; of a vector of length 1 + e within e tan.
+    """
+    turn = 2 ** p["A"] / (2 * math.pi)
+    return _arc(conversion.arcsine_knots(p["A"] + 2), np.arcsin(_minor()) * 4 * turn, 1.46 * turn)
+
+
+def vector_to_half_tangent(p: Params) -> float:
+    """LSB of 2^-T, for the minor coordinate m as it is given; otherwise as `vector_to_angle`.
+
+    Beside the x axis t = tan(asin(m) / 2), beside the y axis tan(pi / 4 + asin(m) / 2) up to 1, and from -1 on; slopes
+    up to 1. Half a sag is 2^-20 times the curvature, up to 1.9.
+    """
+    half, axis = np.arcsin(_minor()) / 2, np.pi / 4
+    beyond = np.where(half < 0, np.tan(half + axis) - 1, np.tan(half - axis) + 1)
+    knots = np.stack([conversion.half_tangent_steps(p["T"] + 2, y) for y in (False, True)])
+    return _arc(knots, np.stack([np.tan(half), beyond]) * 4 * 2 ** p["T"], 2 ** p["T"])
+
+
+def unit_to_spread(p: Params) -> float:
+    """LSB of 2^-S, for the square of the minor coordinate as it is given: rounding 1/2, and the one's complement of a
+    factor, 2^-26, times the other one, 0.727."""
+    return 0.5 + 0.727 * 2.0 ** (p["S"] - 26)
+
+
+def angle_to_spread_turn(p: Params) -> float:
+    """How far (rad) the angle whose spread is rounded is from the word of angle_to_spread.
+
+    The sine by every chord, knots and truncation to 2^-18; the angle is off by that over cos 45 degrees.
+    """
+    exact = np.sin(2 * np.pi / 2048 * (np.arange(-256, 256)[:, None] + PLACES)) * 2**18
+    return _chords(conversion.spread_sine_knots(), exact) * 2**-18 * math.sqrt(2)
+
+
+def angle_to_spread(p: Params, theta: ArrayLike) -> Floats:
+    """LSB of 2^-S at the angle of the word.
+
+    `angle_to_spread_turn`, d, moves sin^2 by |sin 2 theta| d + d^2 at most; rounding and a one's complement as in
+    `unit_to_spread`.
+    """
+    turn = angle_to_spread_turn(p)
+    return (np.abs(np.sin(2 * floats(theta))) * turn + turn * turn) * 2.0 ** p["S"] + unit_to_spread(p)
+
+
+def normalised(length: ArrayLike) -> Floats:
+    """Length after one Newton step, y (3 - y^2) / 2: of 1 + e, 1 - 3/2 e^2 - 1/2 e^3."""
+    y = floats(length)
+    return y * (3 - y * y) / 2
+
+
+def vector_normalise(length: ArrayLike) -> Floats:
+    """A coordinate of vector_normalise, LSB of 2^-U, against c (3 - c^2 - n^2) / 2, for a vector of that length.
+
+    Half a unit is put behind c, not behind the product, so rounding is 1/2 + |g - 1| / 2, g = (3 - c^2 - n^2) / 2. Both
+    squares are cut to 2^-(U + 3), so g is off by half of that either way, times c.
+    """
+    y = floats(length)
+    return 0.5 + np.abs(1 - y * y) / 4 + y / 16
+
+
+def angle_of_vector(a: int, length: ArrayLike = 0.0) -> Floats:
+    """Angle (rad) by which `codecs.angle_of_vector` is off before rounding to a word, `length` what the vector's length
+    is off 1.
+
+    The greatest error of the chords, each taken at 17 places where |m| <= 3/4, half a sag of 2^-18 at most; the last
+    bit of m about a half, 2^-21, times the slope 1.52; knot and rise, each truncated by less than a unit of 2^-(a + 3)
+    turn: half a unit either way, for their sum is whole. The arc sine takes the length for 1: tan <= 1.14 times it.
+    """
+    i = np.arange(-192, 192)[:, None]
+    knots, place = codecs.arcsine_knots(40), np.linspace(0, 1, 17)
+    arc = (knots[i + 256] + (knots[i + 257] - knots[i + 256]) * place) * 2 * math.pi / 2.0**40
+    sag = float(np.abs(arc - np.arcsin((i + place) / 256)).max())
+    return sag + 1.52 * 2**-21 + math.pi / 2.0 ** (a + 3) + 1.14 * floats(length)

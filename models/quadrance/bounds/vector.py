@@ -1,0 +1,224 @@
+"""Error bounds of rtl/vector. Inverse cores compute with words of 16 bits, whatever W."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quadrance import kernel_vector_solve
+from quadrance.truth import Floats, floats
+from quadrance.vector import GUARD
+
+Params = dict[str, int]
+
+
+def chain(joints: int, length: float = 1.0) -> float:
+    """A coordinate of vector_fk2 and vector_fk3 against the vectors as they are given, none longer than `length`.
+
+    In units of 2^-GUARD: A and B are each cut by less than 1, or B's complement is 1 low, together at most sqrt(2)
+    across the vector that turns them; its two products are each cut by less than 1. The third joint turns what is off
+    so far, and cuts once more. Rounding 1/2. 0.61 and 0.64 for unit vectors.
+    """
+    cut = 2 + math.sqrt(2) * length
+    return 0.5 + (cut if joints == 2 else cut * max(length, 1.0) + 1) / 2**GUARD
+
+
+def tip(p: Params, joints: int, l1: float, l2: float) -> float:
+    """Tip of vector_fk1 to vector_fk3 from that of the vectors' directions.
+
+    `chain`, or 1/2 for one joint, in every coordinate; and the length of a rounded vector, off by sqrt(1/2) 2^-U
+    at most, of every joint that turns a link.
+    """
+    own, length = _parts(p, joints, l1, l2)
+    return math.sqrt(max(joints, 2)) * own + length
+
+
+def coordinate(p: Params, joints: int, l1: float, l2: float) -> float:
+    """One coordinate of vector_fk1 to vector_fk3 from that of the vectors' directions."""
+    return sum(_parts(p, joints, l1, l2))
+
+
+def _parts(p: Params, joints: int, l1: float, l2: float) -> tuple[float, float]:
+    """What a coordinate errs by itself, and what the lengths of rounded vectors move the tip."""
+    off = math.sqrt(0.5) * 2.0 ** -p["U"]
+    lengths = {1: l1, 2: l1 + 2 * l2, 3: 2 * l1 + 3 * l2}[joints]
+    return 0.5 if joints == 1 else chain(joints, 1 + off), 1.01 * lengths * off
+
+
+def length() -> float:
+    """How far the length of (c1, n1) of vector_ik1 is from 1 before both are rounded; its direction is exact.
+
+    The tangent, balanced: 3 / 16 b^2 at segment b = 2 a + 1; half a unit of its slope; the cut of the root to 2^-18;
+    the squares' cut, one unit of 2^-18 in q either way. The greatest sum is 0.95 * 2^-16, at q = 2.
+    """
+    b = np.arange(257, 2050, 2.0)
+    q, slope = b / 2**10, 2.0**32 / b**1.5
+    return float(np.max(3 / (16 * b * b) + 0.5 / slope + 2.0**-19 * np.sqrt(q) + 2.0**-19 / q))
+
+
+def root(v: ArrayLike) -> Floats:
+    """|n2^2 - v| of the root of v = 1 - c2^2 in kernel_vector_solve.
+
+    Twice the relative half of what the tangent loses, 1/16 b^2, b = 2 v / h: h = 2^-9, and 2^-14 below 2^-5; half a
+    unit of the slope, 2^-19 of 1/2 sqrt(v), or of 2^-5 of it; half a unit of the first factor; c2^2 to 2^-25. In the
+    first segment of all, below 2^-14, the tangent is up to 2^-17 off.
+    """
+    v = np.maximum(floats(v), 2.0**-40)
+    high = 2.0**-23 / v + v**1.5 * 2**-17 + 2**-22
+    low = 2.0**-33 / v + v**1.5 * 2**-12 + 2**-27
+    return np.where(v >= 2**-5, high, np.where(v >= 2**-14, low, 2.0**-17)) + 2**-25
+
+
+def inverse(q: ArrayLike) -> Floats:
+    """Relative error of 1/q' in kernel_vector_solve, q' the quadrance times the power of 4 that takes it to [1/4, 1).
+
+    Half of what the tangent loses at a border, 1/2 b^2, b = 2^10 q'; half a unit of the slope; of the first factor;
+    the cut of the product.
+    """
+    q = np.maximum(floats(q), 1)
+    q = q / 4.0 ** np.ceil(np.floor(np.log2(q) + 1) / 2)
+    return 2**-21 / q**2 + q**2 * 2**-17 + 2**-22 / q + 2**-24
+
+
+def gap(p: Params, l1: int, l2: int) -> float:
+    """Error of the quadrance (LSB^2 of 16-bit words) that c2 of vector_ik2 stands for: the half that rounds the gap,
+    twice, the rounding of cfg_r, the cut of c2 to 25 bits. 16 at L1 = L2 = 2^13."""
+    words = kernel_vector_solve.config(p, cfg_l1=l1, cfg_l2=l2)
+    l1, l2 = (length << 16 - p["W"] for length in (l1, l2))
+    half = 2.0 ** (6 - 2 * words["cfg_e"]) if words["cfg_e"] < 4 else 0
+    return 2 * half + 2 * l1 * l2 * (1 / words["cfg_r"] + 2**-25)
+
+
+def quadrance(p: Params, l1: int, l2: int, n2: ArrayLike, seen: ArrayLike = 0) -> Floats:
+    """By how much |k|^2 differs from q: the gap, and the root times L2^2; 16-bit words. `seen` is what q itself may be
+    off; it moves n2, and where it is not 0, q has a fraction, whose cut and that of the gap are 5/8 at most."""
+    v, seen = floats(n2) ** 2, floats(seen)
+    missed = gap(p, l1, l2) + 0.625 * (seen > 0)
+    l1, l2 = (length << 16 - p["W"] for length in (l1, l2))
+    moved = (missed + seen) / max(l1 * l2, 1)
+    return missed + l2 * l2 * np.max([root(v - moved), root(v), root(v + moved)], axis=0)
+
+
+def ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike, seen: ArrayLike = 0) -> Floats:
+    """Tip of vector_ik2, the products of the answered words, for a target in reach; half a unit of each word included.
+
+    Parameters
+    ----------
+    p, l1, l2
+        Links in LSB.
+    rho, n2 : float arrays
+        Distance of the target from the shoulder, LSB; |sin theta2|.
+    seen : float array
+        How far the quadrance that n2 belongs to is from the core's, LSB^2 of 16-bit words: of the rho of vector_ik3.
+
+    Notes
+    -----
+    The tip is p |k|^2 / q where k, the tip of the arm with joint 1 at 0, is that of which joint 1 was worked out:
+
+    * `quadrance` / rho: the length of k. Next to the shoulder it is not small beside rho, and below
+      rho^2 = 4 times it, joint 1 is no unit vector any more: there the tip is within 4 (rho + its root).
+    * k1 and k2 have 4 fraction bits, about a half: 2^(1/2) / 32, twice for the length, once beside the words' k.
+    * The words: L2 and rho times 2^(1/2) / 2 of a unit.
+    * `inverse`, the cut of a and b to 1/8 LSB^2, of their shifted words to 2^-25, 1/q' <= 4.
+    """
+    unit = 2.0 ** (16 - p["W"])  # the core computes with words of 16 bits
+    rho, length = floats(rho) * unit, l2 * unit
+    wrong = quadrance(p, l1, l2, n2, seen)
+    far = np.maximum(rho, 1e-9)
+    word = math.sqrt(0.5) / 2 ** p["U"]
+    stretch = 1 + wrong / far**2 + 0.05 / far
+    known = wrong / far + 2**0.5 * 3 / 32 + word * (length + rho) + rho * inverse(rho**2)
+    known = stretch * (known + 2**0.5 * (0.25 / far + 2**-23 * rho))
+    return np.where(rho**2 < 4 * wrong + 4, 4 * (rho + np.sqrt(wrong) + 1), known) / unit
+
+
+def ik2_length(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike, seen: ArrayLike = 0) -> Floats:
+    """| |(c1, n1)| - 1 | of vector_ik2, units of 2^-U, for a target in reach with rho^2 > 4 `quadrance`.
+
+    |k| / |p|: half the relative error of the quadrance, k's fraction bits; 1/q'; the word.
+    """
+    rho = floats(rho) * 2.0 ** (16 - p["W"])
+    part = quadrance(p, l1, l2, n2, seen) / (2 * rho**2) + 2**0.5 / 32 / rho + inverse(rho**2) + 2**-22
+    return (part * (1 + part) + 2**0.5 * 0.25 / rho**2) * 2.0 ** p["U"] + math.sqrt(0.5)
+
+
+NEAREST = 1.3
+"""Tip of vector_ik2 from the nearest point of a target out of reach, by L1 + L2 in units of 2^-U.
+
+Rounding of (c1, n1) 0.71; of 2/sqrt(q'): half of what the tangent loses 3/16 b^2, 0.19, half a unit of the slope 0.25
+at q' = 1 (not both), its first factor 0.06; the half unit in place of k2 0.06.
+"""
+
+
+def yaw(rho: ArrayLike) -> tuple[Floats, Floats]:
+    """(c3, n3) of vector_ik3 before both are rounded: how far the length is from 1, and the direction off (rad).
+
+    2/sqrt(q'), q' as in `inverse`: half of what the tangent loses 3/16 b^2, half a unit of the slope and of the
+    first factor, the cut of the product. Both: the half unit behind 2^15 and 0, 2^-20; the cut of the products with
+    them to 1/8, two a coordinate, and of what is shifted to 2^-24, sqrt(q') >= 1/2.
+    """
+    rho = np.maximum(floats(rho), 1)
+    q = rho * rho / 4.0 ** np.ceil(np.floor(np.log2(rho * rho) + 1) / 2)
+    turned = 2**-20 + 2**-22.5 + 2**-16.5 / rho
+    return 3 * 2**-24 / q**2 + q**1.5 * 2**-18 + 2**-22 / q + 2**-24 + turned, turned
+
+
+def radius(p: Params, target: ArrayLike) -> Floats:
+    """Error of rho of vector_ik3, LSB: half a unit of its 4 fraction bits, the cut of the two products to 2^-17, c3 and
+    n3 to 18 fraction bits about a half, and their length."""
+    rho = np.hypot(*floats(target)[:2]) * 2.0 ** (16 - p["W"])
+    return (1 / 32 + 2**-16 + rho * (2**0.5 * 2**-19 + yaw(rho)[0])) * 2.0 ** (p["W"] - 16)
+
+
+def _seen(p: Params, target: ArrayLike) -> Floats:
+    """By how much the error of rho moves the quadrance of vector_ik3, LSB^2 of 16-bit words; its cut to 1/8 LSB^2."""
+    off = radius(p, target)
+    return (2 * np.hypot(*floats(target)[:2]) + off) * off * 4.0 ** (16 - p["W"]) + 1 / 8
+
+
+def reach(p: Params, l1: int, l2: int, target: ArrayLike) -> tuple[Floats, Floats]:
+    """Quadrance (LSB^2) by which vector_ik2 or vector_ik3 may miss, and by which it may mistake, a target out of reach.
+
+    `gap` on one side of a border only; the error of rho and fractions of q on both.
+    """
+    scale = 4.0 ** (p["W"] - 16)
+    seen = _seen(p, target) + 0.625 if len(target) == 3 else 0 * floats(target[0])
+    return (gap(p, l1, l2) + seen) * scale, seen * scale
+
+
+def ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats:
+    """Tip of vector_ik3, the products of the answered words, for targets (3, N) in reach.
+
+    `ik2` of (rho, z), either end of the error of rho; that error, for the arm reaches it; and what (c3, n3)
+    makes of it: its length once more, half a unit of both words, the direction.
+    """
+    x, y, z = floats(target)
+    rho = np.hypot(x, y)
+    off, seen, long = radius(p, target), _seen(p, target), np.hypot(rho, z)
+    plane = [ik2(p, l1, l2, np.maximum(long + sign * off, 0), n2, seen) for sign in (-1, 1)]
+    third = sum(yaw(rho * 2.0 ** (16 - p["W"]))) + math.sqrt(0.5) * 2.0 ** -p["U"]
+    return 1.001 * np.maximum(*plane) + off + rho * third
+
+
+def ik3_length(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats:
+    """| |(c1, n1)| - 1 | and | |(c3, n3)| - 1 | of vector_ik3 together, units of 2^-U; as `ik2_length`."""
+    x, y, z = floats(target)
+    rho = np.hypot(x, y)
+    nearer = np.maximum(np.hypot(rho, z) - radius(p, target), 0.5)
+    third = yaw(rho * 2.0 ** (16 - p["W"]))[0] * 2.0 ** p["U"] + math.sqrt(0.5)
+    return ik2_length(p, l1, l2, nearer, n2, _seen(p, target)) + third
+
+
+def ik3_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
+    """Tip of vector_ik3 from the nearest point of targets (3, N) out of reach.
+
+    `NEAREST`; the yaw as in `ik3`; and (rho, z) seen from the shoulder turned by the error of rho.
+    """
+    target = floats(target)
+    length, rho = np.sqrt((target * target).sum(axis=0)), np.hypot(*target[:2]) * 2.0 ** (16 - p["W"])
+    at = np.where(length > (l1 + l2 + abs(l1 - l2)) / 2, l1 + l2, abs(l1 - l2))
+    turned = np.arcsin(np.minimum(radius(p, target) / np.maximum(length, 1e-9), 1))
+    third = sum(yaw(rho)) + math.sqrt(0.5) * 2.0 ** -p["U"]
+    return NEAREST * (l1 + l2) / 2 ** p["U"] + at * third + 2 * at * np.sin(turned / 2)
