@@ -110,8 +110,8 @@ def vector_to_angle(p: Params) -> float:
     """LSB of 2^-A turn, for the angle whose sine from the nearer axis is the minor coordinate as it is given.
 
     Half the sag of a chord of the arc sine, 2^-20 sin / cos^3; knots and truncation a unit of 2^-(A+2) either way.
-    The angle is that of a rounded unit vector within sqrt(1/2) 2^-U rad, since cos >= 0.687 and half an LSB of one
-    coordinate is all that is seen; of a vector of length 1 + e within e tan.
+    The angle is that of a rounded unit vector within 0.73 2^-U rad: half an LSB of the minor coordinate, divided by
+    cos >= 0.687. It is that of a vector of length 1 + e within e tan.
     """
     turn = 2 ** p["A"] / (2 * math.pi)
     return _arc(conversion.arcsine_knots(p["A"] + 2), np.arcsin(_minor()) * 4 * turn, 1.46 * turn)
