@@ -73,7 +73,7 @@ def _cores(args: argparse.Namespace) -> None:
     for row in rows:
         f = row["figures"] or {}
         here = f.get("ecp5", {})
-        lines.append((row["id"] if args.all else row["core"], row["function"],
+        lines.append((row["id" if args.all else "title"], row["function"],
                       ", ".join(catalogue.WORDS[kind] for kind in row["word"]),
                       *(here.get(key, "–") for key in ("lut", "mult18x18", "ebr")), row["latency"], row["ii"],
                       *(_figure(value) for value in (here.get("ns"), here.get("mhz"), f.get("error_mm"),
@@ -166,7 +166,7 @@ def _copy(folder: str, paths: list[Path]) -> None:
             shutil.copyfile(path, target / path.name)
     except OSError as error:
         raise Refused(f"{target} cannot be written: {error.strerror}") from None
-    print(f"{len(paths)} files copied to {target}")
+    print(f"{len(paths)} file{'s' * (len(paths) != 1)} copied to {target}")
 
 
 def _counts(text: str | None) -> int | None:

@@ -45,8 +45,13 @@ def successor(name: str) -> Core | None:
     return next((core for core in cores.all_cores() if core.name == base and core.architecture == mode), None)
 
 
+def title(core: Core) -> str:
+    """Its name, with that of its mode where it has a MODE."""
+    return f"{core.name}-{core.architecture}" if "MODE" in core.params else core.name
+
+
 def find(name: str, params: dict[str, int] | None = None) -> Core:
-    """The core of that name or ``name-set`` id, at other parameters where `params` names some.
+    """The core of that name, ``name-mode`` or ``name-set`` id, at other parameters where `params` names some.
 
     Raises
     ------
@@ -54,7 +59,7 @@ def find(name: str, params: dict[str, int] | None = None) -> Core:
         For a name that is not listed, a parameter that the core has not, values that its Verilog refuses.
     """
     listed = cores.all_cores()
-    ids = {core.id: core for core in reversed(listed)} | {core.name: core for core in reversed(listed)}
+    ids = {name: core for core in reversed(listed) for name in (core.id, title(core), core.name)}
     if name not in ids and name.partition("-")[0] in ids:  # the core is known, the set is not
         name = choose(f"parameter set of {name.partition('-')[0]}", name,
                       (core.id for core in listed if core.name == name.partition("-")[0]))
@@ -130,7 +135,7 @@ def kinds(ports: Iterable[Port]) -> list[str]:
 
 def row(core: Core) -> dict:
     """A line of the table of cores, as `quadrance cores --json` prints it."""
-    return {"core": core.name, "set": core.set_id, "id": core.id, "family": core.family, "function": core.function,
+    return {"core": core.name, "title": title(core), "set": core.set_id, "id": core.id, "family": core.family, "function": core.function,
             "architecture": core.architecture, "word": kinds([*core.inputs, *core.outputs]), "params": core.params,
             "latency": core.latency, "ii": core.ii, "figures": figures(core)}
 
