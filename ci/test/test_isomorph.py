@@ -76,8 +76,8 @@ def test_assertions_and_initial_values_count(netlist):
     assert with_property("!{}") != with_property("!{}", " = 0")
 
 
-NAMES = {"spread_product": "turn_codec", "codec": "first", "slope": "incline", "negative": "below",
-         "out_w": "out_factor"}
+NAMES = {"divide_digits": "turn_codec", "quotient": "first", "nothing": "none", "digits": "numerals",
+         "out_rem": "out_left"}
 
 
 def changed(core, folder, *edits):
@@ -94,7 +94,7 @@ def changed(core, folder, *edits):
 
 
 def test_a_core_with_other_names_keeps_its_placement_and_one_with_another_constant_does_not(tmp_path):
-    core, folder = find("rational_fk1"), tools.BUILD / "test_isomorph" / tmp_path.name
+    core, folder = find("vector_to_spread_iter"), tools.BUILD / "test_isomorph" / tmp_path.name
 
     def key(sources):
         made = synth.netlist(core.name, core.params, sources, *timed_ports(core), core.clocked)
@@ -104,7 +104,7 @@ def test_a_core_with_other_names_keeps_its_placement_and_one_with_another_consta
     assert key(changed(core, folder / "comments")) == (made, first)  # not even a synthesis
     again, same = key(changed(core, folder / "names", *NAMES.items()))
     assert again != made and same == first
-    assert key(changed(core, folder / "constant", ("overflow, 2'b00", "overflow, 2'b01")))[1] != first
+    assert key(changed(core, folder / "constant", ("singular, 1'b0", "singular, 1'b1")))[1] != first
 
 
 @pytest.mark.parametrize("kind, one, same, other", [

@@ -75,6 +75,39 @@ def test_the_ports_are_the_contract_s(asked, monkeypatch):
     assert "are not the contract's" in lint.check_core(CORE)[0]
 
 
+TABLE = """module squares #(parameter N = 4) (input wire [1:0] in_at, output wire [3:0] out_square);
+    reg [3:0] words [0:N-1];
+    integer i;
+    initial begin
+        for (i = 0; i < N; i = i + 1)
+            words[i] = i * i;
+    end
+    assign out_square = words[in_at];
+endmodule
+"""
+TOP = """module top (input wire [1:0] in_at, output wire [3:0] out_square);
+    squares #(.N(4)) table_of_squares (.in_at(in_at), .out_square(out_square));
+endmodule
+"""
+
+
+def test_yosys_elaborates_a_table_once_and_finds_what_is_wrong_in_it(monkeypatch, tmp_path):
+    monkeypatch.setattr(cache, "FOLDER", tmp_path / "cache")
+    folder = tools.BUILD / "test_lint" / tmp_path.name
+    folder.mkdir(parents=True, exist_ok=True)
+    asked, run = [], lint._yosys
+    monkeypatch.setattr(lint, "_yosys", lambda top, *more: asked.append(top) or run(top, *more))
+
+    def said(table):
+        for name, text in (("top", TOP), ("squares", table)):
+            (folder / f"{name}.v").write_text(text)
+        return lint.yosys(replace(CORE, name="top", sources=(folder / "top.v", folder / "squares.v")), {})
+
+    assert said(TABLE) == said(TABLE) == (0, "") and asked == ["top", "squares", "top"]
+    assert "none' is implicitly declared" in said(TABLE.replace("i * i", "none"))[1]
+    assert "used but has no driver" in said(TABLE.replace("[in_at]", "[none]"))[1]
+
+
 def test_progress_is_a_line_now_and_then(monkeypatch, capsys):
     monkeypatch.setattr(lint, "EVERY", -1.0)
     assert sorted(lint._progress({lambda: ["b: bad"]: "b", lambda: []: "a"})) == ["b: bad"]
