@@ -16,6 +16,8 @@ from quadrance.program.language import FORMATS, ONE, Port, Program, Statement, S
 LIMITS = {"characters": 100_000, "columns": 160, "statements": 1000, "loops": 4, "values": 16, "name": 12, "terms": 12}
 RESERVED = {"in", "cfg", "sign", "norm", "argue", "out", "order", "reach", "check", "emit", "flags", "for", "root", "unit",
             "clamp", "wrist", "hold", "one"}
+TABLE = set("""reg port last table of by nil plus minus slope back down flip nought power four twice lone add sub done keep
+    high low mid other fold more wrist above root hold far clamp check""".split())  # names of the printed table
 SIGNS = 3  # bits of in_signs
 ARGUED = 3  # words of a program whose range may be argued
 
@@ -279,6 +281,9 @@ def _consistent(program: Program) -> None:
                 raise program.wrong(one.line, f"{name} is given twice")
             given[name] = one.line
     last = program.statements[-1].line if program.statements else 1
+    for name, line in given.items():
+        if name in TABLE:
+            raise program.wrong(line or 1, f"{name} is a name of the printed table: choose another")
     for name in (*(port.name for port in program.results), *program.argued, *(n for g in program.order for n in g)):
         if not given.get(name):
             raise program.wrong(last, f"{name} is a result, and no statement gives it" if name not in program.argued
