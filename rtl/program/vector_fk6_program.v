@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Program vector_fk6, assembled from vector_fk6.kin and vector_fk6.order by `quadrance assemble`; do not edit.
 //   Six unit vectors to R = R03 R36 and the tip: ortho-parallel base, spherical wrist
-// Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. Names of inputs begin
-// with I_. Latency of a core that plays it: 45. Model: quadrance.program.meaning
+// Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
+// a word of capitals in a comment is one that the assembler has added. Latency of a core that plays it: 45.
+// Model: quadrance.program.meaning
 `default_nettype none
 module vector_fk6_program (
     input  wire        clk,
@@ -19,9 +20,9 @@ module vector_fk6_program (
     localparam DONE = 1'd0, KEEP = 1'd1;
     localparam [5:0]
         R11 = 6'd2, R12 = 6'd3, R13 = 6'd4, R21 = 6'd5, R22 = 6'd6, R23 = 6'd7, R31 = 6'd8, R32 = 6'd9,
-        R33 = 6'd10, X = 6'd11, Y = 6'd12, Z = 6'd13, C4 = 6'd14, E2 = 6'd14, N4 = 6'd15, E1 = 6'd15,
-        C2 = 6'd16, N2 = 6'd17, X1 = 6'd17, N3 = 6'd18, N23 = 6'd18, N6 = 6'd19, C1 = 6'd19, T = 6'd20,
-        E3 = 6'd20, S = 6'd21, U3 = 6'd21, L2 = 6'd22, C23 = 6'd23, M5 = 6'd24, B = 6'd24, F1 = 6'd25,
+        R33 = 6'd10, X = 6'd11, Y = 6'd12, Z = 6'd13, E2 = 6'd14, C4 = 6'd14, N4 = 6'd15, E1 = 6'd15,
+        C2 = 6'd16, X1 = 6'd17, N2 = 6'd17, N23 = 6'd18, N3 = 6'd18, C1 = 6'd19, N6 = 6'd19, E3 = 6'd20,
+        T = 6'd20, U3 = 6'd21, S = 6'd21, L2 = 6'd22, C23 = 6'd23, B = 6'd24, M5 = 6'd24, F1 = 6'd25,
         N1 = 6'd26, A2 = 6'd27, F2 = 6'd28, U1 = 6'd29;
     localparam [5:0]
         I_C1 = 6'd0, I_N1 = 6'd1, I_C2 = 6'd2, I_N2 = 6'd3, I_C3 = 6'd4, I_N3 = 6'd5, I_C4 = 6'd6, I_N4 = 6'd7,
@@ -71,8 +72,7 @@ module vector_fk6_program (
     /* r32 = r13*r21 - r23*r11   */ {REG,  R13,  OF, R21,   R23, R11, SUB,  DONE, R32}};
     wire [35:0] op;
     engine_program #(.LINES(41), .BITS(36), .TABLE(LINES)) control (
-        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done),
-        .out_op(op));
+        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(op));
     assign out_op = {op[35:6], 2'b00, op[5:0], 9'd0};
 endmodule
 `default_nettype wire

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Program vector_ik6, assembled from vector_ik6.kin and vector_ik6.order by `quadrance assemble`; do not edit.
 //   A pose to the six unit vectors of one branch: ortho-parallel base, spherical wrist
-// Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. Names of inputs begin
-// with I_. Latency of a core that plays it: 93. Model: quadrance.program.meaning
+// Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
+// a word of capitals in a comment is one that the assembler has added. Latency of a core that plays it: 93.
+// Model: quadrance.program.meaning
 `default_nettype none
 module vector_ik6_program (
     input  wire        clk,
@@ -23,13 +24,13 @@ module vector_ik6_program (
         FAR = 9'd64, CLAMP = 9'd128, CHECK = 9'd256;
     localparam [5:0]
         C1 = 6'd2, N1 = 6'd3, C2 = 6'd4, N2 = 6'd5, C3 = 6'd6, N3 = 6'd7, C4 = 6'd8, N4 = 6'd9, C5 = 6'd10,
-        N5 = 6'd11, C6 = 6'd12, N6 = 6'd13, N2_U = 6'd14, PZ = 6'd14, N2_V = 6'd14, N23 = 6'd14, W3 = 6'd14,
-        L4 = 6'd14, W2 = 6'd15, M23 = 6'd15, R13 = 6'd15, R23 = 6'd16, R12 = 6'd16, NE_T = 6'd17, B = 6'd17,
-        N1_V = 6'd17, R21 = 6'd17, NE = 6'd17, C2_U = 6'd17, N1_U = 6'd17, CE_GAP = 6'd18, R32 = 6'd18,
-        PX = 6'd18, CE = 6'd18, CE_R = 6'd18, CE_P = 6'd18, W1 = 6'd19, U3 = 6'd19, YY = 6'd19, C1_U = 6'd19,
-        PY = 6'd19, R33 = 6'd20, X1_T = 6'd21, R11 = 6'd21, X1 = 6'd21, NP = 6'd21, Q = 6'd21, L2 = 6'd22,
-        R31 = 6'd22, K2 = 6'd23, K = 6'd23, C23 = 6'd23, C2_G = 6'd23, XX = 6'd24, M13 = 6'd24, X1_G = 6'd24,
-        C1_G = 6'd25, C4_U = 6'd25, T4 = 6'd25, C2_V = 6'd25, NE_G = 6'd25, C1_V = 6'd25, R22 = 6'd26,
+        N5 = 6'd11, C6 = 6'd12, N6 = 6'd13, N23 = 6'd14, PZ = 6'd14, W3 = 6'd14, N2_U = 6'd14, N2_V = 6'd14,
+        L4 = 6'd14, W2 = 6'd15, R13 = 6'd15, M23 = 6'd15, R23 = 6'd16, R12 = 6'd16, R21 = 6'd17, N1_U = 6'd17,
+        N1_V = 6'd17, NE = 6'd17, NE_T = 6'd17, B = 6'd17, C2_U = 6'd17, CE_GAP = 6'd18, CE_P = 6'd18,
+        R32 = 6'd18, PX = 6'd18, CE_R = 6'd18, CE = 6'd18, C1_U = 6'd19, YY = 6'd19, W1 = 6'd19, U3 = 6'd19,
+        PY = 6'd19, R33 = 6'd20, Q = 6'd21, NP = 6'd21, X1 = 6'd21, X1_T = 6'd21, R11 = 6'd21, R31 = 6'd22,
+        L2 = 6'd22, K2 = 6'd23, C2_G = 6'd23, C23 = 6'd23, K = 6'd23, XX = 6'd24, X1_G = 6'd24, M13 = 6'd24,
+        NE_G = 6'd25, C4_U = 6'd25, T4 = 6'd25, C1_V = 6'd25, C2_V = 6'd25, C1_G = 6'd25, R22 = 6'd26,
         N4_U = 6'd27, K1 = 6'd27, C4_G = 6'd28;
     localparam [5:0]
         I_R11 = 6'd0, I_R12 = 6'd1, I_R13 = 6'd2, I_R21 = 6'd3, I_R22 = 6'd4, I_R23 = 6'd5, I_R31 = 6'd6,
@@ -127,7 +128,6 @@ module vector_ik6_program (
     /* c6: w1*r12 + w2*r22          */ {REG,   R12,   OF, W1,     W2,   R22,  ADD,  KEEP, HIGH, NIL,    OTHER},
     /* c6 = .. + w3*r32             */ {REG,   R32,   OF, W3,     NIL,  NIL,  LONE, DONE, HIGH, C6,     OTHER}};
     engine_program #(.LINES(89), .BITS(47), .TABLE(LINES)) control (
-        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done),
-        .out_op(out_op));
+        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(out_op));
 endmodule
 `default_nettype wire

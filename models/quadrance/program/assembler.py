@@ -106,7 +106,8 @@ def _rows(made: Sequence[Line], order: Order, rules: Rules) -> list[tuple[str, C
         named = {"REG": a.upper(), "PORT": f"I_{a.upper()}", "LAST": NIL, "TABLE": NIL}[source]
         dest = line.dest.upper() or (("FLAG" if line.flags else "OUT") if line.emit else NIL)
         rows.append((line.label, (
-            source, named, "BY" if line.by else "OF", line.by or b.upper(), *(name.upper() for name in cd or (NIL, NIL)),
+            source, named, "BY" if line.by else "OF", line.by or b.upper(),
+            *(name.upper() for name in cd or (NIL, NIL)),
             "LONE" if not cd else "SUB" if line.minus else "ADD", "KEEP" if line.keep else "DONE", line.align, dest,
             " | ".join(name for name in FIELDS[-1][2] if name in acts) or "OTHER")))
     return rows

@@ -178,9 +178,9 @@ class _Lowering:
 
     def folded(self, terms: Sum, name: str, fold: int, wrist: bool = False) -> str:
         """A word whose magnitude joins a group of powers of two: its writer does it, or a line that copies it."""
-        only = terms[0]
-        at = self.writer.get(only.a, -1)
-        if len(terms) > 1 or only.b or only.minus or at < 0 or self.lines[at].fold >= 0 or self.lines[at].align != "HIGH":
+        only, at = terms[0], self.writer.get(terms[0].a, -1)
+        free = at >= 0 and self.lines[at].fold < 0 and self.lines[at].align == "HIGH"
+        if len(terms) > 1 or only.b or only.minus or not free:
             at = self.sum(terms, name, name.upper())
         line = self.lines[at]
         line.acts |= {"FOLD", "WRIST"} if wrist else {"FOLD"}
@@ -200,15 +200,17 @@ class _Lowering:
     def reciprocal(self, name: str, sign: str, root: int) -> str:
         """The line of 1 / (2 sqrt); its word."""
         signs = {"+": "SLOPE", "-": "BACK"} | dict(zip(self.program.signs, ("BACK", "DOWN", "FLIP")))
-        self.add(Line(f"{name}_g".upper() + " = 1 / root", TABLE, "", by=signs[sign], align="MID", dest=f"{name}_g", root=root))
-        return f"{name}_g"
+        g = f"{name}_g"
+        self.add(Line(f"{g.upper()} = 1 / root", TABLE, "", by=signs[sign], align="MID", dest=g, root=root))
+        return g
 
     def _unit(self, one: Statement) -> None:
         fold, root = self.group("fold"), self.group("root")
         words = [self.folded(terms, f"{name}_v", fold, one.wrist) for name, terms in zip(one.names, one.sums)]
         up = [f"{name}_u" for name in one.names]
         for word, name in zip(words, up):
-            self.add(Line(f"{name.upper()} = {word if word in one.reads else word.upper()} 2^s", REG, word, by="POWER", align="LOW", dest=name, fold=fold))
+            told = word if word in one.reads else word.upper()
+            self.add(Line(f"{name.upper()} = {told} 2^s", REG, word, by="POWER", align="LOW", dest=name, fold=fold))
         self.add(Line(f"|{up[0].upper()}, {up[1].upper()}|^2", REG, up[0], up[0], cd=(up[1], up[1]), acts={"ROOT"},
                       fold=fold, root=root))
         g = self.reciprocal(one.names[0], one.signs[0], root)
@@ -218,19 +220,20 @@ class _Lowering:
                 self.holds.append(one.hold)
             hold = self.holds.index(one.hold)
         for name, word in zip(one.names, up):
-            self.add(Line(f"{name} = {g.upper()} * {word.upper()}", REG, g, word, dest=name, acts={"HOLD"} if one.hold else set(),
-                          root=root if one.hold else -1, hold=hold))
+            self.add(Line(f"{name} = {g.upper()} * {word.upper()}", REG, g, word, dest=name, hold=hold,
+                          acts={"HOLD"} if one.hold else set(), root=root if one.hold else -1))
 
     def _clamp(self, one: Statement) -> None:
         name, far = one.names[0], self.group("far")
-        at = self.sum(one.sums[0], f"{name}_gap", f"{name}_gap".upper())
+        gap, scaled, product = (f"{name}_{part}" for part in ("gap", "r", "p"))
+        at = self.sum(one.sums[0], gap, gap.upper())
         self.lines[at].acts.add("FAR")
         self.lines[at].far = far
         fraction, power = one.source
-        self.add(Line(f"{name.upper()}_R = {name.upper()}_GAP * {fraction}", PORT, fraction, f"{name}_gap", dest=f"{name}_r"))
-        self.add(Line(f"{name.upper()}_P = {name.upper()}_R * {power}", PORT, power, f"{name}_r", align="LOW", acts={"FAR"}, far=far,
-                      dest=f"{name}_p"))
-        self.add(Line(f"{name} = clamp {name.upper()}_P", REG, f"{name}_p", by="PLUS", acts={"CLAMP"}, dest=name, far=far))
+        self.add(Line(f"{scaled.upper()} = {gap.upper()} * {fraction}", PORT, fraction, gap, dest=scaled))
+        self.add(Line(f"{product.upper()} = {scaled.upper()} * {power}", PORT, power, scaled, align="LOW", acts={"FAR"},
+                      far=far, dest=product))
+        self.add(Line(f"{name} = clamp {product.upper()}", REG, product, by="PLUS", acts={"CLAMP"}, dest=name, far=far))
 
 
 def lines(program: Program) -> list[Line]:

@@ -142,7 +142,8 @@ class _Walk:
         return self.outcome.words[name]
 
     def total(self, one: Statement, which: int = 0) -> Value:
-        return self.on.total([(term.minus, self.word(term.a), term.b and self.word(term.b)) for term in one.sums[which]])
+        return self.on.total([(term.minus, self.word(term.a), term.b and self.word(term.b))
+                              for term in one.sums[which]])
 
     def run(self, one: Statement) -> None:
         """Compute the words of a statement."""

@@ -14,10 +14,9 @@ from pathlib import Path
 from quadrance.program.language import FORMATS, ONE, Port, Program, Statement, Sum, Term, Wrong
 
 LIMITS = {"characters": 100_000, "columns": 160, "statements": 1000, "loops": 4, "values": 16, "name": 12, "terms": 12}
-RESERVED = {"in", "cfg", "sign", "norm", "argue", "out", "order", "reach", "check", "emit", "flags", "for", "root", "unit",
-            "clamp", "wrist", "hold", "one"}
-TABLE = set("""reg port last table of by nil plus minus slope back down flip nought power four twice lone add sub done keep
-    high low mid other fold more wrist above root hold far clamp check""".split())  # names of the printed table
+RESERVED = set("in cfg sign norm argue out order reach check emit flags for root unit clamp wrist hold one".split())
+TABLE = set("""reg port last table of by nil plus minus slope back down flip nought power four twice lone add sub done
+    keep high low mid other fold more above far out flag""".split())  # names of the printed table
 SIGNS = 3  # bits of in_signs
 ARGUED = 3  # words of a program whose range may be argued
 

@@ -42,8 +42,8 @@ def _held(program: Program, lines: Sequence[Line], fixed: dict[str, int]) -> dic
             raise Wrong(f"{program.path.name}: {c} is one direction too many to be held, three can be")
         register = fixed[c] if c in fixed else free[0]
         if _flag(register) in flags:
-            raise Wrong(f"{program.path.name}: {c} and {flags[_flag(register)]} are held and share a flag of the engine: "
-                        "of the results' numbers from 2 on, bit 3 or else bit 2 has to tell them apart")
+            raise Wrong(f"{program.path.name}: {c} and {flags[_flag(register)]} are held and share a flag of the "
+                        "engine: of the results' numbers from 2 on, bit 3 or else bit 2 has to tell them apart")
         flags[_flag(register)] = c
         for at, name in enumerate(names):
             found[name] = register + at % 2

@@ -176,8 +176,8 @@ def faults(found: Rules, lines: Sequence[Line], order: Order) -> list[str]:
     wrong += [f"'{lines[j].label}' needs LAST twice" for j in users if users.count(j) > 1]
     for unit, windows in found.windows.items():
         ordered = sorted(windows, key=lambda one: min(at[i] for i in one.makers))
-        wrong += [f"'{two.title}' takes the {unit} while '{one.title}' needs it" for one, two in zip(ordered, ordered[1:])
-                  if min(at[i] for i in two.makers) < ends(one, at)]
+        wrong += [f"'{two.title}' takes the {unit} while '{one.title}' needs it"
+                  for one, two in zip(ordered, ordered[1:]) if min(at[i] for i in two.makers) < ends(one, at)]
     return wrong
 
 

@@ -10,6 +10,23 @@ from quadrance.program.assembler import FIELDS, NIL, Assembled, assembled
 from quadrance.program.language import ONE, Wrong
 
 WIDTH = 120
+_HEAD = """\
+// SPDX-License-Identifier: Apache-2.0
+// Program {name}, assembled from {name}.kin and {name}.order by `quadrance assemble`; do not edit.
+//   {title}
+// Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
+// a word of capitals in a comment is one that the assembler has added. Latency of a core that plays it: {clocks}.
+// Model: quadrance.program.meaning
+`default_nettype none
+module {name}_program (
+    input  wire        clk,
+    input  wire        rst,
+    input  wire        in_start,
+    output wire        out_idle,
+    output wire        out_done,
+    output wire [46:0] out_op
+);
+"""
 
 
 def _list(names: Iterable[str]) -> str:
@@ -59,22 +76,18 @@ def verilog(one: Assembled) -> str:
     if long := [label for label, row in zip((row[0] for row in rows), table.split("\n")) if len(row) > WIDTH]:
         raise Wrong(f"{one.program.path.name}: the line '{long[0]}' is printed in more than {WIDTH} columns: take "
                     "shorter names")
-    ports = f".clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done),\n{' ' * 8}.out_op("
     drain = "" if at.drain == 3 else f".DRAIN({at.drain}), "
-    narrow = [] if one.roots else [f"    wire [{bits - 1}:0] op;"]
-    widen = [] if one.roots else [f"    assign out_op = {{op[{bits - 1}:6], 2'b00, op[5:0], 9'd0}};"]
-    return "\n".join((
-        "// SPDX-License-Identifier: Apache-2.0",
-        f"// Program {name}, assembled from {name}.kin and {name}.order by `quadrance assemble`; do not edit.",
-        f"//   {one.program.title[:WIDTH - 7]}",
-        "// Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. Names of inputs begin",
-        f"// with I_. Latency of a core that plays it: {one.clocks}. Model: quadrance.program.meaning",
-        "`default_nettype none", f"module {name}_program (", "    input  wire        clk,", "    input  wire        rst,",
-        "    input  wire        in_start,", "    output wire        out_idle,", "    output wire        out_done,",
-        "    output wire [46:0] out_op", ");", *_numbers(one),
-        f"    localparam [{len(rows)}*{bits}-1:0] LINES = {{", table + "};", *narrow,
-        f"    engine_program #(.LINES({len(rows)}), {drain}.BITS({bits}), .TABLE(LINES)) control (",
-        f"        {ports}{'out_op' if one.roots else 'op'}));", *widen, "endmodule", "`default_nettype wire", ""))
+    head = _HEAD.format(name=name, title=one.program.title[:WIDTH - 7], clocks=one.clocks)
+    table = head + "\n".join(_numbers(one)) + (f"\n    localparam [{len(rows)}*{bits}-1:0] LINES = {{\n{table}}};\n")
+    op = "out_op"
+    if not one.roots:  # no ALIGN and no ACT
+        op, table = "op", table + f"    wire [{bits - 1}:0] op;\n"
+    table += f"    engine_program #(.LINES({len(rows)}), {drain}.BITS({bits}), .TABLE(LINES)) control (\n"
+    table += "        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op("
+    table += f"{op}));\n"
+    if not one.roots:
+        table += f"    assign out_op = {{op[{bits - 1}:6], 2'b00, op[5:0], 9'd0}};\n"
+    return table + "endmodule\n`default_nettype wire\n"
 
 
 def table_path(path: Path) -> Path:
