@@ -8,6 +8,8 @@ from pathlib import Path
 
 from quadrance.program.assembler import FIELDS, NIL, Assembled, assembled
 from quadrance.program.language import ONE, Wrong
+from quadrance.program.parser import load
+from quadrance.program.ranges import proved
 
 WIDTH = 120
 _HEAD = """\
@@ -48,7 +50,7 @@ def _numbers(one: Assembled) -> list[str]:
             lines += textwrap.wrap(f"localparam {width}{', '.join(shown)};", WIDTH - 4, initial_indent=" " * 4,
                                    subsequent_indent=" " * 8)
     ports = [f"I_{name.upper()}" for name in (*one.program.inputs, ONE)]
-    registers = sorted(used & one.numbers.keys() - set(ports) - {NIL}, key=one.numbers.__getitem__)
+    registers = sorted(used & one.numbers.keys() - set(ports) - {NIL}, key=lambda name: (one.numbers[name], name))
     return [*lines, *(_list(f"{name}~=~6'd{one.numbers[name]}" for name in names if name in used)
                       for names in (registers, ports))]
 
@@ -100,6 +102,7 @@ def stale(folder: Path) -> list[str]:
     wrong = []
     for path in sorted(folder.glob("*.kin")):
         try:
+            proved(load(path))
             if not path.with_suffix(".order").exists():
                 wrong.append(f"{path.name}: no order is committed: quadrance assemble {path.name} --write")
             elif not (at := table_path(path)).exists() or at.read_text() != verilog(assembled(path)):
