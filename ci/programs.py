@@ -276,7 +276,7 @@ def parallel(one: Played, text: str) -> list[str]:
 
 
 MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
-    "vector_ik6_program": product(range(2, 14)), "six_branches_program": product((1, 3, 5, 7, 9, 11)),
+    "vector_ik6_program": product(range(2, 14)), "vector_ik6_all_program": product(range(48, 64)),
     "vector_fk6_program": product(range(2, 14), roots=False), "engine_delta_program": product((3, 7, 11)),
     "engine_gd_n_program": space, "engine_rus_fk_program": parallel}
 
