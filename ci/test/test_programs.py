@@ -59,9 +59,9 @@ def test_every_program_is_read_and_sound():
 
 
 @pytest.mark.parametrize("module, first, second, says", [
-    ("vector_ik6_program", "x1 = X1_G * X1_T", "C1_V = x1*px + b*py", "is read"),
-    ("vector_ik6_program", "n4 = C4_G * N4_U", "c4 = C4_G * C4_U", "read"),
-    ("vector_ik6_all_program", "C2UF_U = C2UF_V 2^s", "N2UF_V = k1f*xxf - k2uf*pz", "is read"),
+    ("vector_ik6_program", "x1 = X1g * X1t", "C1v = x1*px + b*py", "is read"),
+    ("vector_ik6_program", "n4 = C4g * N4u", "c4 = C4g * C4u", "read"),
+    ("vector_ik6_all_program", "N2UFu = N2UFv 2^s", "N2UFv = k1f*xxf - k2uf*pz", "is read"),
     ("vector_fk6_program", "c23 = c3*c2 - n2*n3", "u3 = c5*n23 + c23*f1", "is read"),
     ("engine_delta_program", "|b|^2", "|b|^2 up", "read"),
     ("engine_gd_n_program", "its square", "Newton", "read"),

@@ -131,7 +131,7 @@ def _root(found: Rules, lines: Sequence[Line], members: list[int]) -> None:
     holds = [i for i in members if "HOLD" in lines[i].acts]
     found.edges += [(root, i, found.timing.root) for i in tables]
     found.windows.setdefault("root", []).append(Window(lines[root].label, (root,), (
-        *((i, found.timing.root - 1) for i in tables), *((i, 0) for i in holds))))
+        *((i, found.timing.last) for i in tables), *((i, 0) for i in holds))))
 
 
 def _holds(found: Rules, program: Program, lines: Sequence[Line], writer: dict[str, int]) -> None:
