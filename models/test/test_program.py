@@ -9,20 +9,14 @@ import numpy as np
 import pytest
 from quadrance import six, truth_six
 from quadrance.cli import main
-from quadrance.cores import RTL, find
+from quadrance.cores import ROOT, RTL, find
 from quadrance.program import assembler, lines, meaning, parser, ranges, schedule, table
 from quadrance.program.language import Wrong
 
 PROGRAMS = sorted((RTL / "program").glob("*.kin"))
 EACH = pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
 P = {"W": 16, "F": 8, "U": 16}
-SMALL = """# The direction of a point
-in coordinate x y
-cfg length a
-out vector c n
-u = x - a
-c, n = unit (u, y) hold
-"""
+SMALL = (ROOT / "docs" / "programs.md").read_text().split("```")[1].lstrip()  # the page's example
 
 
 def read(text):
@@ -47,14 +41,14 @@ ERRORS = {
     "a word that is never used": (("u = x - a", "u = x - a\nv = x + a"), "my.kin:6: v is never used"),
     "an input that is never used": (("cfg length a", "cfg length a b"), "b is never used"),
     "a word given twice": (("u = x - a", "u = x - a\nu = x + a"), "my.kin:6: u is given twice"),
-    "an input declared twice": (("in coordinate x y", "in coordinate x y x"), "my.kin:2: x is declared twice"),
+    "an input declared twice": (("coordinate x y", "coordinate x y x"), "my.kin:2: x is declared twice"),
     "a result without a statement": (("out vector c n", "out vector c n w"), "w is a result, and no statement"),
     "no result": (("out vector c n\n", ""), "c is never used"),
     "a range that is not proved": (("u = x - a", "u = x - a + x + x + y"),
                                    "my.kin:5: the range of u is not proved: -2.500 to 2.500"),
     "a root of what may be negative": (("u = x - a", "v = x - a\nu = root v"),
                                        "the range of v is not proved: -1.000 to 1.000, and an argument of a root"),
-    "an unknown format": (("in coordinate", "in integer"), "my.kin:2: vector or coordinate or length"),
+    "an unknown format": (("coordinate", "integer"), "my.kin:2: vector or coordinate or length"),
     "a symbol": (("x - a", "x / a"), "my.kin:5: '/' has no meaning here"),
     "a call": (("x - a", "exit(1)"), "my.kin:5: '(' is too much"),
     "a name that is none": (("u = x - a", "U = x - a"), "my.kin:5: 'U' is no name"),
