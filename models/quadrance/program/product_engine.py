@@ -138,6 +138,10 @@ def program(words: Sequence[int], again: int | None = None, labels: Sequence[str
     lines = [decode(word, labels[i] if labels else "", names[i] if names else None, roots)
              for i, word in enumerate(words)]
     then = straight(lines, again)
+    first = fields(words[0])
+    if first["keep"] or first["act"] & ~(FOLD | WRIST | ABOVE | ROOT) or first["dest"] in results:
+        text = "it is played while the program is idle too: no KEEP, result, MORE, HOLD, FAR, CLAMP or CHECK in it"
+        lines[0] = replace(lines[0], wrong=(*lines[0].wrong, text))
     for number, texts in _neighbours(words, then).items():
         lines[number] = replace(lines[number], wrong=(*lines[number].wrong, *texts))
     return Program(lines, then, results=results, titles={i: f"register {i}" for i in range(64)})
