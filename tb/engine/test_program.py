@@ -126,7 +126,7 @@ def written(seed):
 
 def agree(program, inputs, branch, folder):
     words, status = played(program, inputs, branch, folder)
-    outcome = meaning._walked(program, meaning.Fixed(12, 13), inputs, {
+    outcome = meaning.walked(program, meaning.Fixed(12, 13), inputs, {
         name: branch >> i & 1 for i, name in enumerate(program.signs)})
     for at, port in enumerate(program.results):
         wrong = np.flatnonzero(words[:, at] != outcome.words[port.name])
