@@ -107,7 +107,7 @@ module product_engine #(
         if (ROOTS != 0) begin : g_roots
             wire       empty;
             wire       wide = low && product1[53:25] != {29{product1[53]}};  // the word is beyond +-1
-            reg        long, below, sign, unknown, read, check, off, one;
+            reg        long, below, sign, unknown, read, check, beyond, off, one;
             reg [19:0] q;
             reg  [3:1] first, held;
             engine_roots #(.WRIST(WRIST)) roots (.clk(clk), .in_first(act[0]), .in_more(act[1]), .in_wrist(act[2]),
@@ -130,12 +130,14 @@ module product_engine #(
                     long <= low ? long || wide : !sum[31] && sum[30:29] != 2'd0;
                     sign <= low && product1[53] && !long;
                 end
-                q     <= low ? product1[26:7] : sum[31:12];
-                read  <= act[4];
-                check <= act[8];
-                off   <= !in_start && (off || in_run && check && (out_word[25:SLACK] ^ {26-SLACK{out_word[26]}}) != 0);
+                q      <= low ? product1[26:7] : sum[31:12];
+                read   <= act[4];
+                check  <= act[8];
+                beyond <= sum[31:29] != {3{sum[31]}};  // the word has wrapped, maybe to 0
+                off    <= !in_start && (off || in_run && check
+                                        && (beyond || (out_word[25:SLACK] ^ {26-SLACK{out_word[26]}}) != 0));
                 if (rst)
-                    first <= 3'b111;
+                    {first, held, below, long} <= {3'b111, 5'd0};  // flags of acts that a program has not are 0
             end
         end else begin : g_sums
             assign {w, slope, power, four, twice} = 107'd0;

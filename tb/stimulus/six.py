@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from quadrance import codecs, six, truth_six
 from quadrance.cores import Core, joints
+from quadrance.product_engine import H
+from quadrance.program import meaning
 from quadrance.truth_six import Six
 
 from tb.lib import stimulus
@@ -96,7 +98,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         other = rng.integers(-(1 << core.params["W"] - 1), 1 << core.params["W"] - 1, count) >> rng.integers(
             0, core.params["W"], count)
         found[f"in_{axis}"] = np.where(own | (rng.random(count) < 0.3), found[f"in_{axis}"], other)
-    slack = six.slack(core.params) - six.H + core.params["U"]  # of 2^-U
+    slack = meaning.slack(core.params) - H + core.params["U"]  # of 2^-U
     for axis in six.AXES:  # matrices just within the threshold, just beyond, and none at all
         off = rng.integers(-1, 2, count) << rng.integers(0, slack + 3, count)
         found[f"in_r{axis}"] = found[f"in_r{axis}"] + np.where(rng.random(count) < 0.04, off, 0)
@@ -110,4 +112,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     first |= {"in_x": first["in_x"] * 0, "in_y": first["in_y"] * 0,
               "in_z": np.full(2, np.clip(round((arm.c1 + arm.c4) * lsb), -(1 << core.params["W"] - 1),
                                          (1 << core.params["W"] - 1) - 1))}
-    return stimulus.joined(first, found)
+    # a matrix whose columns are as long as sqrt(5): every sum that tests it is 0 or 4
+    one, rows = 1 << core.params["U"], ((2, 0, 1), (1, 0, -2), (0, 1, 0))
+    long = {f"in_r{i + 1}{j + 1}": np.full(2, min(value * one, 2 * one - 1)) for i, row in enumerate(rows)
+            for j, value in enumerate(row)}
+    return stimulus.joined(stimulus.joined(first, first | long), found)

@@ -60,7 +60,7 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
     elif at["from"] == LAST:
         reads.append(Read(WORD, 1))
     elif at["from"] == TABLE:
-        reads.append(Read(RECIPROCAL, 1))
+        reads += [Read(RECIPROCAL, 1), Read(NONE, 1)]
     scaled = at["by"] and not at["b"] >> 5 and not at["b"] >> 2 & 1  # by the root's second factor or a power of two
     if not at["by"]:
         register("b")
@@ -138,6 +138,10 @@ def program(words: Sequence[int], again: int | None = None, labels: Sequence[str
     lines = [decode(word, labels[i] if labels else "", names[i] if names else None, roots)
              for i, word in enumerate(words)]
     then = straight(lines, again)
+    first = fields(words[0])
+    if first["keep"] or first["act"] & ~(FOLD | WRIST | ABOVE | ROOT) or first["dest"] in results:
+        text = "it is played while the program is idle too: no KEEP, result, MORE, HOLD, FAR, CLAMP or CHECK in it"
+        lines[0] = replace(lines[0], wrong=(*lines[0].wrong, text))
     for number, texts in _neighbours(words, then).items():
         lines[number] = replace(lines[number], wrong=(*lines[number].wrong, *texts))
     return Program(lines, then, results=results, titles={i: f"register {i}" for i in range(64)})
@@ -179,8 +183,15 @@ def _held(words: Sequence[int], made: Program) -> list[str]:
     return wrong
 
 
+def _whole(words: Sequence[int], made: Program) -> list[str]:
+    """The engine turns the table's second factor where the newest root was one of 1.0: it must be the table's."""
+    return [f"line {number + 1} '{line.label}': the root's second factor has the sign of another root"
+            for number, line in enumerate(made.lines) if fields(words[number])["from"] == TABLE
+            and _writers(made, number, (RECIPROCAL,)) != _writers(made, number, (NONE,))]
+
+
 def check(words: Sequence[int], again: int | None = None, labels: Sequence[str] = (),
           names: Sequence[dict[str, str]] = (), results: frozenset[int] = frozenset(), roots: bool = True) -> list[str]:
     """What is wrong with a program of control words; empty for a sound one. Parameters as for `program`."""
     made = program(words, again, labels, names, results, roots)
-    return soundness(made) + _partial(words, made) + _held(words, made)
+    return soundness(made) + _partial(words, made) + _held(words, made) + _whole(words, made)
