@@ -68,8 +68,9 @@ def _broken(rule: tuple, axes: list[Axis]) -> tuple[float, str]:
     some = [axes[i - 1] for i in numbers]
     named = f"axes {', '.join(map(str, numbers[:-1]))} and {numbers[-1]}"
     if what == "meet":
-        point = _meeting(some[:2])
-        gap = max(float(np.linalg.norm(np.cross(axis.way, point - axis.point))) for axis in some)
+        feet = [_meeting(some[i:i + 2]) for i in (0, 1)]  # half-way where two axes do not meet
+        gap = max(*(2 * float(np.linalg.norm(np.cross(axis.way, foot - axis.point))) for axis, foot in zip(some, feet)),
+                  float(np.linalg.norm(feet[1] - feet[0])))
         return gap / GAP, f"{named} miss a common point by {gap:.4g} mm"
     (_, _, u), (_, _, v) = some
     angle = math.atan2(np.linalg.norm(np.cross(u, v)), abs(u @ v))
@@ -141,7 +142,11 @@ def _poses(rotation: Floats, x: Floats, y: Floats, z: Floats) -> Floats:
 
 
 def _about(axis: str, angle: Floats) -> Floats:
-    return np.array([urdf.frame([0, 0, 0], [0, one, 0] if axis == "y" else [0, 0, one])[:3, :3] for one in angle])
+    found, (i, j) = np.tile(np.eye(3), (len(angle), 1, 1)), (0, 1) if axis == "z" else (2, 0)
+    found[:, i, i] = found[:, j, j] = np.cos(angle)
+    found[:, j, i] = np.sin(angle)
+    found[:, i, j] = -np.sin(angle)
+    return found
 
 
 # A yaw and two links upright, with a wrist or without
@@ -269,7 +274,7 @@ def _printed(found: Floats) -> tuple[list[float], list[float]]:
 
 
 def _room(joint: urdf.Moving, part: Part, more: float) -> tuple[list[float], float]:
-    """Limits as the cores have them, `more` beside the zero, and the zero, degrees; the middle is within half a turn."""
+    """Limits as the cores have them, `more` beside the zero, and the zero, degrees; their middle in half a turn."""
     zero = math.remainder(math.degrees(part.zero), 360)
     if joint.room is None or joint.room[1] - joint.room[0] > 2 * math.pi - 1e-9:
         return [-180.0, 180.0], _round(zero, 9)
@@ -302,15 +307,16 @@ def arm_file(chain: Chain, source: str) -> dict:
     def text(unit: float) -> str:
         lines = [f"name = {_text(chain.name)}", f"source = {_text(source)}", f"mm_per_unit = {unit!r}"]
         for key, table in tables.items():
-            lines += ["", f"[{key}]"] * bool(table) + [f"{name} = {value!r}" for name, value in table.items()]
+            lines += ["", f"[{key}]"] * bool(table) + [f"{one} = {value!r}" for one, value in table.items()]
         return "\n".join([*lines, "", "[joints]", *(
-            f"{part.key} = {{ name = {_text(joints[part.joint].name)}, sign = {part.sign}, zero = {zeros[part.key]!r} }}"
-            f"  # {_span(joints[part.joint])}" for part in built.parts if part not in rest), ""])
+            f"{part.key} = {{ name = {_text(joints[part.joint].name)}, sign = {part.sign}, "
+            f"zero = {zeros[part.key]!r} }}  # {_span(joints[part.joint])}"
+            for part in built.parts if part not in rest), ""])
 
     def arm(unit: float) -> Arm:
         return arms.parse(Path(source), text(unit).encode())
 
-    unit = check.scale(arm(max(links["l1"] + links["l2"], 1e-3) / 100))
+    unit = check.scale(arm(max(sum(map(abs, [*links.values(), *tables.get("constants", {}).values()])), 1e-3) / 100))
     served, base = arm(unit), _printed(built.base)
     held = urdf.frame(base[0], np.radians(base[1]))
 
@@ -326,18 +332,19 @@ def arm_file(chain: Chain, source: str) -> dict:
         raise Refused(f"{source}: it is nearly {kind.name}, but not within {2 * MM:g} mm and {2 * RAD:g} rad: the tip "
                       f"would be off by {mm:.3g} mm and {rad:.3g} rad; {worst}")
     notes = [f"{kind.name}: within {mm:.1g} mm and {rad:.1g} rad of its source at {SAMPLES} joint vectors"]
-    for name, (xyz, rpy), what in (("base", base, f"the cores' frame, seen from '{chain.base}'"),
-                                   ("tool", tool, f"'{chain.tip}', seen from the cores' frame at the tip")):
-        notes += [f"{name}: {what}: xyz = {xyz} mm, rpy = {rpy} degrees"] if any(xyz + rpy) else []
+    for name, (xyz, rpy), what in (("base", base, f"the cores' frame seen from '{chain.base}'"),
+                                   ("tip", tool, f"'{chain.tip}' seen from the cores' frame at the tip")):
+        notes += [f"{name} frame: {what}: xyz = {xyz} mm, rpy = {rpy} degrees"] if any(xyz + rpy) else []
     for part in rest:
         joint, moves = joints[part.joint], "moves the tip along z" if part.key == "slide" else "turns the tip about z"
-        notes.append(f"{part.key}: '{joint.name}' ({_span(joint)}) {moves}, sign = {part.sign}, zero = "
-                     f"{zeros[part.key]!r}; no core computes it")
+        notes.append(f"joint '{joint.name}' ({_span(joint)}) {moves}, sign = {part.sign}, zero = {zeros[part.key]!r}; "
+                     "no core computes it")
     if chain.written:
         there = off(urdf.pose(chain.written, q), want)
         notes.append(f"rounded: {', '.join(chain.rounded[:8])} stand for multiples of pi/4; as they are written the "
                      "tip is up to {:.2g} mm and {:.2g} rad elsewhere".format(*there))
-    return {"kind": kind.name, "base": base, "tool": tool, "off_mm": mm, "off_rad": rad,
+    return {"kind": kind.name, "base": base, "tip": tool, "off_mm": mm, "off_rad": rad,
+            "rest": [(joints[part.joint].name, part.key, part.sign, zeros[part.key]) for part in rest],
             "text": "\n".join([*(f"# {note}" for note in notes), text(unit)])}
 
 

@@ -281,17 +281,17 @@ def _xacro(file: str, packages: str = "") -> None:
     import xacro.substitution_args as substitution
 
     folders = [os.path.realpath(one) for one in (os.path.dirname(file) or ".", packages) if one]
-    harmless = {"compile", "exec", "glob.glob", "os.scandir", "os.listdir", "object.__getattr__", "sys._getframe",
-                "builtins.id"}
+    harmless = {"compile", "exec", "glob.glob", "glob.glob/2", "object.__getattr__", "sys._getframe", "builtins.id"}
 
     def watch(event: str, given: tuple) -> None:
-        if event == "open" and isinstance(given[0], (str, bytes)):
+        if event in ("open", "os.scandir", "os.listdir") and isinstance(given[0], (str, bytes)):
             place = os.path.realpath(os.fsdecode(given[0]))
-            if given[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC) or \
-                    not any(os.path.commonpath([place, folder]) == folder for folder in folders):
-                raise PermissionError(f"{place} is outside the file's folder; --packages DIR opens one more")
+            if not any(os.path.commonpath([place, folder]) == folder for folder in folders):
+                raise RuntimeError(f"{place} is outside the file's folder; --packages DIR opens one more")
+            if event == "open" and given[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC):
+                raise RuntimeError(f"{place} would be written")
         elif event not in harmless:
-            raise PermissionError(f"an expression asks for {event}")
+            raise RuntimeError(f"an expression asks for {event}")
 
     if packages:
         substitution._eval_find = lambda name: os.path.join(packages, name)
