@@ -771,6 +771,7 @@ def robots(draw):
         pose = between(rest @ before @ turn(axis, draw(angles_)) @ own)
         count += 1
         text.append(joint_(f"j{count}", f"n{count - 1}", f"n{count}", "prismatic" if letter == "P" else "revolute",
+                           limit=draw(st.sampled_from(((-2.5, 2.0), (0.004, 0.009), (0, 6.0)))),
                            axis=draw(signs) * own[:3, :3].T @ axis, **fixed(pose)))
         rest = np.linalg.inv(own)
     pose = between(rest @ after @ draw(st.sampled_from((np.eye(4), turn(Y, math.pi / 2), turn(X, 1.0)))))
@@ -791,7 +792,6 @@ def right_or_refused(text, accepted):
         if code:
             return
         base, tip = re.search(r'^source = "r.urdf, (.*) to (.*)"$', file.read_text(), re.M).groups()
-        assert not accepted or "right\n" in run("check", file)[1]
         assert arms.load(file).shoulder >= 0, "the shoulder is in front of the yaw axis"
         if "# rounded" not in file.read_text():
             samples = values(path.read_bytes(), base, tip, 25)
@@ -841,7 +841,7 @@ def checked(text):
         path.write_bytes(text.encode("utf-8", "surrogatepass"))
         code, out, _ = run("check", path)
         assert code or ": right\n  links " in out
-        for core in ("arm_ik3", "vector_ik6", "table_ik3r"):
+        for core in () if code else ("arm_ik3", "table_ik2"):
             code, out, _ = run("instance", core, "--arm", path)
             assert code or re.fullmatch(r"(//.*\n)+\w+ #\(.*\) \w+ \(\n( +\..*\n)+\);\n", out)
 

@@ -115,17 +115,16 @@ def _planar(axes: list[Axis], tip: Floats) -> Built:
     base, yaw = _frame(o, x, y, z)
     feet = [complex(x @ (point - o), y @ (point - o)) for point in (*(axes[i].point for i in turning), tip[:3, 3])]
     links = [end - start for start, end in zip(feet, feet[1:])]
-    if len(links) == 3 and abs(links[2]) < 1e-3:  # the tip is on axis 3, which turns it alone
+    lengths = {f"l{i}": abs(link) for i, link in enumerate(links, 1)}
+    if lengths.get("l3", 1.0) < 1e-3:  # the tip is on axis 3, which turns it alone
+        del lengths["l3"]
         links[2] = complex(x @ tip[:3, 0], y @ tip[:3, 0]) if abs(z @ tip[:3, 2]) > 0.5 else links[1]
-        lengths = links[:2]
-    else:
-        lengths = links
     ways = [math.atan2(link.imag, link.real) for link in links]
     zeros = [end - start for start, end in zip([-yaw, *ways], ways)]
     parts = [Part(key, i, _sign(z @ axes[i].way), zero) for key, i, zero in
              zip(("shoulder", "elbow", "tool"), turning, zeros)]
     parts += [Part("slide", i, _sign(z @ axis.way), 0.0) for i, axis in enumerate(axes) if axis.slides]
-    return Built({"links": {f"l{i}": abs(link) for i, link in enumerate(lengths, 1)}}, parts, base)
+    return Built({"links": lengths}, parts, base)
 
 
 def _planar_pose(arm: Arm, q: dict[str, Floats]) -> Floats:
@@ -152,29 +151,33 @@ def _about(axis: str, angle: Floats) -> Floats:
 # A yaw and two links upright, with a wrist or without
 
 
-def _upright(axes: list[Axis], target: Floats) -> tuple[Floats, Floats, Floats, float]:
-    """Rotation and origin of the arm's own frame (z the yaw axis, y along axis 2), the cores' frame, and the yaw."""
+def _upright(axes: list[Axis], target: Floats, way: Floats | None = None) -> tuple[Built, Floats]:
+    """Tables and joints of the first three axes, and axis 2 in the sense of y.
+
+    way : of the forearm, which ends at the target's foot on it; None is the way to the target.
+    """
     z = _up(axes[0].way)
     o = axes[0].point - (axes[0].point @ z) * z
     y = axes[1].way - (axes[1].way @ z) * z
     y = y / np.linalg.norm(y)
+    ahead = np.cross(y, z) @ (axes[1].point - o)
+    if (ahead if abs(ahead) > 1e-3 else np.cross(y, z) @ (target - o)) < -1e-6:  # the shoulder is in front
+        y = -y
     x = np.cross(y, z)
-    ahead = x @ (axes[1].point - o)
-    if (ahead if abs(ahead) > 1e-3 else x @ (target - o)) < -1e-6:  # the shoulder is in front, else the target
-        x, y = -x, -y
-    return np.stack([x, y, z]), o, *_frame(o, x, y, z)
+    two, three, end = (np.stack([x, y, z]) @ (point - o) for point in (axes[1].point, axes[2].point, target))
+    upper, fore = (complex(*(b - a)[[0, 2]]) for a, b in ((two, three), (three, end)))
+    along = fore if way is None else complex(x @ way, z @ way)
+    base, yaw = _frame(o, x, y, z)
+    one, both = (math.atan2(link.imag, link.real) for link in (upper, along))
+    fore *= complex(math.cos(both), -math.sin(both))
+    parts = [Part(key, i, _sign(positive @ axes[i].way), zero) for i, (key, positive, zero) in
+             enumerate((("yaw", z, yaw), ("shoulder", -y, one), ("elbow", -y, both - one)))]
+    return Built({"links": {"l1": abs(upper), "l2": fore.real}, "constants": {
+        "base": two[2], "shoulder": two[0], "lateral": end[1], "elbow": fore.imag}}, parts, base), y
 
 
 def _three(axes: list[Axis], tip: Floats) -> Built:
-    turn, o, base, yaw = _upright(axes, tip[:3, 3])
-    two, three, end = (turn @ (point - o) for point in (axes[1].point, axes[2].point, tip[:3, 3]))
-    upper, fore = (complex(*(b - a)[[0, 2]]) for a, b in ((two, three), (three, end)))
-    one, both = (math.atan2(link.imag, link.real) for link in (upper, fore))
-    y = turn[1]
-    return Built({"links": {"l1": abs(upper), "l2": abs(fore)},
-                  "constants": {"base": two[2], "shoulder": two[0], "lateral": end[1]}},
-                 [Part("yaw", 0, _sign(turn[2] @ axes[0].way), yaw), Part("shoulder", 1, -_sign(y @ axes[1].way), one),
-                  Part("elbow", 2, -_sign(y @ axes[2].way), both - one)], base)
+    return _upright(axes, tip[:3, 3])[0]
 
 
 def _three_pose(arm: Arm, q: dict[str, Floats]) -> Floats:
@@ -184,30 +187,20 @@ def _three_pose(arm: Arm, q: dict[str, Floats]) -> Floats:
 
 
 def _six(axes: list[Axis], tip: Floats) -> Built:
-    """The parameters of Brandstoetter, Angerer, Hofbaur; d4 along the forearm, y4 axis 5, d6 to the tip."""
+    """As in Brandstoetter, Angerer, Hofbaur: d4 is the way of the forearm, y4 of axis 5, d6 to the tip."""
     centre = _meeting(axes[3:])
-    turn, o, base, yaw = _upright(axes, centre)
-    y, z = turn[1], turn[2]
-    two, three, end = (turn @ (point - o) for point in (axes[1].point, axes[2].point, centre))
     d4 = axes[3].way * _sign((centre - axes[2].point) @ axes[3].way)
-    lean = math.atan2(*(turn @ d4)[[0, 2]])
-    fore = complex(*(end - three)[[2, 0]]) * complex(math.cos(lean), -math.sin(lean))
-    upper = (three - two)[[0, 2]]
-    one = math.atan2(*upper)
+    built, y = _upright(axes, centre, d4)
     reach = (tip[:3, 3] - centre) @ axes[5].way
     d6 = axes[5].way * _sign(reach if abs(reach) > 1e-3 else tip[:3, 2] @ axes[5].way)
     x3, y4 = np.cross(y, d4), axes[4].way
     y4 = y4 * _sign(y4 @ y if abs(y4 @ y) > 1e-6 else -y4 @ x3)
     x5 = np.cross(y4, d6)
-    along = tip[:3, 2] @ d6 > 0.5
     zeros = (math.atan2(-(y4 @ x3), y4 @ y), math.atan2(np.cross(d4, d6) @ y4, d4 @ d6),
-             math.atan2(tip[:3, 0] @ y4, tip[:3, 0] @ x5) if along else 0.0)
-    zeros = (yaw, math.pi / 2 - one, one - lean, *zeros)
-    found = [Part(key, i, _sign(way @ axis.way), zero) for i, (key, axis, way, zero) in enumerate(zip(
-        ("yaw", "shoulder", "elbow", *arms.WRIST), axes, (z, -y, -y, d4, y4, d6), zeros))]
-    return Built({"links": {"l1": np.linalg.norm(upper), "l2": fore.real},
-                  "constants": {"base": two[2], "shoulder": two[0], "lateral": end[1], "elbow": -fore.imag},
-                  "wrist": {"flange": (tip[:3, 3] - centre) @ d6}}, found, base)
+             math.atan2(tip[:3, 0] @ y4, tip[:3, 0] @ x5) if tip[:3, 2] @ d6 > 0.5 else 0.0)
+    built.parts.extend(Part(key, i, _sign(way @ axes[i].way), zero) for key, i, way, zero in
+                       zip(arms.WRIST, (3, 4, 5), (d4, y4, d6), zeros))
+    return built._replace(tables=built.tables | {"wrist": {"flange": (tip[:3, 3] - centre) @ d6}})
 
 
 def _six_pose(arm: Arm, q: dict[str, Floats]) -> Floats:
@@ -276,7 +269,7 @@ def _printed(found: Floats) -> tuple[list[float], list[float]]:
 def _room(joint: urdf.Moving, part: Part, more: float) -> tuple[list[float], float]:
     """Limits as the cores have them, `more` beside the zero, and the zero, degrees; their middle in half a turn."""
     zero = math.remainder(math.degrees(part.zero), 360)
-    if joint.room is None or joint.room[1] - joint.room[0] > 2 * math.pi - 1e-9:
+    if joint.slides or joint.room is None or joint.room[1] - joint.room[0] > 2 * math.pi - 1e-9:
         return [-180.0, 180.0], _round(zero, 9)
     ends = sorted(part.sign * math.degrees(end) + zero + more for end in joint.room)
     turns = 360 * math.ceil((sum(ends) / 2 - 180) / 360)
