@@ -2,15 +2,13 @@
 
 Such a file is not trusted. Refused are a document type, and with it every entity, a file of more than 16 MiB, elements
 more than 64 deep, more than 1000 joints, and a length beyond 1 km. No file that it names is opened. Xacro opens files
-and evaluates expressions: it is a process of its own that reads below the file's folder (and --packages) alone, writes
-nothing, and has no environment, no socket and no other process.
+and evaluates expressions: `expand` runs it apart.
 """
 
 from __future__ import annotations
 
 import importlib.util
 import math
-import os
 import re
 import subprocess
 import sys
@@ -26,7 +24,7 @@ from quadrance.cli.catalogue import Refused, choose
 from quadrance.truth import Floats
 
 MOST_BYTES, MOST_DEPTH, MOST_JOINTS, MOST = 16 << 20, 64, 1000, 1000.0  # m, rad
-SECONDS, MEMORY = 20, 4 << 30  # of xacro
+SECONDS, EXPAND = 20, Path(__file__).with_name("expand.py")  # xacro's time, and the program that runs it
 NUMBER = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d{1,3})?", re.ASCII | re.IGNORECASE)
 Element = dict[str, dict[str, str]]  # a joint: "" -> its attributes, child -> the child's
 
@@ -261,54 +259,11 @@ def _expanded(path: Path, packages: str | None) -> bytes:
     if importlib.util.find_spec("xacro") is None:
         raise Refused(f"{path} needs xacro, which is not installed: pip install xacro")
     try:
-        done = subprocess.run([sys.executable, "-P", __file__, path, *([packages] if packages else [])],
-                              capture_output=True, timeout=SECONDS, stdin=subprocess.DEVNULL,
-                              env={"PYTHONPATH": os.pathsep.join(filter(None, sys.path))})
+        done = subprocess.run([sys.executable, "-P", EXPAND, str(SECONDS), path, packages or "", *sys.path],
+                              capture_output=True, timeout=SECONDS, stdin=subprocess.DEVNULL, env={})
     except subprocess.TimeoutExpired:
         raise Refused(f"{path}: xacro did not end within {SECONDS} s") from None
     if done.returncode or len(done.stdout) > MOST_BYTES:
-        said = done.stderr.decode(errors="replace").split("\n")[-1]
+        said = done.stderr.decode(errors="replace").split("\n")[-1] or f"it was ended after {SECONDS} s"
         raise Refused(f"{path}: xacro: {said if done.returncode else 'it made too much'}")
     return done.stdout
-
-
-def _xacro(file: str, packages: str = "") -> None:
-    """The process of `_expanded`: an event of Python's that is not named here is refused."""
-    import resource
-    import xml.dom.expatbuilder  # noqa: F401  (nothing can be imported later)
-
-    import xacro
-    import xacro.substitution_args as substitution
-
-    folders = [os.path.realpath(one) for one in (os.path.dirname(file) or ".", packages) if one]
-    harmless = {"compile", "exec", "glob.glob", "glob.glob/2", "object.__getattr__", "sys._getframe", "builtins.id"}
-
-    def watch(event: str, given: tuple) -> None:
-        if event in ("open", "os.scandir", "os.listdir") and isinstance(given[0], (str, bytes)):
-            place = os.path.realpath(os.fsdecode(given[0]))
-            if not any(os.path.commonpath([place, folder]) == folder for folder in folders):
-                raise RuntimeError(f"{place} is outside the file's folder; --packages DIR opens one more")
-            if event == "open" and given[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC):
-                raise RuntimeError(f"{place} would be written")
-        elif event not in harmless:
-            raise RuntimeError(f"an expression asks for {event}")
-
-    if packages:
-        substitution._eval_find = lambda name: os.path.join(packages, name)
-    for what, most in ((resource.RLIMIT_CPU, SECONDS), (resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_FSIZE, 0)):
-        resource.setrlimit(what, (most, most))
-    sys.addaudithook(watch)
-    text = b""
-    try:
-        text = xacro.process_file(file).toxml().encode()
-    except BaseException as error:  # whatever a foreign expression raises
-        said = " ".join(f"{type(error).__name__}: {error}".split())[:400]
-        sys.stderr.write("\n" + said.encode("ascii", "backslashreplace").decode())
-        sys.stderr.flush()
-    sys.stdout.buffer.write(text)
-    sys.stdout.flush()
-    os._exit(not text)  # nothing foreign runs again
-
-
-if __name__ == "__main__":
-    _xacro(*sys.argv[1:])
