@@ -369,7 +369,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         args.does(args)
     except Refused as error:
-        print(f"quadrance: {error}", file=sys.stderr)
+        print("quadrance:", *str(error).splitlines(), file=sys.stderr)
         return 2
     except BrokenPipeError:  # `quadrance cores | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
