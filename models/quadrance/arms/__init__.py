@@ -36,12 +36,14 @@ the turn of the elbow's offset (of an absolute elbow: from the horizontal); `too
 from __future__ import annotations
 
 import math
+import stat
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 REACH = 128 - 2**-8  # units: the largest coordinate of Q7.8
+MOST = 1e9  # mm: no length is beyond it
 TOP = ("name", "source", "mm_per_unit", "links", "constants", "wrist", "limits", "singular", "joints")
 WRIST = ("j4", "j5", "j6")
 
@@ -154,18 +156,48 @@ def load(name_or_path: str | Path) -> Arm:
         Naming the file, the key and the reason.
     """
     path = path_of(name_or_path)
+    return parse(path, read(path))
+
+
+def read(path: Path, most: int = 1 << 20) -> bytes:
+    """A file that others may have written: ArmError for what is no file or has more than `most` bytes."""
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
+        if not (stat.S_ISREG(mode := path.stat().st_mode) or stat.S_ISDIR(mode)):
+            raise ArmError(f"{path}: cannot be read: Not a file")
+        with path.open("rb") as file:
+            text = file.read(most + 1)
     except OSError as error:
         raise ArmError(f"{path}: cannot be read: {error.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ArmError(f"{path}: not TOML: {error}") from None
-    return _arm(path, data)
+    if len(text) > most:
+        raise ArmError(f"{path}: it has more than {most >> 20} MiB")
+    return text
 
 
-def _arm(path: Path, data: dict) -> Arm:
+def toml(path: Path, text: bytes) -> dict:
+    """What a TOML file says; ArmError where it is none, or one that nests or counts without bounds."""
+    def bounded(value: object) -> bool:
+        if isinstance(value, (dict, list)):
+            return all(map(bounded, value.values() if isinstance(value, dict) else value))
+        return not isinstance(value, int) or -1 << 63 <= value < 1 << 63
+
+    try:
+        data = tomllib.loads(text.decode())
+        if bounded(data):
+            return data
+        reason: object = "an integer has more than 64 bits"
+    except ValueError as error:
+        reason = error
+    except RecursionError:
+        reason = "it is nested too deeply"
+    raise ArmError(f"{path}: not TOML: {reason}")
+
+
+def parse(path: Path, text: bytes) -> Arm:
+    """The arm of the text of a file."""
+    data = toml(path, text)
+
     def fail(key: str, reason: str):
-        raise ArmError(f"{path}: {key}: {reason}")
+        raise ArmError(f"{path}: {key if key.isprintable() else ascii(key)}: {reason}")
 
     def take(table: dict, prefix: str, key: str, kind: type, default: object = None):
         if key not in table:
@@ -179,8 +211,11 @@ def _arm(path: Path, data: dict) -> Arm:
             wanted = {float: "a number", str: "a string", bool: "true or false", dict: "a table", list: "a list",
                       int: "1 or -1"}
             fail(prefix + key, f"must be {wanted[kind]}, not {value!r}")
-        if kind is float and not math.isfinite(value):
-            fail(prefix + key, f"must be finite, not {value}")
+        if kind is float and not abs(value) <= MOST:
+            fail(prefix + key, f"must be finite, not {value}" if not math.isfinite(value) else
+                 f"must lie within -{MOST:g} and {MOST:g}, not {value:g}")
+        if kind is str and not value.isprintable():
+            fail(prefix + key, f"must be one line of text, not {value!a}")
         return value
 
     def only(table: dict, prefix: str, keys: set[str]):

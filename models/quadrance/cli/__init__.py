@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadrance import arms
-from quadrance.cli import assemble, axis, catalogue, check, tables, verilog, words
+from quadrance.cli import assemble, axis, catalogue, check, importing, tables, urdf, verilog, words
 from quadrance.cli.catalogue import Refused
 from quadrance.cli.tables import Column
 from quadrance.iterative import track
@@ -250,6 +250,37 @@ def _arms(args: argparse.Namespace) -> None:
                             f"{one['mm_per_unit']:g}", f"{one['lsb_mm'] * 1000:.4g}") for one in found], out.width))
 
 
+def _import(args: argparse.Namespace) -> None:
+    if bool(args.urdf) == bool(args.dh):
+        raise Refused("import takes one robot: a URDF, or a table with --dh")
+    if args.dh and (args.base or args.tip or args.packages):
+        raise Refused("--base, --tip and --packages belong to a URDF, and a table is a chain")
+    if args.out and Path(args.out).suffix != ".toml":
+        raise Refused(f"--out {args.out}: the name of an arm file ends in .toml")
+    path = Path(args.urdf or args.dh)
+    try:
+        chain = urdf.read_dh(path) if args.dh else urdf.read_urdf(path, args.base, args.tip, args.packages)
+        found = importing.arm_file(chain, f"{path.name}, {chain.base} to {chain.tip}")
+    except arms.ArmError as error:
+        raise Refused(str(error)) from None
+    if args.out:
+        _write(Path(args.out), found["text"])
+    if args.json:
+        return _json(found)
+    print(f"{args.out}: {found['kind']}; now: quadrance check {args.out}" if args.out else found["text"], end="")
+
+
+def _write(path: Path, text: str) -> None:
+    """A new file; one that is there stays as it is."""
+    try:
+        with path.open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError:
+        raise Refused(f"{path} exists and is not overwritten") from None
+    except OSError as error:
+        raise Refused(f"{path} cannot be written: {error.strerror}") from None
+
+
 def _track(args: argparse.Namespace) -> None:
     known = track.followers()
     chosen = [known[catalogue.choose("solver", name, known)] for name in args.solver or known]
@@ -333,6 +364,13 @@ def parser() -> Parser:
     sub = command("track", _track, "a circle at 1 kHz through the iterative solvers and a servo: what lags by how much")
     sub.add_argument("solver", metavar="SOLVER", nargs="*", help="touch and planar (float64), or an engine; all")
     sub.add_argument("--iterations", metavar="N", nargs="+", help="iterations a sample: 1 2 5 30")
+    sub = command("import", _import, "the arm file of a URDF or of a table of Denavit and Hartenberg")
+    sub.add_argument("urdf", metavar="ROBOT", nargs="?", help="URDF; a xacro file too, where xacro is installed")
+    sub.add_argument("--base", metavar="LINK", help="where the arm begins; the root")
+    sub.add_argument("--tip", metavar="LINK", help="where it ends; the only end")
+    sub.add_argument("--dh", metavar="FILE", help="a TOML file: convention, and a [[joint]] a row")
+    sub.add_argument("--packages", metavar="DIR", help="xacro may read below it; $(find NAME) is its folder NAME")
+    sub.add_argument("--out", metavar="FILE", help="write a new file in place of printing it")
     command("check", _check, "is this arm file right, and which scale").add_argument("arm", metavar="ARM")
     sub = command("assemble", _assemble, "a program of equations as a table of the product engine, with its ranges")
     sub.add_argument("program", metavar="FILE.kin")
@@ -352,7 +390,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         args.does(args)
     except Refused as error:
-        print(f"quadrance: {error}", file=sys.stderr)
+        print("quadrance:", *str(error).splitlines(), file=sys.stderr)
         return 2
     except BrokenPipeError:  # `quadrance cores | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
