@@ -34,6 +34,7 @@ from pyslang.ast import Compilation
 from pyslang.driver import Driver
 from quadrance.cli import axis, catalogue
 from quadrance.cores import ROOT, RTL, Core, Port, all_cores
+from quadrance.program import table as program_table
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
@@ -276,7 +277,7 @@ def main() -> int:
     files = named.sources if named else sorted(RTL.rglob("*.v"))
     wrong += [line for path in files for line in check_file(path)]
     if not named:
-        wrong += check_list(cores) + check_pages() + packages.stale()
+        wrong += check_list(cores) + check_pages() + packages.stale() + program_table.stale(RTL / "program")
         code, text = _call("ruff", "check", "--quiet", "models", "tb", "ci")
         wrong += [text] if code else []
     print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")

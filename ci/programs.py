@@ -129,10 +129,10 @@ def misread(text: str, words: Sequence[int]) -> list[str]:
 
 
 def mislabelled(text: str, dests: Iterable[tuple[Row, str]], names: Iterable[str]) -> list[str]:
-    """Lines whose comment is the name of a word, and not of the one that the line writes."""
+    """Lines whose comment is the name of a word, or its equation, and not of the one that the line writes."""
     known = {name.lower(): name for name in names}
     return [f"line {i + 1} '{row.label}': it writes {dest}" for i, (row, dest) in enumerate(dests)
-            if known.get(row.label.replace(" ", "").lower(), dest) != dest]
+            if known.get(row.label.split("=")[0].replace(" ", "").lower(), dest) != dest]
 
 
 # The machines
@@ -276,8 +276,8 @@ def parallel(one: Played, text: str) -> list[str]:
 
 
 MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
-    "six_inverse_program": product(range(2, 14)), "six_branches_program": product((1, 3, 5, 7, 9, 11)),
-    "six_forward_program": product(range(2, 14), roots=False), "engine_delta_program": product((3, 7, 11)),
+    "vector_ik6_program": product(range(2, 14)), "six_branches_program": product((1, 3, 5, 7, 9, 11)),
+    "vector_fk6_program": product(range(2, 14), roots=False), "engine_delta_program": product((3, 7, 11)),
     "engine_gd_n_program": space, "engine_rus_fk_program": parallel}
 
 

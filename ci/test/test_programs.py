@@ -11,8 +11,8 @@ from quadrance.program.checker import Line, Program, Read, Write, soundness, str
 
 from ci import programs
 
-CORES = {"six_inverse_program": "vector_ik6", "six_branches_program": "vector_ik6_all",
-         "six_forward_program": "vector_fk6", "engine_delta_program": "engine_delta_fk",
+CORES = {"vector_ik6_program": "vector_ik6", "six_branches_program": "vector_ik6_all",
+         "vector_fk6_program": "vector_fk6", "engine_delta_program": "engine_delta_fk",
          "engine_gd_n_program": "engine_quaternion_gd_n", "engine_rus_fk_program": "engine_rus_fk"}
 
 
@@ -59,10 +59,10 @@ def test_every_program_is_read_and_sound():
 
 
 @pytest.mark.parametrize("module, first, second, says", [
-    ("six_inverse_program", "x1", "x1 px + b py", "is read"),
-    ("six_inverse_program", "n4", "c4", "read"),
+    ("vector_ik6_program", "x1 = X1_G * X1_T", "C1_V = x1*px + b*py", "is read"),
+    ("vector_ik6_program", "n4 = C4_G * N4_U", "c4 = C4_G * C4_U", "read"),
     ("six_branches_program", "MA up a", "k1 x - k2 z a", "is read"),
-    ("six_forward_program", "c23", "u3", "is read"),
+    ("vector_fk6_program", "c23 = c3*c2 - n2*n3", "u3 = c5*n23 + c23*f1", "is read"),
     ("engine_delta_program", "|b|^2", "|b|^2 up", "read"),
     ("engine_gd_n_program", "its square", "Newton", "read"),
     ("engine_rus_fk_program", "|q|^2", "Newton", "read"),
@@ -71,30 +71,44 @@ def test_two_lines_swapped_are_found_in_each_player(module, first, second, says)
     assert says in found(module, swapped(first, second))
 
 
+def shared(name, other):
+    """Give a word the register of another one."""
+    def change(text):
+        number = re.search(rf"\b{other} = 6'd(\d+)", text)[1]
+        return re.sub(rf"\b{name} = 6'd\d+", f"{name} = 6'd{number}", text, count=1)
+
+    return change
+
+
 def test_a_word_that_another_name_has_replaced_is_found():
-    # L4 and PZ share a register: the line that still wants l4, moved behind the one that writes pz
-    assert "L4 is read, but line 11 'pz' has put PZ in its place" in found("six_inverse_program", edited(
-        "{PORT,  I_L2,   BY, PLUS,   NIL,  NIL,  LONE", "{PORT,  I_L2,   BY, PLUS,   L4,   L4,   ADD"))
+    def change(text):
+        text = re.sub(r"(/\* k1 .*BY, PLUS, +)K,", r"\1L4,", text)  # long after pz has taken the register of l4
+        return shared("L4", "PZ")(text)
+
+    assert re.search(r"L4 is read, but line \d+ 'pz = .. - l1' has put PZ in its place", found(
+        "vector_ik6_program", change))
 
 
 def test_a_register_given_to_two_living_words_is_found():
-    text = found("six_inverse_program", edited("PX = 6'd18", "PX = 6'd14"))  # PZ's
-    assert "PX is read, but line 11 'pz' has put PZ in its place" in text
+    assert re.search(r"PX is read, but line \d+ 'pz = .. - l1' has put PZ in its place", found(
+        "vector_ik6_program", shared("PX", "PZ")))
 
 
 def test_a_comment_that_names_another_word_is_found():
-    assert "line 16 'k': it writes X1" in found("six_inverse_program", edited("/* x1     ", "/* k      "))
+    assert re.search(r"line \d+ 'py = x - l4\*r13': it writes PX", found("vector_ik6_program", edited(
+        "/* px = x", "/* py = x")))
 
 
 def test_a_text_that_is_not_what_is_played_is_found():
-    one, text = sound("six_inverse_program")
-    assert "names do not give its word" in programs.problems(one, text.replace("X1,   OTHER", "XX,   OTHER", 1))[0]
-    assert "89 lines are read, the design plays 90" in programs.problems(one, re.sub(
-        r"        /\* k  .*\n", "", text, count=1))[0]
+    one, text = sound("vector_ik6_program")
+    assert "names do not give its word" in programs.problems(one, re.sub(r"C3, +OTHER", "N3, OTHER", text))[0]
+    lines = len(one.words)
+    assert f"{lines - 1} lines are read, the design plays {lines}" in programs.problems(one, re.sub(
+        r" +/\* k  .*\n", "", text, count=1))[0]
 
 
 def test_a_program_that_nothing_describes_is_an_error():
-    one, _ = sound("six_inverse_program")
+    one, _ = sound("vector_ik6_program")
     assert "nothing says" in programs.problems(replace(one, module="seven_program"))[0]
 
 

@@ -71,7 +71,7 @@ def test_what_a_core_may_hold_from_before_is_needed(name, monkeypatch):
 
 def test_every_instance_of_a_player_is_read():
     placed = schedules.instances()
-    assert {path.stem for path, _ in placed} >= {"six_inverse_program", "classic_chain_iter", "kernel_chain"}
+    assert {path.stem for path, _ in placed} >= {"vector_ik6_program", "classic_chain_iter", "kernel_chain"}
     assert len(placed) == sum(text.count(f"{player} #(") for path in RTL.rglob("*.v") for text in [path.read_text()]
                               for player in ("schedule", "schedule_counter", "engine_program")) - 3  # the modules
     few = {core: every for core, every in tables().items() if core.family != "paper"}

@@ -6,9 +6,10 @@ import inspect
 
 import numpy as np
 import pytest
-from quadrance import arm_keep, arm_velocity, kernel_vector_solve, six, table
+from quadrance import arm_keep, arm_velocity, kernel_vector_solve, table
 from quadrance.cores import all_cores
 from quadrance.iterative import newton_fixed
+from quadrance.program import meaning
 
 from models.test import oracles, test_oracles_config, test_oracles_engine, test_oracles_status
 
@@ -53,8 +54,8 @@ SLIPS = {  # the same slip in model and core would leave every bench green
                             test_oracles_status.test_the_best_branch, "arm.keep3"),
     "the last of equals": (arm_keep, "_choose", "key > best[0]", "key >= best[0]",
                            test_oracles_status.test_the_best_branch, "arm.keep2"),
-    "a tie downward at the edge": (six, "fk6", "saturate(round_shift(word, H - p[\"W\"]), p[\"W\"])",
-                                   "saturate(round_shift(word - 1, H - p[\"W\"]), p[\"W\"])",
+    "a tie downward at the edge": (meaning, "results", "near = round_shift(words[port.name], shift(",
+                                   "near = round_shift(words[port.name] - 1, shift(",
                                    test_oracles_engine.test_the_edge_of_a_tip_of_six_axes, "six.fk6"),
     "a wrist that wraps": (table, "ik3r", "x, y, over = wrist(p, x, y, phi, l3)",
                            "x, y, over = wrist(p, x, y, phi, l3); y = np.where(over, -y, y)",

@@ -187,7 +187,7 @@ def _near_axes(arm: Six, count: int, area: float, axis: int, rng: np.random.Gene
 @cores(INVERSE)
 def test_the_zones_in_which_joints_1_and_2_are_held(core):
     """A held joint 1 or 2 has the wrist within its zone, and the tip within its law."""
-    p, rng, area = core.params, np.random.default_rng(11), 2.0 ** (2 * core.params["W"] - six.H)
+    p, rng, area = core.params, np.random.default_rng(11), 2.0 ** (2 * core.params["W"] - product_engine.H)
     half, found, tips = 1 << p["W"] - 1, {1: [0.0], 2: [0.0]}, {1: [0.0], 2: [0.0]}
     for trial in range(24):
         link = rng.uniform(0.15, 0.4) * half
@@ -203,7 +203,7 @@ def test_the_zones_in_which_joints_1_and_2_are_held(core):
         rho, r, x1 = np.hypot(px, py), np.hypot(x, z), np.sqrt(np.maximum(square, 1e-9))
         for branch in (0, 2):
             answer = core.model(p, **words, in_branch=np.int64(branch), **cfg)
-            _, _, none, _ = six._branch(p, **six._alike(words | cfg | {"in_branch": np.int64(branch)}))
+            *_, none = six._branch(p, **words, **cfg, in_branch=np.int64(branch))
             for joint, distance in ((1, rho), (2, r)):
                 held = none >> joint - 1 & 1 > 0
                 assert np.all(distance[held] <= bounds.zone(p, joint, x1[held]))
@@ -233,8 +233,7 @@ def test_the_law_out_of_reach(core, robot, branch):
     tip[near, :2] = (arm.c4 * rotation[:, :2, 2] + aside)[near]
     words, rotation, tip = _words(core, rotation, tip)
     answer = core.model(p, **words, in_branch=np.int64(branch), **six.config(p, **unit._asdict()))
-    _, _, none, _ = six._branch(p, **six._alike(words | six.config(p, **unit._asdict()) | {
-        "in_branch": np.int64(branch)}))
+    *_, none = six._branch(p, **words, **six.config(p, **unit._asdict()), in_branch=np.int64(branch))
     _, _, square, x, z = bounds._wrist(arm, rotation, tip, branch)
     r = np.hypot(x, z)
     out = ((r > arm.c2 + arm.k + 2) | (r < abs(arm.c2 - arm.k) - 2)) & (none & 3 == 0) & (square > 0)
@@ -376,8 +375,8 @@ def test_angles_are_those_of_the_vectors(core, robot):
 # Programs
 
 
-@pytest.mark.parametrize("name", ["six/six_forward_program", "six/six_inverse_program", "six/six_branches_program",
-                                  "engine/delta/engine_delta_program"])
+@pytest.mark.parametrize("name", ["program/vector_fk6_program", "program/vector_ik6_program",
+                                  "six/six_branches_program", "engine/delta/engine_delta_program"])
 def test_program_reads_what_is_written(name):
     """No register is read before the third line behind its writer, LAST only behind a written word, NIL by none."""
     text = (RTL / f"{name}.v").read_text()

@@ -62,7 +62,7 @@ module vector_fk6 #(
     wire        accept = in_valid && in_ready;
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
-    six_forward_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+    vector_fk6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
         .out_op(op));
 
     // The ports as 27-bit words of the product engine

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from quadrance import codecs, six, truth_six
 from quadrance.cores import Core, joints
+from quadrance.product_engine import H
+from quadrance.program import meaning
 from quadrance.truth_six import Six
 
 from tb.lib import stimulus
@@ -96,7 +98,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         other = rng.integers(-(1 << core.params["W"] - 1), 1 << core.params["W"] - 1, count) >> rng.integers(
             0, core.params["W"], count)
         found[f"in_{axis}"] = np.where(own | (rng.random(count) < 0.3), found[f"in_{axis}"], other)
-    slack = six.slack(core.params) - six.H + core.params["U"]  # of 2^-U
+    slack = meaning.slack(core.params) - H + core.params["U"]  # of 2^-U
     for axis in six.AXES:  # matrices just within the threshold, just beyond, and none at all
         off = rng.integers(-1, 2, count) << rng.integers(0, slack + 3, count)
         found[f"in_r{axis}"] = found[f"in_r{axis}"] + np.where(rng.random(count) < 0.04, off, 0)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance import six
+from quadrance.product_engine import H
 from quadrance.truth import Floats, floats
 from quadrance.truth_six import Six
 
@@ -36,7 +37,7 @@ def forward_coordinate(p: Params, arm: Six) -> float:
     are rounded to 2^(W - 25) LSB or have products truncated to an eighth of that.
     """
     moved = abs(arm.a1) + abs(arm.b) + 2 * abs(arm.c2) + 3 * arm.k + 5 * abs(arm.c4)
-    return 0.5 + ROUNDED * 2.0 ** -p["U"] * 1.001 * moved + _config(arm) + 20 * 2.0 ** (p["W"] - six.H)
+    return 0.5 + ROUNDED * 2.0 ** -p["U"] * 1.001 * moved + _config(arm) + 20 * 2.0 ** (p["W"] - H)
 
 
 def forward_matrix(p: Params) -> float:
@@ -44,7 +45,7 @@ def forward_matrix(p: Params) -> float:
 
     Column 1 has those of all six joints, column 3 of five; column 2, their cross product, has both.
     """
-    return 0.5 + ROUNDED * 1.001 * 11 + 20 * 2.0 ** (p["U"] - six.H)
+    return 0.5 + ROUNDED * 1.001 * 11 + 20 * 2.0 ** (p["U"] - H)
 
 
 def orientation(p: Params, singular: ArrayLike = False) -> Floats:
@@ -88,7 +89,7 @@ def held(p: Params, joint: int) -> float:
 
 
 def _area(p: Params) -> float:
-    return 2.0 ** (2 * p["W"] - six.H)
+    return 2.0 ** (2 * p["W"] - H)
 
 
 def _shoulder(p: Params, x1: Floats) -> Floats:

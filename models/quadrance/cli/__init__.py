@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadrance import arms
-from quadrance.cli import axis, catalogue, check, tables, verilog, words
+from quadrance.cli import assemble, axis, catalogue, check, tables, verilog, words
 from quadrance.cli.catalogue import Refused
 from quadrance.cli.tables import Column
 from quadrance.iterative import track
@@ -270,6 +270,22 @@ def _track(args: argparse.Namespace) -> None:
     out.print(PLANT)
 
 
+def _assemble(args: argparse.Namespace) -> None:
+    path = Path(args.program)
+    one, about = assemble.assemble(path, args.pipe, args.seconds)
+    written = assemble.write(one, args.pipe, about["verilog"]) if args.write else []
+    if args.json:
+        return _json(about)
+    print(about["verilog"])
+    out = tables.console()
+    rows = [(name, f"{low:.3f}", f"{high:.3f}", "argued" * (name in about["argued"]))
+            for name, (low, high) in about["ranges"].items()]
+    out.print(tables.grid([Column("word", True), Column("from"), Column("to"), Column("", True)], rows, out.width))
+    print(f"\n{about['program']}: {about['lines']} lines, {about['idle']} of them idle; {about['clocks']} clocks; "
+          f"{about['registers']} registers; every word within its range")
+    print("".join(f"written: {path}\n" for path in written), end="")
+
+
 def parser() -> Parser:
     """The command line."""
     top = Parser(prog="quadrance", description="Cores for the kinematics of robot arms, in Verilog.")
@@ -318,6 +334,11 @@ def parser() -> Parser:
     sub.add_argument("solver", metavar="SOLVER", nargs="*", help="touch and planar (float64), or an engine; all")
     sub.add_argument("--iterations", metavar="N", nargs="+", help="iterations a sample: 1 2 5 30")
     command("check", _check, "is this arm file right, and which scale").add_argument("arm", metavar="ARM")
+    sub = command("assemble", _assemble, "a program of equations as a table of the product engine, with its ranges")
+    sub.add_argument("program", metavar="FILE.kin")
+    sub.add_argument("--pipe", type=int, default=0, choices=range(3), help="registers after the engine's products")
+    sub.add_argument("--seconds", type=float, default=60, help="time to look for the shortest order (default 60)")
+    sub.add_argument("--write", action="store_true", help="write FILE.order and FILE_program.v")
     command("arms", _arms, "the arms that come with the library")
     return top
 

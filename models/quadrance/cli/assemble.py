@@ -1,0 +1,51 @@
+"""`quadrance assemble`: a program of equations as control words, ranges and a Verilog table."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from quadrance.cli.catalogue import Refused
+from quadrance.program import assembler, ranges, table
+from quadrance.program.assembler import Assembled
+from quadrance.program.language import Wrong
+from quadrance.program.parser import load
+
+
+def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS) -> tuple[Assembled, dict[str, object]]:
+    """A program, and what is to be said of it.
+
+    Raises
+    ------
+    Refused
+        One line: file, line and reason.
+    """
+    try:
+        program = load(path)
+        intervals = ranges.proved(program)
+        one = assembler.assembled(path, pipe, seconds)
+        text = table.verilog(one)
+    except Wrong as error:
+        raise Refused(str(error)) from None
+    if wrong := assembler.problems(one) if pipe == 0 else []:  # the checker knows the engine without registers
+        raise Refused(f"{path.name}: the checker refuses what was assembled: {wrong[0]}")
+    return one, {"program": program.name, "lines": len(one.rows), "idle": sum(not label for label, _ in one.rows),
+                 "clocks": one.clocks, "registers": len(set(one.registers.values())),
+                 "ranges": {name: [round(end, 4) for end in interval] for name, interval in intervals.items()},
+                 "argued": list(program.argued), "words": [f"{word:012x}" for word in one.words], "verilog": text}
+
+
+def write(one: Assembled, pipe: int, text: str) -> list[Path]:
+    """Write the order of the lines, and for the engine without registers the table, beside the text."""
+    program, every = one.program, {}
+    for other in range(3):
+        if other != pipe and (order := assembler.read_order(program, other)):
+            every[other] = order
+    paths = {assembler.order_path(program): assembler.order_text(dict(sorted({**every, pipe: one.order}.items())))}
+    if pipe == 0:
+        paths[table.table_path(program.path)] = text
+    for path, content in paths.items():
+        try:
+            path.write_text(content)
+        except OSError as error:
+            raise Refused(f"{path} cannot be written: {error.strerror}") from None
+    return list(paths)

@@ -1,0 +1,181 @@
+"""This module assembles a program: its text and the order of its lines become control words and a Verilog table.
+
+The order is committed beside the text, NAME.order, so that a table follows from both whatever scheduler has found it.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from quadrance.program import product_engine, schedule
+from quadrance.program.language import ONE, Program, Wrong
+from quadrance.program.lines import Line, lines
+from quadrance.program.parser import load
+from quadrance.program.registers import EMITTED, FLAGGED, allocated
+from quadrance.program.schedule import Order, Rules
+from quadrance.program.solver import solved
+
+# Fields of a word from the top, their bits, and the numbers of their names
+FIELDS: tuple[tuple[str, int, dict[str, int]], ...] = (
+    ("source", 2, {"REG": 0, "PORT": 1, "LAST": 2, "TABLE": 3}), ("a", 6, {}),
+    ("by", 1, {"OF": 0, "BY": 1}),
+    ("b", 6, {"PLUS": 0b100000, "MINUS": 0b100100, "SLOPE": 0, "BACK": 0b001000, "DOWN": 0b010000, "FLIP": 0b011000,
+              "NOUGHT": 0b000100, "POWER": 1, "FOUR": 2, "TWICE": 3}),
+    ("c", 6, {}), ("d", 6, {}), ("sum", 2, {"LONE": 0, "ADD": 2, "SUB": 3}), ("keep", 1, {"DONE": 0, "KEEP": 1}),
+    ("align", 2, {"HIGH": 0, "LOW": 1, "MID": 2}), ("dest", 6, {}),
+    ("act", 9, {"OTHER": 0, "FOLD": 1, "MORE": 2, "WRIST": 4, "ABOVE": 8, "ROOT": 16, "HOLD": 32, "FAR": 64,
+                "CLAMP": 128, "CHECK": 256}))
+NIL = "NIL"
+Cells = tuple[str, ...]  # names, in the order of FIELDS
+IDLE: Cells = ("PORT", NIL, "BY", "NOUGHT", NIL, NIL, "LONE", "DONE", "HIGH", NIL, "OTHER")
+SECONDS = 60.0  # for an order
+
+
+@dataclass(frozen=True)
+class Assembled:
+    """A program with its lines in their order.
+
+    Attributes
+    ----------
+    numbers : of the names of registers and ports in the cells.
+    rows : the label and the cells of each clock.
+    """
+
+    program: Program
+    lines: list[Line]
+    order: Order
+    rules: Rules
+    registers: dict[str, int]
+    numbers: dict[str, int]
+    rows: list[tuple[str, Cells]]
+
+    @property
+    def roots(self) -> bool:
+        """The program needs the root unit of the engine."""
+        return any(cells[8:9] != ("HIGH",) or cells[10] != "OTHER" or cells[0] == "TABLE" for _, cells in self.rows)
+
+    @property
+    def clocks(self) -> int:
+        """Latency of a core that plays it: its lines, the engine's clocks after the last one, and its result's."""
+        return len(self.rows) + self.rules.timing.drain + 1
+
+    @property
+    def words(self) -> list[int]:
+        """The control words."""
+        found = []
+        for _, cells in self.rows:
+            word = 0
+            for (_, bits, names), cell in zip(FIELDS, cells):
+                number = 0
+                for name in cell.split(" | "):
+                    number |= names[name] if name in names else self.numbers[name]
+                word = word << bits | number
+            found.append(word)
+        return found
+
+    @property
+    def results(self) -> frozenset[int]:
+        """Registers whose words leave the engine."""
+        return frozenset((*EMITTED, FLAGGED) if self.program.streamed else
+                         (self.registers[port.name] for port in self.program.results))
+
+
+def _rows(made: Sequence[Line], order: Order, rules: Rules) -> list[tuple[str, Cells]]:
+    """Labels and cells, a word that comes from the line before as LAST."""
+    at = {i: clock for clock, i in enumerate(order) if i is not None}
+    writer = {line.dest: i for i, line in enumerate(made) if line.dest}
+    first = {}
+    for i in sorted(at, key=at.__getitem__):
+        if "FOLD" in made[i].acts:
+            first.setdefault(made[i].fold, i)
+    rows = []
+    for i in order:
+        if i is None:
+            rows.append(("", IDLE))
+            continue
+        line, source, a, b, cd = made[i], made[i].source, made[i].a, made[i].b, made[i].cd
+        for name in line.registers:
+            if (writer[name], i) in rules.last and at[i] - at[writer[name]] == rules.timing.last:
+                if cd and name in cd:
+                    (a, b), cd = cd, (a, b)
+                source, a, b = "LAST", NIL, b if a == name else a
+        acts = {"MORE" if act == "FOLD" and first[line.fold] != i else act for act in line.acts}
+        named = {"REG": a.upper(), "PORT": f"I_{a.upper()}", "LAST": NIL, "TABLE": NIL}[source]
+        dest = line.dest.upper() or (("FLAG" if line.flags else "OUT") if line.emit else NIL)
+        rows.append((line.label, (
+            source, named, "BY" if line.by else "OF", line.by or b.upper(),
+            *(name.upper() for name in cd or (NIL, NIL)),
+            "LONE" if not cd else "SUB" if line.minus else "ADD", "KEEP" if line.keep else "DONE", line.align, dest,
+            " | ".join(name for name in FIELDS[-1][2] if name in acts) or "OTHER")))
+    return rows
+
+
+def assemble(program: Program, pipe: int = 0, order: Order | None = None, seconds: float = SECONDS) -> Assembled:
+    """A program as control words.
+
+    Parameters
+    ----------
+    pipe : registers after the products of the engine.
+    order : of its lines; where there is none, one is looked for, at most `seconds` long where OR-Tools is installed.
+
+    Raises
+    ------
+    Wrong
+        Where the order is none of this text, or the registers are too few.
+    """
+    made = lines(program)
+    rules = schedule.rules(program, made, schedule.timing(pipe))
+    if order is None:
+        order = schedule.listed(program, rules, len(made))
+        order = (solved(rules, len(made), order, seconds) or (order, False))[0]
+    if wrong := schedule.faults(rules, made, order):
+        raise Wrong(f"{program.path.with_suffix('.order').name}: {wrong[0]}")
+    registers = allocated(program, made, order)
+    numbers = {NIL: 0} | {name.upper(): number for name, number in registers.items()}
+    numbers |= {f"I_{name.upper()}": i for i, name in enumerate((*program.inputs, ONE))}
+    if program.streamed:
+        numbers |= {"OUT": EMITTED[0], "FLAG": FLAGGED}
+    return Assembled(program, made, order, rules, registers, numbers, _rows(made, order, rules))
+
+
+def problems(one: Assembled) -> list[str]:
+    """What the independent checker finds wrong with the words."""
+    names = [dict(zip(("a", "b", "c", "d", "dest"), (cells[i] for i in (1, 3, 4, 5, 9)))) for _, cells in one.rows]
+    return product_engine.check(one.words, None, [label for label, _ in one.rows], names, one.results, one.roots)
+
+
+# The order in a file
+
+
+def order_path(program: Program) -> Path:
+    return program.path.with_suffix(".order")
+
+
+def read_order(program: Program, pipe: int = 0) -> Order | None:
+    """The committed order; None where there is none."""
+    path = order_path(program)
+    if not path.exists():
+        return None
+    rows = [line.split(":") for line in path.read_text().splitlines() if not line.startswith("#")]
+    found = [numbers.split() for number, numbers in (row for row in rows if len(row) == 2) if number == f"pipe {pipe}"]
+    if any(len(row) != 2 for row in rows) or any(not (one == "-" or one.isdecimal()) for row in found for one in row):
+        raise Wrong(f"{path.name}: a line is '# ...' or 'pipe N: ' and numbers of lines, - for none")
+    return [None if one == "-" else int(one) for row in found for one in row] or None
+
+
+def order_text(every: dict[int, Order]) -> str:
+    """The file of the orders by `pipe`."""
+    text = "# Order of the program's lines by `quadrance assemble`, for each number of registers after the products\n"
+    for pipe, order in every.items():
+        numbers = " ".join("-" if i is None else str(i) for i in order)
+        text += "".join(f"pipe {pipe}: {row}\n" for row in textwrap.wrap(numbers, 110, break_on_hyphens=False))
+    return text
+
+
+def assembled(path: Path, pipe: int = 0, seconds: float = SECONDS) -> Assembled:
+    """The program of a file in its committed order, or in a new one."""
+    program = load(path)
+    return assemble(program, pipe, read_order(program, pipe), seconds)

@@ -1,0 +1,85 @@
+"""This module gives the words of a program their registers, once its lines have their places in time.
+
+Results have the registers 2, 3, ... in their order. A direction that is held keeps an even register and the next one;
+bits 2 and 3 of their number say which of the engine's three flags is the direction's. Emitted words have odd registers
+below 16, those with flags register 7. All other words share the rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from quadrance.program.language import Program, Wrong
+from quadrance.program.lines import Line
+from quadrance.program.schedule import Order
+
+COUNT = 64
+FIRST = 2  # register of the first result
+EMITTED, FLAGGED = (1, 3, 5, 9, 11, 13, 15), 7
+SLOTS = (16, 20, 24)  # of held directions that are no results
+
+
+def _flag(register: int) -> int:
+    """Which of the engine's flags a HOLD with that register sets."""
+    return 3 if register & 8 else 2 if register & 4 else 1
+
+
+def _held(program: Program, lines: Sequence[Line], fixed: dict[str, int]) -> dict[str, int]:
+    """Registers of the directions that are held."""
+    found: dict[str, int] = {}
+    pairs: dict[int, list[str]] = {}
+    for line in lines:
+        if line.hold >= 0:
+            pairs.setdefault(line.hold, []).append(line.dest)
+    flags: dict[int, str] = {}
+    for names in pairs.values():
+        c, n = names[:2]
+        if (c in fixed) != (n in fixed) or c in fixed and (fixed[c] % 2 or fixed[n] != fixed[c] + 1):
+            raise Wrong(f"{program.path.name}: {c} and {n} are held: both are results, one after the other, the first "
+                        "an odd one in the order, or neither is")
+        free = [slot for slot in SLOTS if _flag(slot) not in flags and slot not in fixed.values()]
+        if c not in fixed and not free:
+            raise Wrong(f"{program.path.name}: {c} is one direction too many to be held, three can be")
+        register = fixed[c] if c in fixed else free[0]
+        if _flag(register) in flags:
+            raise Wrong(f"{program.path.name}: {c} and {flags[_flag(register)]} are held and share a flag of the "
+                        "engine: of the results' numbers from 2 on, bit 3 or else bit 2 has to tell them apart")
+        flags[_flag(register)] = c
+        for at, name in enumerate(names):
+            found[name] = register + at % 2
+    return found
+
+
+def allocated(program: Program, lines: Sequence[Line], order: Order) -> dict[str, int]:
+    """Name of each word -> its register.
+
+    A register is free from the line on that reads it last: no word is read while another is on its way there.
+
+    Raises
+    ------
+    Wrong
+        Where 63 registers are too few.
+    """
+    place = {i: clock for clock, i in enumerate(order) if i is not None}
+    fixed = {port.name: FIRST + i for i, port in enumerate(program.results)}
+    found = fixed | _held(program, lines, fixed)
+    if max(found.values(), default=0) >= COUNT:
+        raise Wrong(f"{program.path.name}: {len(fixed)} results, and there are {COUNT - FIRST} registers for them")
+    last = {line.dest: place[i] for i, line in enumerate(lines) if line.dest}
+    for i, line in enumerate(lines):
+        for name in line.registers:
+            last[name] = max(last[name], place[i])
+    shared = [r for r in range(FIRST, COUNT) if r not in found.values()
+              and not (program.streamed and r < 16 and r % 2)]
+    free = dict.fromkeys((*shared, *(EMITTED[1:] + (FLAGGED,) if program.streamed else ())), -1)
+    for i in sorted(range(len(lines)), key=place.__getitem__):
+        line = lines[i]
+        if not line.dest or line.dest in found:
+            continue
+        pool = shared if not line.emit else [FLAGGED] if line.flags else EMITTED[1:]
+        register = next((r for r in pool if place[i] >= free[r]), None)
+        if register is None:
+            raise Wrong(f"{program.path.name}: too many registers: none of {len(pool)} is free for {line.dest}")
+        found[line.dest] = register
+        free[register] = max(last[line.dest], place[i] + 1)
+    return found

@@ -1,0 +1,112 @@
+"""This module prints an assembled program as a Verilog module: one line of the table a clock, with its equation."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable
+from pathlib import Path
+
+from quadrance.program.assembler import FIELDS, NIL, Assembled, assembled
+from quadrance.program.language import ONE, Wrong
+from quadrance.program.parser import load
+from quadrance.program.ranges import proved
+
+WIDTH = 120
+_HEAD = """\
+// SPDX-License-Identifier: Apache-2.0
+// Program {name}, assembled from {name}.kin and {name}.order by `quadrance assemble`; do not edit.
+//   {title}
+// Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
+// a word of capitals in a comment is one that the assembler has added. Latency of a core that plays it: {clocks}.
+// Model: quadrance.program.meaning
+`default_nettype none
+module {name}_program (
+    input  wire        clk,
+    input  wire        rst,
+    input  wire        in_start,
+    output wire        out_idle,
+    output wire        out_done,
+    output wire [46:0] out_op
+);
+"""
+
+
+def _list(names: Iterable[str]) -> str:
+    """A localparam of 6-bit numbers."""
+    body = textwrap.wrap(", ".join(names), WIDTH - 8, initial_indent=" " * 8, subsequent_indent=" " * 8)
+    return "    localparam [5:0]\n" + "\n".join(body).replace("~", " ") + ";"
+
+
+def _numbers(one: Assembled) -> list[str]:
+    """The names of the cells that are used, as localparams."""
+    used = {name for _, cells in one.rows for cell in cells for name in cell.split(" | ")}
+    lines = []
+    for key, bits, names in FIELDS:
+        if shown := [f"{name} = {bits}'d{number}" for name, number in names.items() if name in used and (
+                one.roots or key not in ("align", "act"))]:
+            if key == "b":
+                shown.insert(0, f"{NIL} = {bits}'d0")
+            width = f"[{bits - 1}:0] " if bits > 1 else ""
+            lines += textwrap.wrap(f"localparam {width}{', '.join(shown)};", WIDTH - 4, initial_indent=" " * 4,
+                                   subsequent_indent=" " * 8)
+    ports = [f"I_{name.upper()}" for name in (*one.program.inputs, ONE)]
+    registers = sorted(used & one.numbers.keys() - set(ports) - {NIL}, key=lambda name: (one.numbers[name], name))
+    return [*lines, *(_list(f"{name}~=~6'd{one.numbers[name]}" for name in names if name in used)
+                      for names in (registers, ports))]
+
+
+def _row(label: str, cells: Iterable[str], widths: list[int], comment: int) -> str:
+    padded = [f"{cell},".ljust(width + 2) for cell, width in zip(cells, widths)]
+    return f"    /* {label.ljust(comment)} */ {{{''.join(padded).rstrip().rstrip(',')}}}"
+
+
+def verilog(one: Assembled) -> str:
+    """The module NAME_program.
+
+    Raises
+    ------
+    Wrong
+        Where a line of it would be too long.
+    """
+    name, at = one.program.name, one.rules.timing
+    kept = range(11) if one.roots else [i for i, (key, _, _) in enumerate(FIELDS) if key not in ("align", "act")]
+    rows = [(label, [cells[i] for i in kept]) for label, cells in one.rows]
+    widths = [max(len(cells[i]) for _, cells in rows) for i in range(len(kept))]
+    comment = max(len(label) for label, _ in rows)
+    bits = sum(FIELDS[i][1] for i in kept)
+    table = ",\n".join(_row(label, cells, widths, comment) for label, cells in rows)
+    if long := [label for label, row in zip((row[0] for row in rows), table.split("\n")) if len(row) > WIDTH]:
+        raise Wrong(f"{one.program.path.name}: the line '{long[0]}' is printed in more than {WIDTH} columns: take "
+                    "shorter names")
+    drain = "" if at.drain == 3 else f".DRAIN({at.drain}), "
+    head = _HEAD.format(name=name, title=one.program.title[:WIDTH - 7], clocks=one.clocks)
+    table = head + "\n".join(_numbers(one)) + (f"\n    localparam [{len(rows)}*{bits}-1:0] LINES = {{\n{table}}};\n")
+    op = "out_op"
+    if not one.roots:  # no ALIGN and no ACT
+        op, table = "op", table + f"    wire [{bits - 1}:0] op;\n"
+    table += f"    engine_program #(.LINES({len(rows)}), {drain}.BITS({bits}), .TABLE(LINES)) control (\n"
+    table += "        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op("
+    table += f"{op}));\n"
+    if not one.roots:
+        table += f"    assign out_op = {{op[{bits - 1}:6], 2'b00, op[5:0], 9'd0}};\n"
+    return table + "endmodule\n`default_nettype wire\n"
+
+
+def table_path(path: Path) -> Path:
+    """The file of the module of a program."""
+    return path.with_name(f"{path.stem}_program.v")
+
+
+def stale(folder: Path) -> list[str]:
+    """A line for each program of a folder whose table is not what its text and its order give."""
+    wrong = []
+    for path in sorted(folder.glob("*.kin")):
+        try:
+            proved(load(path))
+            if not path.with_suffix(".order").exists():
+                wrong.append(f"{path.name}: no order is committed: quadrance assemble {path.name} --write")
+            elif not (at := table_path(path)).exists() or at.read_text() != verilog(assembled(path)):
+                wrong.append(f"{at.name}: stale: quadrance assemble {path.name} --write")
+        except Wrong as error:
+            wrong.append(str(error))
+    return wrong
