@@ -2,11 +2,11 @@
 // Control of a long program: it plays a table of LINES control words, one a clock, from a memory block. Use it for
 // tables of about sixty lines and more whose lines differ in most bits; as logic (schedule, schedule_counter) they cost
 // hundreds of cells.
-//   out_op = line i of TABLE in the i-th clock after the one with in_start; line 1 while idle, 0 after the last one;
-//   all of it one clock later with REGISTER, because the output of a memory block takes half of a clock of 10 ns
-// The lines from AGAIN on are played twice. out_done: the DRAIN-th clock after the last line; the program is idle in
-// the next clock. in_start in a clock with rst is ignored; start it only with out_idle.
-// Latency of a user that raises its out_valid after out_done: LINES + (LINES - AGAIN) + DRAIN + REGISTER + 1.
+//   out_op = line i of TABLE in the i-th clock after the one with in_start; line 1 while idle, 0 after the last one.
+// With REGISTER it comes one clock later, from flip-flops: the output of a memory block takes half of a clock of 10 ns.
+// The lines from AGAIN on are played twice. out_done: the DRAIN-th clock after that of the last line without REGISTER;
+// the program is idle in the next clock. in_start in a clock with rst is ignored; start it only with out_idle.
+// Latency of a user that raises its out_valid after out_done: LINES + (LINES - AGAIN) + DRAIN + 1.
 `default_nettype none
 module engine_program #(
     parameter LINES = 2,                  // lines of the table, 2 or more (default 2); one clock each
@@ -30,8 +30,8 @@ module engine_program #(
         end
     endgenerate
 
-    localparam N = $clog2(LINES + DRAIN + REGISTER);
-    localparam [31:0] LAST = LINES + DRAIN + REGISTER - 1, TURN = LINES - 1, BACK = AGAIN;
+    localparam N = $clog2(LINES + DRAIN);
+    localparam [31:0] LAST = LINES + DRAIN - 1, TURN = LINES - 1, BACK = AGAIN;
     reg [BITS-1:0] read;
     reg [BITS-1:0] lines[0:(1<<N)-1];
     integer        i;

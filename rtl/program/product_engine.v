@@ -110,14 +110,14 @@ module product_engine #(
     // PIPE 2: a register that is written while it is read gives its new word
     generate
         if (PIPE == 2) begin : g_through
-            reg [3:0] new;
+            reg [3:0] newer;  // the register is being written
             always @(posedge clk)
-                new <= {in_op[44:39] == dest, in_op[37:32] == dest, in_op[31:26] == dest, in_op[25:20] == dest}
-                       & {4{!skip}};
-            assign from_a = new[3] ? out_word : read_a;
-            assign from_b = new[2] ? out_word : read_b;
-            assign from_c = new[1] ? out_word : read_c;
-            assign from_d = new[0] ? out_word : read_d;
+                newer <= {in_op[44:39] == dest, in_op[37:32] == dest, in_op[31:26] == dest, in_op[25:20] == dest}
+                         & {4{!skip}};
+            assign from_a = newer[3] ? out_word : read_a;
+            assign from_b = newer[2] ? out_word : read_b;
+            assign from_c = newer[1] ? out_word : read_c;
+            assign from_d = newer[0] ? out_word : read_d;
         end else begin : g_stored
             assign {from_a, from_b, from_c, from_d} = {read_a, read_b, read_c, read_d};
         end
@@ -135,11 +135,11 @@ module product_engine #(
             assign product1 = $signed(a) * $signed(b);
             assign product2 = $signed(c) * $signed(d);
         end else if (PIPE == 1) begin : g_registered
-            reg signed [53:0] first, second;
-            assign {product1, product2} = {first, second};
+            reg signed [53:0] p1, p2;
+            assign {product1, product2} = {p1, p2};
             always @(posedge clk) begin
-                first  <= $signed(a) * $signed(b);
-                second <= $signed(c) * $signed(d);
+                p1 <= $signed(a) * $signed(b);
+                p2 <= $signed(c) * $signed(d);
             end
         end else begin : g_partial
             reg signed [44:0] low1, low2;
@@ -163,15 +163,15 @@ module product_engine #(
         end else begin : g_two  // the products are aligned and added before the register, one clock before the sum
             reg  [31:0] both;
             reg         wide, negative;
-            wire [3:0]  align = {ops[37:34] & {2'b11, {2{ROOTS != 0}}}};
-            wire [31:0] added = product1[53:22] + (product2[53:22] ^ {32{align[3]}});
+            wire [3:0]  next = queue[37:34] & {2'b11, {2{ROOTS != 0}}};  // SUB, KEEP, MID, LOW of the line after
+            wire [31:0] added = product1[53:22] + (product2[53:22] ^ {32{next[3]}});
             assign sum      = both + kept;
             assign word     = sum[29:3];
             assign beyond   = wide;
             assign minus1   = negative;
             assign argument = low ? sum[29:10] : sum[31:12];
             always @(posedge clk) begin
-                both     <= align[0] ? {2'd0, product1[26:0], 3'd0} : align[1] ? {2'd0, product1[38:12], 3'd0} : added;
+                both     <= next[0] ? {2'd0, product1[26:0], 3'd0} : next[1] ? {2'd0, product1[38:12], 3'd0} : added;
                 wide     <= product1[53:25] != {29{product1[53]}};
                 negative <= product1[53];
             end

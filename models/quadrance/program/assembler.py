@@ -40,11 +40,13 @@ class Assembled:
 
     Attributes
     ----------
+    pipe : the engine's PIPE that it is for.
     numbers : of the names of registers and ports in the cells.
     rows : the label and the cells of each clock.
     """
 
     program: Program
+    pipe: int
     lines: list[Line]
     order: Order
     rules: Rules
@@ -138,13 +140,14 @@ def assemble(program: Program, pipe: int = 0, order: Order | None = None, second
     numbers |= {f"I_{name.upper()}": i for i, name in enumerate((*program.inputs, ONE))}
     if program.streamed:
         numbers |= {"OUT": EMITTED[0], "FLAG": FLAGGED}
-    return Assembled(program, made, order, rules, registers, numbers, _rows(made, order, rules))
+    return Assembled(program, pipe, made, order, rules, registers, numbers, _rows(made, order, rules))
 
 
 def problems(one: Assembled) -> list[str]:
     """What the independent checker finds wrong with the words."""
     names = [dict(zip(("a", "b", "c", "d", "dest"), (cells[i] for i in (1, 3, 4, 5, 9)))) for _, cells in one.rows]
-    return product_engine.check(one.words, None, [label for label, _ in one.rows], names, one.results, one.roots)
+    return product_engine.check(one.words, None, [label for label, _ in one.rows], names, one.results, one.roots,
+                                one.pipe)
 
 
 # The order in a file

@@ -40,8 +40,8 @@ class Timing:
 
 
 def timing(pipe: int = 0) -> Timing:
-    """The distances of an engine with `pipe` registers after its products: each is longer by them."""
-    return Timing(3 + pipe, 1 + pipe, 2 + pipe, 3 + pipe, 2 + pipe, 3 + pipe)
+    """The distances of an engine with that PIPE (rtl/program/README.md)."""
+    return (Timing(), Timing(4, 2, 3, 3, 3, 4), Timing(4, 3, 4, 4, 4, 6))[pipe]
 
 
 @dataclass(frozen=True)
@@ -129,7 +129,7 @@ def _root(found: Rules, lines: Sequence[Line], members: list[int]) -> None:
     holds = [i for i in members if "HOLD" in lines[i].acts]
     found.edges += [(root, i, found.timing.root) for i in tables]
     found.windows.setdefault("root", []).append(Window(lines[root].label, (root,), (
-        *((i, found.timing.root - 1) for i in tables), *((i, 0) for i in holds))))
+        *((i, found.timing.last) for i in tables), *((i, 0) for i in holds))))
 
 
 def _holds(found: Rules, program: Program, lines: Sequence[Line], writer: dict[str, int]) -> None:
