@@ -284,9 +284,9 @@ def parallel(one: Played, text: str) -> list[str]:
 
 GRADES = ("", "_1", "_2")  # a program's module for each PIPE of the product engine
 MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
-    "six_branches_program": product((1, 3, 5, 7, 9, 11)), "engine_delta_program": product((3, 7, 11)),
-    "engine_gd_n_program": space, "engine_rus_fk_program": parallel,
+    "engine_delta_program": product((3, 7, 11)), "engine_gd_n_program": space, "engine_rus_fk_program": parallel,
     **{f"vector_ik6_program{grade}": product(range(2, 14)) for grade in GRADES},
+    **{f"vector_ik6_all_program{grade}": product(range(48, 64)) for grade in GRADES},
     **{f"vector_fk6_program{grade}": product(range(2, 14), roots=False) for grade in GRADES}}
 
 

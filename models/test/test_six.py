@@ -376,7 +376,7 @@ def test_angles_are_those_of_the_vectors(core, robot):
 
 
 @pytest.mark.parametrize("name", ["program/vector_fk6_program", "program/vector_ik6_program",
-                                  "six/six_branches_program", "engine/delta/engine_delta_program"])
+                                  "program/vector_ik6_all_program", "engine/delta/engine_delta_program"])
 def test_program_reads_what_is_written(name):
     """No register is read before the third line behind its writer, LAST only behind a written word, NIL by none."""
     text = (RTL / f"{name}.v").read_text()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program vector_fk6, assembled from vector_fk6.kin and vector_fk6.order by `quadrance assemble`; do not edit.
+// Assembled from vector_fk6.kin and vector_fk6.order by `quadrance assemble`; do not edit.
 //   Six unit vectors to R = R03 R36 and the tip: ortho-parallel base, spherical wrist
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
-// a word of capitals in a comment is one that the assembler has added. Latency of a core that plays it: 46.
+// a word of capitals and a small letter is one that the assembler has added. Latency of a core that plays it: 46.
 // For product_engine with PIPE = 1. Model: quadrance.program.meaning
 `default_nettype none
 module vector_fk6_program_1 (

@@ -5,7 +5,7 @@
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_cjb, out_njb cosine and
 // sine of joint j of branch b, s2.U, rounded to nearest; cfg_* by six.config.
 // Error: orientation (6 sqrt(1/2) + 1.07) 2^-U + 3.25 2^-16 rad, at singular poses 8 sqrt(2) 2^-U more; position:
-// bounds.six.position, which grows near axes 1 and 2. Latency and II: 270.
+// bounds.six.position, which grows near axes 1 and 2. Latency and II: 233.
 // Status: unreachable, singular (of the branches whose bits are set in out_far, out_held; a joint without a direction
 // holds the last one solved, in the order of branches 0, 2, 1, 3), no rotation (bit 3: by 16 units of 2^-U).
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6_all
@@ -73,7 +73,7 @@ module vector_ik6_all #(
     wire        accept = in_valid && in_ready;
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
-    six_branches_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+    vector_ik6_all_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
         .out_op(op));
 
     wire [3:0]  flags;
@@ -86,26 +86,32 @@ module vector_ik6_all #(
     product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
         .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word), .out_dest(dest), .out_status(flags));
 
-    // Results are shifted in from the top, 32 words a shoulder in the order of the program, the flags with joint 5
+    // Results are shifted in from the top in the order of the program, the flags with joint 5. The negative of a word,
+    // for the wrist that is turned over, follows it: -(n + 1/2) is rounded to -n, where n + 1/2 became n + 1
     reg  [64*(U+2)-1:0] found;
     reg  [3:0]          far, held;
-    wire                result = dest[5:4] == 2'd0 && dest[0];
-    wire [U+2:0]        near = word[26:24-U] + 1'b1;
-    wire                unused = &{1'b0, flags[2], near[0], word[23-U:0]};
+    reg                 over, half;
+    wire                result = dest[5:4] == 2'd3, last = dest == 6'd63;
+    wire [U+2:0]        near = (over ? {~found[64*(U+2)-1 -: U+2], 1'b1} : word[26:24-U]) + {over && half, 1'b1};
+    wire                unused = &{1'b0, flags[2], near[0]};
 
-    // Positions of a branch's words: n6, c6 to n1, c1 of elbow up and down; then the same with the wrist turned over
-    localparam [4*12*5-1:0] PLACE = {
-        5'd25, 5'd27, 5'd29, 5'd31, 5'd23, 5'd21, 5'd5, 5'd4, 5'd30, 5'd15, 5'd1, 5'd0,
-        5'd17, 5'd19, 5'd12, 5'd8, 5'd10, 5'd14, 5'd3, 5'd2, 5'd7, 5'd6, 5'd1, 5'd0,
-        5'd24, 5'd26, 5'd28, 5'd31, 5'd22, 5'd20, 5'd5, 5'd4, 5'd30, 5'd15, 5'd1, 5'd0,
-        5'd16, 5'd18, 5'd11, 5'd8, 5'd9, 5'd13, 5'd3, 5'd2, 5'd7, 5'd6, 5'd1, 5'd0};
+    // Positions of a branch's words, n6, c6 to n1, c1, of branches 7 to 0
+    localparam [8*12*6-1:0] PLACE = {
+        6'd63, 6'd60, 6'd38, 6'd61, 6'd40, 6'd48, 6'd30, 6'd22, 6'd58, 6'd57, 6'd46, 6'd45,
+        6'd50, 6'd54, 6'd24, 6'd15, 6'd26, 6'd17, 6'd5, 6'd6, 6'd18, 6'd21, 6'd2, 6'd3,
+        6'd44, 6'd42, 6'd34, 6'd29, 6'd32, 6'd36, 6'd19, 6'd20, 6'd27, 6'd28, 6'd46, 6'd45,
+        6'd52, 6'd56, 6'd10, 6'd8, 6'd14, 6'd12, 6'd1, 6'd0, 6'd7, 6'd4, 6'd2, 6'd3,
+        6'd62, 6'd59, 6'd37, 6'd61, 6'd39, 6'd47, 6'd30, 6'd22, 6'd58, 6'd57, 6'd46, 6'd45,
+        6'd49, 6'd53, 6'd23, 6'd15, 6'd25, 6'd16, 6'd5, 6'd6, 6'd18, 6'd21, 6'd2, 6'd3,
+        6'd43, 6'd41, 6'd33, 6'd29, 6'd31, 6'd35, 6'd19, 6'd20, 6'd27, 6'd28, 6'd46, 6'd45,
+        6'd51, 6'd55, 6'd9, 6'd8, 6'd13, 6'd11, 6'd1, 6'd0, 6'd7, 6'd4, 6'd2, 6'd3};
     genvar i, j;
     generate
         for (i = 0; i < 8; i = i + 1) begin : g_branch
             wire [12*(U+2)-1:0] answer;
             for (j = 0; j < 12; j = j + 1) begin : g_word
-                localparam [31:0] AT = {27'd0, PLACE[5*(12*(i/2)+j) +: 5]};
-                assign answer[(U+2)*j +: U+2] = found[(U+2)*(32*(i%2)+AT) +: U+2];
+                localparam [31:0] AT = {26'd0, PLACE[6*(12*i+j) +: 6]};
+                assign answer[(U+2)*j +: U+2] = found[(U+2)*AT +: U+2];
             end
             assign out_far[i]  = far[2*(i%2)+(i/2)%2];
             assign out_held[i] = held[2*(i%2)+(i/2)%2];
@@ -130,9 +136,11 @@ module vector_ik6_all #(
     assign out_status = {flags[3], 1'b0, held != 4'd0, far != 4'd0};
 
     always @(posedge clk) begin
-        if (result)
+        over <= result && dest[3] && !last;
+        half <= word[24-U:0] == {1'b1, {(24-U){1'b0}}};
+        if (result || over)
             found <= {near[U+2:1], found[64*(U+2)-1:U+2]};
-        if (result && dest[3:1] == 3'd3) begin
+        if (last) begin
             far  <= {flags[0], far[3:1]};
             held <= {flags[1], held[3:1]};
         end

@@ -14,7 +14,7 @@ from quadrance.program import product_engine, schedule
 from quadrance.program.language import ONE, Program, Wrong
 from quadrance.program.lines import Line, lines
 from quadrance.program.parser import load
-from quadrance.program.registers import EMITTED, FLAGGED, allocated
+from quadrance.program.registers import EMITTED, allocated
 from quadrance.program.schedule import Order, Rules
 from quadrance.program.solver import solved
 
@@ -29,6 +29,7 @@ FIELDS: tuple[tuple[str, int, dict[str, int]], ...] = (
     ("act", 9, {"OTHER": 0, "FOLD": 1, "MORE": 2, "WRIST": 4, "ABOVE": 8, "ROOT": 16, "HOLD": 32, "FAR": 64,
                 "CLAMP": 128, "CHECK": 256}))
 NIL = "NIL"
+OUT = {"plain": "OUT", "both": "PAIR", "flags": "FLAG"}  # DEST of a word that is emitted alone
 Cells = tuple[str, ...]  # names, in the order of FIELDS
 IDLE: Cells = ("PORT", NIL, "BY", "NOUGHT", NIL, NIL, "LONE", "DONE", "HIGH", NIL, "OTHER")
 SECONDS = 60.0  # for an order
@@ -81,8 +82,13 @@ class Assembled:
     @property
     def results(self) -> frozenset[int]:
         """Registers whose words leave the engine."""
-        return frozenset((*EMITTED, FLAGGED) if self.program.streamed else
+        return frozenset(range(EMITTED["plain"][0], 64) if self.program.streamed else
                          (self.registers[port.name] for port in self.program.results))
+
+
+def _cell(name: str) -> str:
+    """A word as a cell shows it: in capitals, but for the last letter of one that the assembler has added."""
+    return name if name[:1].isupper() else name.upper()
 
 
 def _rows(made: Sequence[Line], order: Order, rules: Rules) -> list[tuple[str, Cells]]:
@@ -105,11 +111,11 @@ def _rows(made: Sequence[Line], order: Order, rules: Rules) -> list[tuple[str, C
                     (a, b), cd = cd, (a, b)
                 source, a, b = "LAST", NIL, b if a == name else a
         acts = {"MORE" if act == "FOLD" and first[line.fold] != i else act for act in line.acts}
-        named = {"REG": a.upper(), "PORT": f"I_{a.upper()}", "LAST": NIL, "TABLE": NIL}[source]
-        dest = line.dest.upper() or (("FLAG" if line.flags else "OUT") if line.emit else NIL)
+        named = {"REG": _cell(a), "PORT": f"I_{a.upper()}", "LAST": NIL, "TABLE": NIL}[source]
+        dest = _cell(line.dest) or OUT.get(line.emit, NIL)
         rows.append((line.label, (
-            source, named, "BY" if line.by else "OF", line.by or b.upper(),
-            *(name.upper() for name in cd or (NIL, NIL)),
+            source, named, "BY" if line.by else "OF", line.by or _cell(b),
+            *(_cell(name) for name in cd or (NIL, NIL)),
             "LONE" if not cd else "SUB" if line.minus else "ADD", "KEEP" if line.keep else "DONE", line.align, dest,
             " | ".join(name for name in FIELDS[-1][2] if name in acts) or "OTHER")))
     return rows
@@ -136,10 +142,10 @@ def assemble(program: Program, pipe: int = 0, order: Order | None = None, second
     if wrong := schedule.faults(rules, made, order):
         raise Wrong(f"{program.path.with_suffix('.order').name}: {wrong[0]}")
     registers = allocated(program, made, order)
-    numbers = {NIL: 0} | {name.upper(): number for name, number in registers.items()}
+    numbers = {NIL: 0} | {_cell(name): number for name, number in registers.items()}
     numbers |= {f"I_{name.upper()}": i for i, name in enumerate((*program.inputs, ONE))}
     if program.streamed:
-        numbers |= {"OUT": EMITTED[0], "FLAG": FLAGGED}
+        numbers |= {name: EMITTED[how][0] for how, name in OUT.items()}
     return Assembled(program, pipe, made, order, rules, registers, numbers, _rows(made, order, rules))
 
 

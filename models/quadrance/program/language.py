@@ -44,7 +44,7 @@ class Statement:
     source : the word under a root; the two factors of `clamp`.
     signs : for each word of a root, or for a unit vector, "+", "-" or a sign input.
     hold : name of the direction that is held, empty for none.
-    flags : the word of `emit` carries the flags of what has been solved.
+    how : of `emit`: "flags", the word carries the flags of what has been solved; "both", its negative follows it.
     """
 
     line: int
@@ -56,7 +56,7 @@ class Statement:
     signs: tuple[str, ...] = ()
     wrist: bool = False
     hold: str = ""
-    flags: bool = False
+    how: str = ""
 
     @property
     def reads(self) -> tuple[str, ...]:

@@ -29,7 +29,7 @@ class Line:
     dest : the word that it writes; "" for none.
     acts : names of ACT bits; FOLD stands for FOLD and MORE.
     fold, root, far, hold : groups of lines that use one unit of the engine; -1 for none.
-    emit : the word is given as a result; `flags`: with the flags.
+    emit : the word is given as a result, "plain", with the "flags", or "both": it and its negative.
     """
 
     label: str
@@ -48,8 +48,7 @@ class Line:
     far: int = -1
     hold: int = -1
     keep: bool = False
-    emit: bool = False
-    flags: bool = False
+    emit: str = ""
 
     @property
     def registers(self) -> list[str]:
@@ -64,6 +63,11 @@ def _text(terms: Iterable[Term | None], more: bool = False) -> str:
     if more:
         return " ".join(["..", *parts])
     return " ".join([parts[0].replace("+ ", "").replace("- ", "-"), *parts[1:]])
+
+
+def added(name: str, part: str) -> str:
+    """The name of a word that a statement needs on the way to its own: in capitals, and a letter."""
+    return name.upper() + part
 
 
 class _Lowering:
@@ -170,9 +174,9 @@ class _Lowering:
     def _emit(self, one: Statement) -> None:
         for (term,) in one.sums:
             at = self.writer[term.a]
-            if term.minus or self.lines[at].hold >= 0 or self.lines[at].emit:
-                at = self.add(Line(f"emit {_text((term,))}", REG, term.a, by="MINUS" if term.minus else "PLUS"))
-            self.lines[at].emit, self.lines[at].flags = True, one.flags
+            if self.lines[at].hold >= 0 or self.lines[at].emit:
+                at = self.add(Line(f"emit {term.a}", REG, term.a, by="PLUS"))
+            self.lines[at].emit = one.how or "plain"
 
     # Roots and directions
 
@@ -181,7 +185,7 @@ class _Lowering:
         only, at = terms[0], self.writer.get(terms[0].a, -1)
         free = at >= 0 and self.lines[at].fold < 0 and self.lines[at].align == "HIGH"
         if len(terms) > 1 or only.b or only.minus or not free:
-            at = self.sum(terms, name, name.upper())
+            at = self.sum(terms, name, name)
         line = self.lines[at]
         line.acts |= {"FOLD", "WRIST"} if wrist else {"FOLD"}
         line.fold = fold
@@ -189,29 +193,28 @@ class _Lowering:
 
     def _root(self, one: Statement) -> None:
         fold, root = self.group("fold"), self.group("root")
-        y = self.folded((Term(False, one.source[0]),), f"{one.names[0]}_y", fold)
-        wide = f"{one.names[0]}_t"
+        y = self.folded((Term(False, one.source[0]),), added(one.names[0], "y"), fold)
+        wide = added(one.names[0], "t")
         self.add(Line(f"{y} 4^j", REG, y, by="FOUR", align="LOW", acts={"ROOT"}, fold=fold, root=root))
-        self.add(Line(f"{wide.upper()} = {y} 2^j", REG, y, by="TWICE", align="LOW", dest=wide, fold=fold))
+        self.add(Line(f"{wide} = {y} 2^j", REG, y, by="TWICE", align="LOW", dest=wide, fold=fold))
         for name, sign in zip(one.names, one.signs):
             g = self.reciprocal(name, sign, root)
-            self.add(Line(f"{name} = {g.upper()} * {wide.upper()}", REG, g, wide, dest=name))
+            self.add(Line(f"{name} = {g} * {wide}", REG, g, wide, dest=name))
 
     def reciprocal(self, name: str, sign: str, root: int) -> str:
         """The line of 1 / (2 sqrt); its word."""
         signs = {"+": "SLOPE", "-": "BACK"} | dict(zip(self.program.signs, ("BACK", "DOWN", "FLIP")))
-        g = f"{name}_g"
-        self.add(Line(f"{g.upper()} = 1 / root", TABLE, "", by=signs[sign], align="MID", dest=g, root=root))
+        g = added(name, "g")
+        self.add(Line(f"{g} = 1 / root", TABLE, "", by=signs[sign], align="MID", dest=g, root=root))
         return g
 
     def _unit(self, one: Statement) -> None:
         fold, root = self.group("fold"), self.group("root")
-        words = [self.folded(terms, f"{name}_v", fold, one.wrist) for name, terms in zip(one.names, one.sums)]
-        up = [f"{name}_u" for name in one.names]
+        words = [self.folded(terms, added(name, "v"), fold, one.wrist) for name, terms in zip(one.names, one.sums)]
+        up = [added(name, "u") for name in one.names]
         for word, name in zip(words, up):
-            told = word if word in one.reads else word.upper()
-            self.add(Line(f"{name.upper()} = {told} 2^s", REG, word, by="POWER", align="LOW", dest=name, fold=fold))
-        self.add(Line(f"|{up[0].upper()}, {up[1].upper()}|^2", REG, up[0], up[0], cd=(up[1], up[1]), acts={"ROOT"},
+                        self.add(Line(f"{name} = {word} 2^s", REG, word, by="POWER", align="LOW", dest=name, fold=fold))
+        self.add(Line(f"|{up[0]}, {up[1]}|^2", REG, up[0], up[0], cd=(up[1], up[1]), acts={"ROOT"},
                       fold=fold, root=root))
         g = self.reciprocal(one.names[0], one.signs[0], root)
         hold = -1
@@ -220,20 +223,20 @@ class _Lowering:
                 self.holds.append(one.hold)
             hold = self.holds.index(one.hold)
         for name, word in zip(one.names, up):
-            self.add(Line(f"{name} = {g.upper()} * {word.upper()}", REG, g, word, dest=name, hold=hold,
+            self.add(Line(f"{name} = {g} * {word}", REG, g, word, dest=name, hold=hold,
                           acts={"HOLD"} if one.hold else set(), root=root if one.hold else -1))
 
     def _clamp(self, one: Statement) -> None:
         name, far = one.names[0], self.group("far")
-        gap, scaled, product = (f"{name}_{part}" for part in ("gap", "r", "p"))
-        at = self.sum(one.sums[0], gap, gap.upper())
+        gap, scaled, product = (added(name, part) for part in "drp")
+        at = self.sum(one.sums[0], gap, gap)
         self.lines[at].acts.add("FAR")
         self.lines[at].far = far
         fraction, power = one.source
-        self.add(Line(f"{scaled.upper()} = {gap.upper()} * {fraction}", PORT, fraction, gap, dest=scaled))
-        self.add(Line(f"{product.upper()} = {scaled.upper()} * {power}", PORT, power, scaled, align="LOW", acts={"FAR"},
+        self.add(Line(f"{scaled} = {gap} * {fraction}", PORT, fraction, gap, dest=scaled))
+        self.add(Line(f"{product} = {scaled} * {power}", PORT, power, scaled, align="LOW", acts={"FAR"},
                       far=far, dest=product))
-        self.add(Line(f"{name} = clamp {product.upper()}", REG, product, by="PLUS", acts={"CLAMP"}, dest=name, far=far))
+        self.add(Line(f"{name} = clamp {product}", REG, product, by="PLUS", acts={"CLAMP"}, dest=name, far=far))
 
 
 def lines(program: Program) -> list[Line]:

@@ -14,9 +14,10 @@ from pathlib import Path
 from quadrance.program.language import FORMATS, ONE, Port, Program, Statement, Sum, Term, Wrong
 
 LIMITS = {"characters": 100_000, "columns": 160, "statements": 1000, "loops": 4, "values": 16, "name": 12, "terms": 12}
-RESERVED = set("in cfg sign norm argue out order reach check emit flags for root unit clamp wrist hold one".split())
+RESERVED = set("""in cfg sign norm argue out order reach check emit flags both for root unit clamp wrist hold
+    one""".split())
 TABLE = set("""reg port last table of by nil plus minus slope back down flip nought power four twice lone add sub done
-    keep high low mid other fold more above far out flag""".split())  # names of the printed table
+    keep high low mid other fold more above far out pair flag""".split())  # names of the printed table
 SIGNS = 3  # bits of in_signs
 ARGUED = 3  # words of a program whose range may be argued
 
@@ -237,16 +238,13 @@ def _unit(program: Program, tokens: _Tokens, text: str, names: tuple[str, ...]) 
 
 
 def _emit(tokens: _Tokens, text: str) -> Statement:
-    terms, flags = [], False
-    while tokens.next and not flags:
-        if flags := tokens.next == "flags":
-            tokens.take()
-        else:
-            minus = tokens.next == "-" and tokens.take() == "-"
-            terms.append((Term(minus, tokens.name()),))
-    if not terms or flags and len(terms) > 1:
-        raise tokens.wrong("emit is followed by words, or by one word and flags")
-    return Statement(tokens.line, text, "emit", sums=tuple(terms), flags=flags)
+    terms = []
+    while tokens.next not in ("", "flags", "both"):
+        terms.append((Term(False, tokens.name()),))
+    how = tokens.take() if tokens.next else ""
+    if not terms or how == "flags" and len(terms) > 1:
+        raise tokens.wrong("emit is followed by words, by words and both, or by one word and flags")
+    return Statement(tokens.line, text, "emit", sums=tuple(terms), how=how)
 
 
 def _clamp(program: Program, tokens: _Tokens, text: str, names: tuple[str, ...]) -> Statement:

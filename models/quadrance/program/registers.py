@@ -1,8 +1,8 @@
 """This module gives the words of a program their registers, once its lines have their places in time.
 
 Results have the registers 2, 3, ... in their order. A direction that is held keeps an even register and the next one;
-bits 2 and 3 of their number say which of the engine's three flags is the direction's. Emitted words have odd registers
-below 16, those with flags register 7. All other words share the rest.
+bits 2 and 3 of their number say which of the engine's three flags is the direction's. Emitted words have the registers
+from 48 on, those with their negatives 56 to 62, those with flags 63. All other words share the rest.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from quadrance.program.schedule import Order
 
 COUNT = 64
 FIRST = 2  # register of the first result
-EMITTED, FLAGGED = (1, 3, 5, 9, 11, 13, 15), 7
+EMITTED = {"plain": range(48, 56), "both": range(56, 63), "flags": range(63, 64)}
 SLOTS = (16, 20, 24)  # of held directions that are no results
 
 
@@ -65,18 +65,21 @@ def allocated(program: Program, lines: Sequence[Line], order: Order) -> dict[str
     found = fixed | _held(program, lines, fixed)
     if max(found.values(), default=0) >= COUNT:
         raise Wrong(f"{program.path.name}: {len(fixed)} results, and there are {COUNT - FIRST} registers for them")
+    read = {name for line in lines for name in line.registers}
     last = {line.dest: place[i] for i, line in enumerate(lines) if line.dest}
     for i, line in enumerate(lines):
         for name in line.registers:
             last[name] = max(last[name], place[i])
-    shared = [r for r in range(FIRST, COUNT) if r not in found.values()
-              and not (program.streamed and r < 16 and r % 2)]
-    free = dict.fromkeys((*shared, *(EMITTED[1:] + (FLAGGED,) if program.streamed else ())), -1)
+    shared = [r for r in range(FIRST, 48 if program.streamed else COUNT) if r not in found.values()]
+    free = dict.fromkeys(range(COUNT), -1)
     for i in sorted(range(len(lines)), key=place.__getitem__):
         line = lines[i]
         if not line.dest or line.dest in found:
             continue
-        pool = shared if not line.emit else [FLAGGED] if line.flags else EMITTED[1:]
+        if line.emit and line.dest not in read:  # no line needs it, and it may be overwritten at once
+            found[line.dest] = EMITTED[line.emit][0]
+            continue
+        pool = EMITTED[line.emit][1:] if line.emit else shared
         register = next((r for r in pool if place[i] >= free[r]), None)
         if register is None:
             raise Wrong(f"{program.path.name}: too many registers: none of {len(pool)} is free for {line.dest}")

@@ -71,6 +71,7 @@ class Rules:
     last : (i, j): or exactly `timing.last` after it, as LAST, which a line has once.
     joined : (i, j): j is the line after i.
     windows : of each shared unit.
+    trailing : lines that are not the last one.
     """
 
     timing: Timing
@@ -78,6 +79,7 @@ class Rules:
     last: set[tuple[int, int]] = field(default_factory=set)
     joined: list[tuple[int, int]] = field(default_factory=list)
     windows: dict[str, list[Window]] = field(default_factory=dict)
+    trailing: list[int] = field(default_factory=list)
 
 
 def _takes_last(user: Line, name: str) -> bool:
@@ -148,9 +150,13 @@ def _holds(found: Rules, program: Program, lines: Sequence[Line], writer: dict[s
         found.edges += [(a, b, 1) for one, two in zip(every, every[1:]) for a in one for b in two]
         found.windows[f"held direction {slot + 1}"] = [Window(lines[c].label, (c, n), tuple(
             (i, 0) for i in readers[c] + readers[n])) for c, n in every]
+    if program.streamed:
+        found.windows["results"] = [Window(line.label, (i,), ((i, -2 if line.emit == "both" else -1),))
+                                    for i, line in enumerate(lines) if line.emit]
+        found.trailing = [i for i, line in enumerate(lines) if line.emit == "both"]
     changes = [i for i, line in enumerate(lines) if line.acts & {"HOLD", "FAR", "ABOVE"}]
     for i, line in enumerate(lines):
-        if line.flags:
+        if line.emit == "flags":
             found.edges += [(j, i, 0) if j < i else (i, j, 1) for j in changes if j != i]
 
 
@@ -174,6 +180,8 @@ def faults(found: Rules, lines: Sequence[Line], order: Order) -> list[str]:
               if at[j] != at[i] + 1]
     users = [j for i, j in found.last if at[j] - at[i] == found.timing.last]
     wrong += [f"'{lines[j].label}' needs LAST twice" for j in users if users.count(j) > 1]
+    wrong += [f"'{lines[i].label}' is followed by its negative, and is the last line" for i in found.trailing
+              if at[i] + 1 == len(order)]
     for unit, windows in found.windows.items():
         ordered = sorted(windows, key=lambda one: min(at[i] for i in one.makers))
         wrong += [f"'{two.title}' takes the {unit} while '{one.title}' needs it"
@@ -256,10 +264,11 @@ class _Lister:
                     waiting.remove(chain)
                     break
             clock += 1
-        if waiting or max(taken) + 1 >= within:
+        length = max([clock + 1 for clock in taken] + [at[i] + 2 for i in self.found.trailing if i in at])
+        if waiting or length >= within:
             return None
         placed = {clock: i for i, clock in at.items()}
-        return [placed.get(clock) for clock in range(max(taken) + 1)]
+        return [placed.get(clock) for clock in range(length)]
 
 
 def listed(program: Program, found: Rules, count: int, tries: int = TRIES) -> list[int | None]:

@@ -44,7 +44,7 @@ def solved(found: Rules, count: int, hint: Order, seconds: float) -> tuple[list[
             intervals.append(model.new_interval_var(start, model.new_int_var(0, horizon, ""), end, ""))
         model.add_no_overlap(intervals)
     length = model.new_int_var(count, horizon, "length")
-    model.add_max_equality(length, [one + 1 for one in at])
+    model.add_max_equality(length, [one + 1 for one in at] + [at[i] + 2 for i in found.trailing])
     model.minimize(length)
     for clock, i in enumerate(hint):
         if i is not None:
@@ -55,7 +55,7 @@ def solved(found: Rules, count: int, hint: Order, seconds: float) -> tuple[list[
     state = solver.solve(model)
     if state not in (cp_model.OPTIMAL, cp_model.FEASIBLE):
         return list(hint), False
-    order: list[int | None] = [None] * (max(solver.value(one) for one in at) + 1)
+    order: list[int | None] = [None] * solver.value(length)
     for i, one in enumerate(at):
         order[solver.value(one)] = i
     return order, state == cp_model.OPTIMAL

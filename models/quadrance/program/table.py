@@ -14,10 +14,10 @@ from quadrance.program.ranges import proved
 WIDTH = 120
 _HEAD = """\
 // SPDX-License-Identifier: Apache-2.0
-// Program {name}, assembled from {name}.kin and {name}.order by `quadrance assemble`; do not edit.
+// Assembled from {name}.kin and {name}.order by `quadrance assemble`; do not edit.
 //   {title}
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
-// a word of capitals in a comment is one that the assembler has added. Latency of a core that plays it: {clocks}.
+// a word of capitals and a small letter is one that the assembler has added. Latency of a core that plays it: {clocks}.
 // For product_engine with PIPE = {pipe}. Model: quadrance.program.meaning
 `default_nettype none
 module {module} (
@@ -57,7 +57,8 @@ def _numbers(one: Assembled) -> list[str]:
 
 def _row(label: str, cells: Iterable[str], widths: list[int], comment: int) -> str:
     padded = [f"{cell},".ljust(width + 2) for cell, width in zip(cells, widths)]
-    return f"    /* {label.ljust(comment)} */ {{{''.join(padded).rstrip().rstrip(',')}}}"
+    body = f"*/ {{{''.join(padded).rstrip().rstrip(',')}}}"
+    return f"    /* {label.ljust(min(comment, WIDTH - len(body) - 9))} {body}"
 
 
 def verilog(one: Assembled) -> str:

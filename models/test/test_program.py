@@ -1,0 +1,358 @@
+"""Programs of equations: what a text means, what is refused and why, ranges, lines and their order."""
+
+import importlib
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from quadrance import six, truth_six
+from quadrance.cli import main
+from quadrance.cores import RTL, find
+from quadrance.program import assembler, lines, meaning, parser, ranges, schedule, table
+from quadrance.program.language import Wrong
+
+PROGRAMS = sorted((RTL / "program").glob("*.kin"))
+EACH = pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
+P = {"W": 16, "F": 8, "U": 16}
+SMALL = """# The direction of a point
+in coordinate x y
+cfg length a
+out vector c n
+u = x - a
+c, n = unit (u, y) hold
+"""
+
+
+def read(text):
+    return parser.parse(text, Path("my.kin"))
+
+
+def refusal(text):
+    with pytest.raises(Wrong) as caught:
+        program = read(text)
+        ranges.proved(program)
+        assembler.assemble(program, seconds=1)
+    message = str(caught.value)
+    assert "\n" not in message and message.startswith("my.kin")
+    return message
+
+
+# What is refused
+
+ERRORS = {
+    "an undefined name": (("u = x - a", "u = x - b"), "my.kin:5: b is not defined"),
+    "a word before it is there": (("u = x - a", "u = c - a"), "my.kin:5: c is not defined"),
+    "a word that is never used": (("u = x - a", "u = x - a\nv = x + a"), "my.kin:6: v is never used"),
+    "an input that is never used": (("cfg length a", "cfg length a b"), "b is never used"),
+    "a word given twice": (("u = x - a", "u = x - a\nu = x + a"), "my.kin:6: u is given twice"),
+    "an input declared twice": (("in coordinate x y", "in coordinate x y x"), "my.kin:2: x is declared twice"),
+    "a result without a statement": (("out vector c n", "out vector c n w"), "w is a result, and no statement gives it"),
+    "no result": (("out vector c n\n", ""), "c is never used"),
+    "a range that is not proved": (("u = x - a", "u = x - a + x + x + y"),
+                                   "my.kin:5: the range of u is not proved: -2.500 to 2.500"),
+    "a root of what may be negative": (("u = x - a", "u = x - a\nw = root u\nv = w*w"), "argument of a root"),
+    "an unknown format": (("in coordinate", "in integer"), "my.kin:2: vector or coordinate or length"),
+    "a symbol": (("x - a", "x / a"), "my.kin:5: '/' has no meaning here"),
+    "a call": (("x - a", "exit(1)"), "my.kin:5: '(' is too much"),
+    "a name that is none": (("u = x - a", "U = x - a"), "my.kin:5: 'U' is no name"),
+    "a long name": (("u = x - a", f"{'u' * 13} = x - a"), "is no name"),
+    "a word of the language": (("u = x - a", "root = x - a"), "'root' is a word of the language and no name"),
+    "a name of the table": (("u = x - a", "low = x - a\nu = low"), "low is a name of the printed table"),
+    "an end too soon": (("u = x - a", "u = x -"), "my.kin:5: more is expected at the end"),
+    "one word of a direction": (("c, n = unit", "c = unit"), "my.kin:6: unit gives two words, cosine and sine"),
+    "two words of a sum": (("u = x - a", "u, v = x - a"), "one name is expected before = of a sum"),
+    "a sign too many": (("u = x - a", "u = x - a\nw = root u + -"), "1 names and 2 signs of a root"),
+    "a norm of a word": (("u = x - a", "u = x - a\nnorm u <= 1"), "norm speaks of inputs alone"),
+    "four argued words": (("u = x - a", "u = x - a\nargue u c n y <= 1"), "more than 3 words are argued"),
+    "a loop without lines": (("u = x - a", "for s in a b:\nu = x - a"), "my.kin:5: a loop without lines"),
+    "a loop that is none": (("u = x - a", "for s = 1 to 8:\n    u = x - a"), "my.kin:5: a loop is 'for NAME in VALUE"),
+    "a name that no loop gives": (("u = x - a", "u{s} = x - a"), "my.kin:5: no loop gives {s}"),
+    "a tab": (("u = x - a", "\tu = x - a"), "my.kin:5: a tab: lines are indented by spaces"),
+    "a long line": (("u = x - a", f"u = x - a # {'-' * 160}"), "my.kin:5: more than 160 columns"),
+    "a long sum": (("u = x - a", f"u = x {'- a' * 12}"), "my.kin:5: a sum of more than 12 terms"),
+    "a second reach": (("u = x - a", "reach u = x*x\nreach v = a*a\nw = u*v"), "a second reach: the status bit"),
+    "a clamp without a power": (("u = x - a", "u = clamp (x*x) * a * a"), "a is no input of format fraction"),
+    "out and emit": (("u = x - a", "u = x - a\nemit u"), "results are held in registers or given one after the other"),
+    "held words apart": (("out vector c n", "out vector n c"), "my.kin: c and n are held"),
+}
+
+
+@pytest.mark.parametrize("name", ERRORS)
+def test_each_error_names_file_line_and_reason(name):
+    (old, new), says = ERRORS[name]
+    assert old in SMALL
+    assert says in refusal(SMALL.replace(old, new))
+
+
+def test_too_many_registers_are_refused():
+    names = [f"v{i}" for i in range(70)]
+    text = "in coordinate x y\nout vector c n\n" + "".join(f"{name} = x*y\n" for name in names)
+    at = 0
+    while len(names) > 1:  # a tree of sums: all first words live at once if the sums come last
+        names, rest = [f"s{at}x{i}" for i in range(-(-len(names) // 12))], names
+        text += "".join(f"{name} = {' + '.join(rest[12 * i:12 * i + 12])}\n" for i, name in enumerate(names))
+        at += 1
+    program = read(text + f"c, n = unit ({names[0]}, x)\n")
+    made = lines.lines(program)
+    order = list(range(len(made)))
+    spread = [i for i in order for i in (i, None, None, None)]  # every line long after the one before it
+    found = schedule.rules(program, made, schedule.timing())
+    found.joined.clear()
+    with pytest.raises(Wrong, match="too many registers"):
+        assembler.allocated(program, made, spread)
+
+
+SLOW = {
+    "loops": "".join(f"{'    ' * i}for a{i} in {' '.join(map(str, range(16)))}:\n" for i in range(4)) + "    " * 4
+             + "u{a0} = x\n",
+    "many statements": "".join(f"u{i} = x\n" for i in range(1100)),
+    "much text": "# more\n" * 20_000,
+    "deep loops": "".join(f"{'    ' * i}for a{i} in b:\n" for i in range(9)) + "    " * 9 + "u = x\n",
+    "many lines": "".join(f"u{i} = {' + '.join(['x'] * 12)}\n" for i in range(60)),
+    "many norms": "".join(f"norm x y z{i} <= 1\n" for i in range(0)) + "".join(
+        f"u{i} = {' + '.join(f'u{j}*v{j}' for j in range(max(i - 12, 0), i)) or 'x'}\n"
+        f"v{i} = {' + '.join(f'v{j}*u{j}' for j in range(max(i - 12, 0), i)) or 'y'}\n" for i in range(200)),
+}
+
+
+@pytest.mark.parametrize("name", SLOW)
+@pytest.mark.timeout(60)
+def test_a_text_made_to_be_slow_is_refused(name):
+    refusal("in coordinate x y\nout vector c n\n" + SLOW[name] + "c, n = unit (x, y)\n")
+
+
+def test_circles_and_programs_of_others_are_no_order():
+    program = read(SMALL)
+    made = lines.lines(program)
+    found = schedule.rules(program, made, schedule.timing())
+    order = assembler.assemble(program, seconds=1).order
+    assert not schedule.faults(found, made, order)
+    assert "is not one of these" in schedule.faults(found, made, order[:-1])[0]
+    with pytest.raises(Wrong, match="my.order: .* lines after"):
+        assembler.assemble(program, order=order[::-1])
+
+
+# What it means
+
+
+def test_a_direction_in_both_arithmetics():
+    """Bit-true words are those of the real numbers; where there is no direction the last one is held."""
+    program = read(SMALL)
+    x, y = np.array([0, 100, -300, 16, 7]), np.array([0, 100, 400, 0, -24])
+    a = np.full(5, 16 << 4)
+    found = meaning.answer(program, P, in_x=x, in_y=y, cfg_a=a)
+    real = meaning.real(program, {"x": x / 2**16, "y": y / 2**16, "a": a / 2**20})
+    assert np.array_equal(found["out_status"], [0, 0, 0, 2, 0])
+    assert found["out_c"][3] == found["out_c"][2] and found["out_n"][3] == found["out_n"][2]
+    for name in "cn":
+        want = np.where([0, 0, 0, 1, 0], np.roll(real.words[name], 1), real.words[name])
+        assert np.abs(found[f"out_{name}"] - want * 2**16).max() < 1.6
+    assert real.none["c"].tolist() == [False, False, False, True, False]
+
+
+def test_before_the_first_direction_it_is_1_0():
+    found = meaning.answer(read(SMALL), P, in_x=np.array([16]), in_y=np.array([0]), cfg_a=np.array([256]))
+    assert found["out_c"][0] == 1 << 16 and found["out_n"][0] == 0 and found["out_status"][0] == 2
+
+
+@pytest.mark.parametrize("robot", truth_six.known())
+def test_float64_of_the_six_axis_texts_is_the_chain_of_matrices(robot):
+    """Forward against 4 x 4 matrices, inverse back to the pose on all branches, by values without words."""
+    arm, mm = truth_six.load(robot)
+    unit = type(arm)(*(length / mm for length in arm))
+    q = np.random.default_rng(4).uniform(-np.pi, np.pi, (3000, 6))
+    rotation, tip = truth_six.fk6(q, unit)
+    scale = 2.0 ** -(P["W"] - P["F"])  # 1.0 of a word in units
+    forward = {f"{letter}{i}": turn(q[:, i - 1]) for i in range(1, 7) for letter, turn in (("c", np.cos), ("n", np.sin))}
+    forward |= {name: getattr(unit, name) * scale for name in ("a1", "a2", "b")}
+    forward |= {f"l{i}": getattr(unit, f"c{i}") * scale for i in range(1, 5)}
+    found = meaning.real(parser.load(six.FORWARD), forward).words
+    for i in range(3):
+        assert np.abs(found["xyz"[i]] / scale - tip[:, i]).max() < 1e-9 * np.abs(tip).max()
+        assert all(np.abs(found[f"r{i + 1}{j + 1}"] - rotation[:, i, j]).max() < 1e-12 for j in range(3))
+    k = np.hypot(unit.a2, unit.c3)
+    inverse = {f"r{i + 1}{j + 1}": rotation[:, i, j] for i in range(3) for j in range(3)}
+    inverse |= {axis: tip[:, i] * scale for i, axis in enumerate("xyz")}
+    inverse |= {"a1": unit.a1 * scale, "b": unit.b * scale, "l1": unit.c1 * scale, "l2": unit.c2 * scale,
+                "l4": unit.c4 * scale, "k": k * scale, "cp": unit.c3 / k, "np": unit.a2 / k,
+                "r": 1 / (2 * unit.c2 * k * scale**2) / 64, "e": 64.0}
+    for branch in range(8):
+        outcome = meaning.real(parser.load(six.INVERSE), inverse, branch)
+        words = outcome.words
+        angles = np.stack([np.arctan2(words[f"n{i}"], words[f"c{i}"]) for i in range(1, 7)], axis=-1)
+        good = ~outcome.far & ~np.any(list(outcome.none.values()), axis=0)
+        again = truth_six.fk6(angles[good], unit)
+        assert good.sum() > 1000 and not outcome.wrong.any()
+        assert np.abs(again[1] - tip[good]).max() < 1e-5 * np.abs(tip).max()
+        assert np.abs(again[0] - rotation[good]).max() < 1e-6
+
+
+def test_the_eight_branches_are_those_of_the_program_of_one():
+    """Each word of vector_ik6_all.kin in every bit, with the directions that its branches hold from one another."""
+    rng, n = np.random.default_rng(8), 3000
+    arm, mm = truth_six.load("kr6_r700")
+    cfg = six.config(P, **{name: length / mm for name, length in arm._asdict().items()})
+    q = rng.uniform(-np.pi, np.pi, (n, 6))
+    q[::7, 4] = 0
+    rotation, tip = truth_six.fk6(q, arm)
+    ports = {f"in_r{i + 1}{j + 1}": np.rint(rotation[:, i, j] * 2**16).astype(int) for i in range(3) for j in range(3)}
+    ports |= {f"in_{axis}": np.rint(tip[:, i] / mm * 256).astype(int) for i, axis in enumerate("xyz")}
+    ports["in_x"][::11] = ports["in_y"][::11] = 0
+    for axis in "xy":  # the wrist's centre on axis 1
+        row = "xy".index(axis)
+        ports[f"in_{axis}"][::5] = np.rint(arm.c4 / mm * 256 * rotation[::5, row, 2])
+    words = meaning.fixed(parser.load(RTL / "program" / "vector_ik6_all.kin"), P, **ports, **cfg).words
+    found = six.ik6_all(P, **ports, **cfg)
+    assert (found["out_held"] > 0).sum() > 100
+    for branch, (elbow, shoulder) in enumerate(("uf", "ub", "df", "db")):
+        for i in range(1, 7):
+            for letter in "cn":
+                word = words[f"{letter}{i}{'' if i == 1 else elbow}{shoulder}"]
+                assert np.array_equal(found[f"out_{letter}{i}{branch}"], six.meaning.wrap(
+                    six.meaning.round_shift(word, 9), 18)), (letter, i, branch)
+
+
+# Ranges
+
+
+@EACH
+def test_no_word_leaves_the_range_that_is_proved(path):
+    """Float64 words of random inputs at the ends of their formats and norms, signs included."""
+    program = parser.load(path)
+    found, rng, n = ranges.proved(program), np.random.default_rng(6), 20_000
+    inputs = {name: rng.choice([low, high, 0.0], n) if port.format != "vector" else None
+              for name, port in program.inputs.items() for low, high in [found[name]]}
+    inputs = {name: np.where(rng.random(n) < 0.5, rng.uniform(*found[name], n), value) if value is not None else None
+              for name, value in inputs.items()}
+    if "r11" in program.inputs:
+        matrix = np.linalg.qr(rng.normal(size=(n, 3, 3)))[0]
+        inputs |= {f"r{i + 1}{j + 1}": matrix[:, i, j] for i in range(3) for j in range(3)}
+    for i in range(1, 7):
+        if f"c{i}" in program.inputs:
+            angle = rng.choice(8, n) * np.pi / 4 + rng.normal(size=n) * rng.choice([0, 1], n)
+            inputs |= {f"c{i}": np.cos(angle), f"n{i}": np.sin(angle)}
+    for names, limit in program.norms:
+        if not any(program.inputs[name].format == "vector" for name in names):
+            length = np.sqrt(sum(inputs[name]**2 for name in names))
+            inputs |= {name: inputs[name] / np.maximum(1, length / limit) for name in names}
+    words = meaning.real(program, inputs, rng.integers(0, 8, n)).words
+    for name, (low, high) in found.items():
+        if name in words:
+            assert np.all((words[name] >= low - 1e-6) & (words[name] <= high + 1e-6)), name
+    widest = max(np.abs(words[name]).max() for name in found if name in words and name not in program.inputs)
+    assert widest > 1.2  # the samples reach far
+
+
+def test_a_matrix_that_is_longer_than_its_norm_is_refused():
+    text = six.INVERSE.read_text().replace("norm l4 <= 0.28", "norm l4 <= 0.5")
+    assert "the range of q is not proved: 0.000 to 1.496, and an argument of a root" in refusal(text)
+
+
+# Lines and their order
+
+
+@EACH
+def test_the_checker_accepts_what_is_assembled(path):
+    one = assembler.assembled(path)
+    assert assembler.problems(one) == []
+    assert table.stale(path.parent) == []
+
+
+def test_an_order_that_the_rules_refuse_the_checker_refuses_too():
+    """Two lines exchanged: what the scheduler's rules call a fault is one for the independent checker, too often."""
+    one = assembler.assembled(six.INVERSE)
+    both = [0, 0]
+    for at in range(len(one.order) - 1):
+        order = [*one.order]
+        order[at:at + 2] = order[at:at + 2][::-1]
+        bad = schedule.faults(one.rules, one.lines, order)
+        rows = [*one.rows]
+        rows[at:at + 2] = rows[at:at + 2][::-1]
+        seen = assembler.problems(replace(one, rows=rows))
+        assert not bad or seen or "take" in bad[0] or "needs LAST" in bad[0] or "2 are needed" in bad[0], (at, bad)
+        both[bool(bad)] += 1
+    assert min(both) > 10
+
+
+@pytest.mark.parametrize("pipe", [0, 1, 2])
+def test_without_ortools_the_list_scheduler_gives_an_order(pipe, monkeypatch):
+    program = parser.load(six.INVERSE)
+    monkeypatch.setattr(assembler, "solved", lambda *given: None)
+    one = assembler.assemble(program, pipe)
+    least = (89, 105, 125)[pipe]
+    assert not schedule.faults(one.rules, one.lines, one.order) and least <= len(one.order) <= least * 1.25
+
+
+def test_the_model_of_a_core_is_its_text(monkeypatch):
+    """A slip in the text is one in the model: bench and truth would see it."""
+    core = find("vector_fk6")
+    text = six.FORWARD.read_text().replace("r32 = r13*r21 - r23*r11", "r32 = r13*r21 - r23*r12")
+    monkeypatch.setattr(importlib.import_module("quadrance.six").parser, "load", lambda path: parser.parse(text, path))
+    ports = {port.name: np.array([port.high // 3, port.high]) for port in (*core.cfg, *core.inputs)}
+    slipped = core.model(core.params, **ports)
+    monkeypatch.undo()
+    right = core.model(core.params, **ports)
+    assert [name for name in right if not np.array_equal(right[name], slipped[name])] == ["out_r32"]
+
+
+# The command
+
+
+def test_the_command_prints_and_writes(tmp_path, capsys):
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL)
+    assert main(["assemble", str(path), "--seconds", "1"]) == 0
+    out = capsys.readouterr().out
+    assert "module my_program" in out and "c = C_G * C_U" in out and "every word within its range" in out
+    assert list(tmp_path.iterdir()) == [path]
+    assert main(["assemble", str(path), "--seconds", "1", "--write"]) == 0
+    assert table.stale(tmp_path) == []
+    (tmp_path / "my.order").write_text("pipe 0: 1 0 x\n")
+    assert main(["assemble", str(path)]) == 2
+    assert "my.order: a line is" in capsys.readouterr().err
+
+
+def test_a_wrong_program_overwrites_nothing(tmp_path, capsys):
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL.replace("- a", "- b"))
+    (tmp_path / "my_program.v").write_text("mine")
+    assert main(["assemble", str(path), "--write"]) == 2
+    assert capsys.readouterr().err == "quadrance: my.kin:5: b is not defined\n"
+    assert (tmp_path / "my_program.v").read_text() == "mine" and not (tmp_path / "my.order").exists()
+    assert main(["assemble", str(tmp_path / "none.kin")]) == 2
+    assert "cannot be read" in capsys.readouterr().err
+
+
+def test_a_changed_text_order_or_table_is_stale(tmp_path):
+    for path in (six.FORWARD, six.FORWARD.with_suffix(".order"), table.table_path(six.FORWARD)):
+        (tmp_path / path.name).write_text(path.read_text())
+    assert table.stale(tmp_path) == []
+    text, order, module = (tmp_path / name for name in ("vector_fk6.kin", "vector_fk6.order", "vector_fk6_program.v"))
+    for path, change in ((text, lambda t: t.replace("e3 = c6*m5", "e3 = n6*m5")),
+                         (module, lambda t: t.replace("U1, ", "E1, ", 1)),
+                         (module, lambda t: swapped(t, "/* t = c5*c4", "/* s = c5*n4")),
+                         (order, lambda t: t.replace("pipe 0: 3 4", "pipe 0: 4 3")),
+                         (order, lambda t: t.replace("pipe 0: 3 4", "pipe 0: 41 4"))):
+        before = path.read_text()
+        assert change(before) != before
+        path.write_text(change(before))
+        parser.load.cache_clear()
+        assert len(table.stale(tmp_path)) == 1, path
+        path.write_text(before)
+        parser.load.cache_clear()
+    order.unlink()
+    assert "no order is committed" in table.stale(tmp_path)[0]
+
+
+def swapped(text, one, two):
+    rows = text.splitlines(keepends=True)
+    i, j = (next(n for n, row in enumerate(rows) if row.strip().startswith(start)) for start in (one, two))
+    rows[i], rows[j] = rows[j], rows[i]
+    return "".join(rows)
+
+
+def test_the_models_are_fast_enough_for_a_bench():
+    """10^5 poses by interpretation, work that is linear in the poses."""
+    assert time  # the time itself is never asserted
