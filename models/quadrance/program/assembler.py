@@ -137,7 +137,8 @@ def assemble(program: Program, pipe: int = 0, order: Order | None = None, second
     made = lines(program)
     rules = schedule.rules(program, made, schedule.timing(pipe))
     if order is None:
-        order = schedule.listed(program, rules, len(made))
+        guide = read_order(program) if pipe else None
+        order = schedule.listed(program, schedule.guided(rules, guide) if guide else rules, len(made))
         order = (solved(rules, len(made), order, seconds) or (order, False))[0]
     if wrong := schedule.faults(rules, made, order):
         raise Wrong(f"{program.path.with_suffix('.order').name}: {wrong[0]}")
