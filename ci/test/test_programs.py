@@ -14,7 +14,7 @@ from ci import programs
 CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_all_program": "vector_ik6_all",
          "vector_fk6_program": "vector_fk6", "engine_delta_program": "engine_delta_fk",
          "engine_gd_n_program": "engine_quaternion_gd_n", "engine_rus_fk_program": "engine_rus_fk",
-         **{f"{core}_program_{pipe}": f"{core}-PIPE{pipe}" for core in ("vector_ik6", "vector_fk6") for pipe in (1, 2)}}
+         **{f"{core}_program_{pipe}": f"{core}-PIPE{pipe}" for core in ("vector_ik6", "vector_ik6_all", "vector_fk6") for pipe in (1, 2)}}
 
 
 @functools.cache
@@ -60,12 +60,12 @@ def test_every_program_is_read_and_sound():
 
 
 @pytest.mark.parametrize("module, first, second, says", [
-    ("vector_ik6_program", "x1 = X1_G * X1_T", "C1_V = x1*px + b*py", "is read"),
-    ("vector_ik6_program", "n4 = C4_G * N4_U", "c4 = C4_G * C4_U", "read"),
-    ("vector_ik6_all_program", "C2UF_U = C2UF_V 2^s", "N2UF_V = k1f*xxf - k2uf*pz", "is read"),
+    ("vector_ik6_program", "x1 = X1g * X1t", "C1v = x1*px + b*py", "is read"),
+    ("vector_ik6_program", "n4 = C4g * N4u", "c4 = C4g * C4u", "read"),
+    ("vector_ik6_all_program", "N2UFu = N2UFv 2^s", "N2UFv = k1f*xxf - k2uf*pz", "is read"),
     ("vector_fk6_program", "c23 = c3*c2 - n2*n3", "u3 = c5*n23 + c23*f1", "is read"),
-    ("vector_ik6_program_1", "x1 = X1_G * X1_T", "C1_V = x1*px + b*py", "is read"),
-    ("vector_ik6_program_2", "n4 = C4_G * N4_U", "c4 = C4_G * C4_U", "read"),
+    ("vector_ik6_program_1", "x1 = X1g * X1t", "C1v = x1*px + b*py", "is read"),
+    ("vector_ik6_program_2", "n4 = C4g * N4u", "c4 = C4g * C4u", "read"),
     ("engine_delta_program", "|b|^2", "|b|^2 up", "read"),
     ("engine_gd_n_program", "its square", "Newton", "read"),
     ("engine_rus_fk_program", "|q|^2", "Newton", "read"),

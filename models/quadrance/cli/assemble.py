@@ -11,8 +11,9 @@ from quadrance.program.language import Wrong
 from quadrance.program.parser import load
 
 
-def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS) -> tuple[Assembled, dict[str, object]]:
-    """A program, and what is to be said of it.
+def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS,
+             anew: bool = False) -> tuple[Assembled, dict[str, object]]:
+    """A program, and what is to be said of it; `anew`: an order that is none of the text is looked for again.
 
     Raises
     ------
@@ -22,7 +23,12 @@ def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS) -> t
     try:
         program = load(path)
         intervals = ranges.proved(program)
-        one = assembler.assembled(path, pipe, seconds)
+        try:
+            one = assembler.assembled(path, pipe, seconds)
+        except Wrong:
+            if not anew:
+                raise
+            one = assembler.assemble(program, pipe, None, seconds)
         text = table.verilog(one)
     except Wrong as error:
         raise Refused(str(error)) from None

@@ -94,7 +94,7 @@ def verilog(one: Assembled) -> str:
     return table + "endmodule\n`default_nettype wire\n"
 
 
-def table_path(path: Path, pipe: int) -> Path:
+def table_path(path: Path, pipe: int = 0) -> Path:
     """The file of the module of a program: NAME_program.v, or with registers NAME_program_PIPE.v."""
     return path.with_name(f"{path.stem}_program{f'_{pipe}' if pipe else ''}.v")
 
