@@ -1,7 +1,7 @@
 """Programs of equations: what a text means, what is refused and why, ranges, lines and their order."""
 
 import importlib
-import time
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,20 +9,14 @@ import numpy as np
 import pytest
 from quadrance import six, truth_six
 from quadrance.cli import main
-from quadrance.cores import RTL, find
+from quadrance.cores import ROOT, RTL, find
 from quadrance.program import assembler, lines, meaning, parser, ranges, schedule, table
 from quadrance.program.language import Wrong
 
 PROGRAMS = sorted((RTL / "program").glob("*.kin"))
 EACH = pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
 P = {"W": 16, "F": 8, "U": 16}
-SMALL = """# The direction of a point
-in coordinate x y
-cfg length a
-out vector c n
-u = x - a
-c, n = unit (u, y) hold
-"""
+SMALL = (ROOT / "docs" / "programs.md").read_text().split("```")[1].lstrip()  # the page's example
 
 
 def read(text):
@@ -47,13 +41,14 @@ ERRORS = {
     "a word that is never used": (("u = x - a", "u = x - a\nv = x + a"), "my.kin:6: v is never used"),
     "an input that is never used": (("cfg length a", "cfg length a b"), "b is never used"),
     "a word given twice": (("u = x - a", "u = x - a\nu = x + a"), "my.kin:6: u is given twice"),
-    "an input declared twice": (("in coordinate x y", "in coordinate x y x"), "my.kin:2: x is declared twice"),
-    "a result without a statement": (("out vector c n", "out vector c n w"), "w is a result, and no statement gives it"),
+    "an input declared twice": (("coordinate x y", "coordinate x y x"), "my.kin:2: x is declared twice"),
+    "a result without a statement": (("out vector c n", "out vector c n w"), "w is a result, and no statement"),
     "no result": (("out vector c n\n", ""), "c is never used"),
     "a range that is not proved": (("u = x - a", "u = x - a + x + x + y"),
                                    "my.kin:5: the range of u is not proved: -2.500 to 2.500"),
-    "a root of what may be negative": (("u = x - a", "u = x - a\nw = root u\nv = w*w"), "argument of a root"),
-    "an unknown format": (("in coordinate", "in integer"), "my.kin:2: vector or coordinate or length"),
+    "a root of what may be negative": (("u = x - a", "v = x - a\nu = root v"),
+                                       "the range of v is not proved: -1.000 to 1.000, and an argument of a root"),
+    "an unknown format": (("coordinate", "integer"), "my.kin:2: vector or coordinate or length"),
     "a symbol": (("x - a", "x / a"), "my.kin:5: '/' has no meaning here"),
     "a call": (("x - a", "exit(1)"), "my.kin:5: '(' is too much"),
     "a name that is none": (("u = x - a", "U = x - a"), "my.kin:5: 'U' is no name"),
@@ -72,7 +67,7 @@ ERRORS = {
     "a tab": (("u = x - a", "\tu = x - a"), "my.kin:5: a tab: lines are indented by spaces"),
     "a long line": (("u = x - a", f"u = x - a # {'-' * 160}"), "my.kin:5: more than 160 columns"),
     "a long sum": (("u = x - a", f"u = x {'- a' * 12}"), "my.kin:5: a sum of more than 12 terms"),
-    "a second reach": (("u = x - a", "reach u = x*x\nreach v = a*a\nw = u*v"), "a second reach: the status bit"),
+    "a second reach": (("u = x - a", "reach u = x*x\nreach v = a*a\ncheck u*v"), "my.kin:6: a second reach"),
     "a clamp without a power": (("u = x - a", "u = clamp (x*x) * a * a"), "a is no input of format fraction"),
     "out and emit": (("u = x - a", "u = x - a\nemit u"), "results are held in registers or given one after the other"),
     "held words apart": (("out vector c n", "out vector n c"), "my.kin: c and n are held"),
@@ -111,7 +106,7 @@ SLOW = {
     "much text": "# more\n" * 20_000,
     "deep loops": "".join(f"{'    ' * i}for a{i} in b:\n" for i in range(9)) + "    " * 9 + "u = x\n",
     "many lines": "".join(f"u{i} = {' + '.join(['x'] * 12)}\n" for i in range(60)),
-    "many norms": "".join(f"norm x y z{i} <= 1\n" for i in range(0)) + "".join(
+    "long proofs": "".join(
         f"u{i} = {' + '.join(f'u{j}*v{j}' for j in range(max(i - 12, 0), i)) or 'x'}\n"
         f"v{i} = {' + '.join(f'v{j}*u{j}' for j in range(max(i - 12, 0), i)) or 'y'}\n" for i in range(200)),
 }
@@ -165,7 +160,8 @@ def test_float64_of_the_six_axis_texts_is_the_chain_of_matrices(robot):
     q = np.random.default_rng(4).uniform(-np.pi, np.pi, (3000, 6))
     rotation, tip = truth_six.fk6(q, unit)
     scale = 2.0 ** -(P["W"] - P["F"])  # 1.0 of a word in units
-    forward = {f"{letter}{i}": turn(q[:, i - 1]) for i in range(1, 7) for letter, turn in (("c", np.cos), ("n", np.sin))}
+    forward = {f"{letter}{i}": turn(q[:, i - 1]) for i in range(1, 7)
+               for letter, turn in (("c", np.cos), ("n", np.sin))}
     forward |= {name: getattr(unit, name) * scale for name in ("a1", "a2", "b")}
     forward |= {f"l{i}": getattr(unit, f"c{i}") * scale for i in range(1, 5)}
     found = meaning.real(parser.load(six.FORWARD), forward).words
@@ -257,23 +253,32 @@ def test_a_matrix_that_is_longer_than_its_norm_is_refused():
 def test_the_checker_accepts_what_is_assembled(path):
     one = assembler.assembled(path)
     assert assembler.problems(one) == []
-    assert table.stale(path.parent) == []
 
 
-def test_an_order_that_the_rules_refuse_the_checker_refuses_too():
-    """Two lines exchanged: what the scheduler's rules call a fault is one for the independent checker, too often."""
-    one = assembler.assembled(six.INVERSE)
-    both = [0, 0]
-    for at in range(len(one.order) - 1):
-        order = [*one.order]
-        order[at:at + 2] = order[at:at + 2][::-1]
-        bad = schedule.faults(one.rules, one.lines, order)
-        rows = [*one.rows]
-        rows[at:at + 2] = rows[at:at + 2][::-1]
-        seen = assembler.problems(replace(one, rows=rows))
-        assert not bad or seen or "take" in bad[0] or "needs LAST" in bad[0] or "2 are needed" in bad[0], (at, bad)
-        both[bool(bad)] += 1
-    assert min(both) > 10
+@EACH
+def test_an_order_that_the_rules_refuse_the_checker_refuses_too(path):
+    """Lines moved by some places: what the rules allow the checker accepts, and what they forbid it refuses.
+
+    It cannot see the order of results and of their flags, of which root a factor is meant to be, and parts of a sum
+    that are exchanged with one another.
+    """
+    one, found = assembler.assembled(path), [0, 0]
+    for at in range(len(one.order)):
+        for far in (1, 2, 7):
+            order = [*one.order]
+            order.insert(at + far, order.pop(at))
+            bad = schedule.faults(one.rules, one.lines, order)
+            unseen = [text for text in bad if "at once" in text or "the results while" in text or "last line" in text
+                      or re.search("1 / root. comes|lines after .* [012] are needed", text)]
+            numbers = {name: one.numbers[name] for name in one.numbers}
+            moved = replace(one, order=order, numbers=numbers, rows=assembler._rows(one.lines, order, one.rules))
+            if not bad:
+                registers = assembler.allocated(one.program, one.lines, order)
+                moved.numbers.update({assembler._cell(name): number for name, number in registers.items()})
+            if not unseen:
+                assert bool(bad) == bool(assembler.problems(moved)), (at, far, bad, assembler.problems(moved))
+                found[bool(bad)] += 1
+    assert min(found) > 10
 
 
 @pytest.mark.parametrize("pipe", [0, 1, 2])
@@ -305,7 +310,7 @@ def test_the_command_prints_and_writes(tmp_path, capsys):
     path.write_text(SMALL)
     assert main(["assemble", str(path), "--seconds", "1"]) == 0
     out = capsys.readouterr().out
-    assert "module my_program" in out and "c = C_G * C_U" in out and "every word within its range" in out
+    assert "module my_program" in out and "c = Cg * Cu" in out and "every word within its range" in out
     assert list(tmp_path.iterdir()) == [path]
     assert main(["assemble", str(path), "--seconds", "1", "--write"]) == 0
     assert table.stale(tmp_path) == []
@@ -352,8 +357,3 @@ def swapped(text, one, two):
     i, j = (next(n for n, row in enumerate(rows) if row.strip().startswith(start)) for start in (one, two))
     rows[i], rows[j] = rows[j], rows[i]
     return "".join(rows)
-
-
-def test_the_models_are_fast_enough_for_a_bench():
-    """10^5 poses by interpretation, work that is linear in the poses."""
-    assert time  # the time itself is never asserted

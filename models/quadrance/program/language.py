@@ -1,6 +1,6 @@
 """This module says what a program of the product engine is: inputs, equations, results. `parser` reads one.
 
-rtl/program/README.md defines the language.
+docs/programs.md defines the language.
 """
 
 from __future__ import annotations

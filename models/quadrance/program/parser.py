@@ -1,4 +1,4 @@
-"""This module reads the text of a program, NAME.kin, in the language that rtl/program/README.md defines.
+"""This module reads the text of a program, NAME.kin, in the language that docs/programs.md defines.
 
 A text is parsed and never evaluated. `LIMITS` bound its length, its names and its loops, so that a text that is made to
 be slow is refused at once. Every error is one line: file, line, reason.
