@@ -128,7 +128,7 @@ module product_engine #(
     wire signed [53:0] product1, product2;
     /* verilator lint_on UNUSEDSIGNAL */
     wire [31:0]        sum;
-    wire               beyond, minus1;  // a LOW product is beyond +-1, below 0
+    wire               outside, minus1;  // a LOW product is beyond +-1, below 0
     wire [19:0]        argument;        // of a root
     generate
         if (PIPE == 0) begin : g_product
@@ -157,7 +157,7 @@ module product_engine #(
         if (PIPE < 2) begin : g_three
             assign sum      = product1[53:22] + (product2[53:22] ^ {32{subtract}}) + kept;
             assign word     = low ? product1[26:0] : mid ? product1[38:12] : sum[29:3];
-            assign beyond   = product1[53:25] != {29{product1[53]}};
+            assign outside  = product1[53:25] != {29{product1[53]}};
             assign minus1   = product1[53];
             assign argument = low ? product1[26:7] : sum[31:12];
         end else begin : g_two  // the products are aligned and added before the register, one clock before the sum
@@ -167,7 +167,7 @@ module product_engine #(
             wire [31:0] added = product1[53:22] + (product2[53:22] ^ {32{next[3]}});
             assign sum      = both + kept;
             assign word     = sum[29:3];
-            assign beyond   = wide;
+            assign outside  = wide;
             assign minus1   = negative;
             assign argument = low ? sum[29:10] : sum[31:12];
             always @(posedge clk) begin
@@ -182,7 +182,7 @@ module product_engine #(
     generate
         if (ROOTS != 0) begin : g_roots
             wire       empty;
-            wire       wide = low && beyond;  // the word is beyond +-1
+            wire       wide = low && outside;  // the word is beyond +-1
             wire       ask;   // q is to be looked up
             wire [19:0] q;
             reg        long, below, sign, unknown, check, off, one;
