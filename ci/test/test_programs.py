@@ -228,8 +228,8 @@ def test_windows_of_a_root_by_pipe(pipe):
 @pytest.mark.parametrize("name, word, says", [
     ("kept", word(keep=1), "played while"), ("checked", word(act=product_engine.CHECK), "played while"),
     ("a result", word(dest=4), "played while"),
-    ("above of a shifted word", word(align=1, act=product_engine.ABOVE), "ABOVE takes a sum"),
-    ("root of a MID word", word(align=2, act=product_engine.ROOT), "ABOVE takes a sum"),
+    ("above of a shifted word", word(align=1, act=product_engine.ABOVE), "take a sum"),
+    ("root of a MID word", word(align=2, act=product_engine.ROOT), "take a sum"),
 ])
 def test_faults_of_a_first_line_and_of_acts(name, word, says):
     assert says in said([word, IDLE, IDLE])

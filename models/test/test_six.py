@@ -321,6 +321,9 @@ def test_no_rotation_is_told(core):
     assert not told({}).any()
     for axis in six.AXES:
         assert told({f"in_r{axis}": words[f"in_r{axis}"] + 48}).all()
+    one = 1 << p["U"]  # columns as long as sqrt(5), each sum 0 or 4, which wrapped to 0 as a word
+    long = dict(zip(six.AXES, (2 * one - 1, 0, one, one, 0, -2 * one, 0, one, 0)))
+    assert told({f"in_r{axis}": np.full(500, word) for axis, word in long.items()}).all()
     assert told({f"in_r{axis}": -words[f"in_r{axis}"] for axis in six.AXES}).all()
     assert told({f"in_r{axis}": 0 * words[f"in_r{axis}"] for axis in six.AXES}).all()
     assert told({f"in_r{axis}": words[f"in_r{axis}"] * 1001 // 1000 for axis in six.AXES}).all() or p["U"] < 16

@@ -163,15 +163,15 @@ module product_engine #(
         end else begin : g_two  // the products are aligned and added before the register, one clock before the sum
             reg  [31:0] both;
             reg         wide, negative;
-            wire [3:0]  next = queue[37:34] & {2'b11, {2{ROOTS != 0}}};  // SUB, KEEP, MID, LOW of the line after
-            wire [31:0] added = product1[53:22] + (product2[53:22] ^ {32{next[3]}});
+            wire        low1 = queue[34] && ROOTS != 0, mid1 = queue[35] && ROOTS != 0, subtract1 = queue[37];
+            wire [31:0] added = product1[53:22] + (product2[53:22] ^ {32{subtract1}});
             assign sum      = both + kept;
             assign word     = sum[29:3];
             assign outside  = wide;
             assign minus1   = negative;
             assign argument = low ? sum[29:10] : sum[31:12];
             always @(posedge clk) begin
-                both     <= next[0] ? {2'd0, product1[26:0], 3'd0} : next[1] ? {2'd0, product1[38:12], 3'd0} : added;
+                both     <= low1 ? {2'd0, product1[26:0], 3'd0} : mid1 ? {2'd0, product1[38:12], 3'd0} : added;
                 wide     <= product1[53:25] != {29{product1[53]}};
                 negative <= product1[53];
             end
@@ -183,9 +183,9 @@ module product_engine #(
         if (ROOTS != 0) begin : g_roots
             wire       empty;
             wire       wide = low && outside;  // the word is beyond +-1
-            wire       ask;   // q is to be looked up
+            wire       ask;                    // a root is looked up
             wire [19:0] q;
-            reg        long, below, sign, unknown, check, off, one;
+            reg        long, below, sign, unknown, check, beyond, off, one;
             reg  [3:1] first, held;
             engine_roots #(.WRIST(WRIST)) roots (.clk(clk), .in_first(act[0]), .in_more(act[1]), .in_wrist(act[2]),
                 .in_none(act[3] && sum[31]), .in_fold(fold), .in_read(ask), .in_q(q),
@@ -207,8 +207,10 @@ module product_engine #(
                     long <= low ? long || wide : !sum[31] && sum[30:29] != 2'd0;
                     sign <= low && minus1 && !long;
                 end
-                check <= act[8];
-                off   <= !in_start && (off || in_run && check && (out_word[25:SLACK] ^ {26-SLACK{out_word[26]}}) != 0);
+                check  <= act[8];
+                beyond <= sum[31:29] != {3{sum[31]}};  // the word has wrapped, maybe to 0
+                off    <= !in_start && (off || in_run && check
+                                        && (beyond || (out_word[25:SLACK] ^ {26-SLACK{out_word[26]}}) != 0));
                 if (rst)
                     first <= 3'b111;
             end
@@ -238,6 +240,6 @@ module product_engine #(
         out_word <= word;
         written  <= skip ? 6'd0 : dest;
     end
-    wire unused = &{1'b0, in_start, in_signs, act, fold, low, mid, chosen, op};
+    wire unused = &{1'b0, in_start, in_signs, act, fold, low, mid, chosen, op, queue, skip_queue};
 endmodule
 `default_nettype wire

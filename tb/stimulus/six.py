@@ -112,4 +112,8 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     first |= {"in_x": first["in_x"] * 0, "in_y": first["in_y"] * 0,
               "in_z": np.full(2, np.clip(round((arm.c1 + arm.c4) * lsb), -(1 << core.params["W"] - 1),
                                          (1 << core.params["W"] - 1) - 1))}
-    return stimulus.joined(first, found)
+    # a matrix whose columns are as long as sqrt(5): every sum that tests it is 0 or 4
+    one, rows = 1 << core.params["U"], ((2, 0, 1), (1, 0, -2), (0, 1, 0))
+    long = {f"in_r{i + 1}{j + 1}": np.full(2, min(value * one, 2 * one - 1)) for i, row in enumerate(rows)
+            for j, value in enumerate(row)}
+    return stimulus.joined(stimulus.joined(first, first | long), found)

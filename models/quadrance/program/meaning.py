@@ -84,8 +84,9 @@ class Fixed:
         outside = long | (product < -ONE) | (product >= ONE)
         return np.where(outside, np.where((product < 0) & ~long, -ONE, ONE), wrap(product, N)), outside
 
-    def off(self, word: Value) -> Bools:
-        return fold(word) >> self.slack != 0
+    def off(self, total: Value) -> Bools:
+        """A sum that is not 0, within the slack: before it wraps to a word."""
+        return fold(total >> G) >> self.slack != 0
 
 
 class Real:
@@ -115,8 +116,8 @@ class Real:
         product = total * fraction * power
         return np.clip(product, -1, 1), np.abs(product) > 1
 
-    def off(self, word: Value) -> Bools:
-        return np.abs(word) >= self.slack
+    def off(self, total: Value) -> Bools:
+        return np.abs(total) >= self.slack
 
 
 class _Walk:
@@ -156,7 +157,7 @@ class _Walk:
                 outcome.far = outcome.far | (total < 0)
                 words[one.names[0]] = np.where(total < 0, self.on.zero, self.on.word(total))
             case "check":
-                outcome.wrong = outcome.wrong | self.on.off(self.on.word(self.total(one)))
+                outcome.wrong = outcome.wrong | self.on.off(self.total(one))
             case "root":
                 for name, sign in zip(one.names, one.signs):
                     words[name] = self.on.root(self.word(one.source[0]), self.signs[sign])

@@ -99,8 +99,8 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
         wrong.append("ALIGN is none of HIGH, LOW and MID")
     if at["align"] and (at["add"] or at["keep"]):
         wrong.append("LOW and MID take one product alone")
-    if at["align"] and act & ABOVE or at["align"] == MID and act & (ROOT | FAR):
-        wrong.append("ABOVE takes a sum, ROOT and FAR a sum or a LOW word")
+    if at["align"] and act & (ABOVE | CHECK) or at["align"] == MID and act & (ROOT | FAR):
+        wrong.append("ABOVE and CHECK take a sum, ROOT and FAR a sum or a LOW word")
     if act & ROOT and act & HOLD or act & FOLD and act & MORE:
         wrong.append("two acts that exclude each other")
     if act & WRIST and not act & (FOLD | MORE):

@@ -19,7 +19,7 @@ Part = tuple[frozenset[str], tuple[str, ...], float]
 FORMATS: dict[str, Interval] = {"vector": (-2, 2), "coordinate": (-0.5, 0.5), "length": (-0.5, 0.5), "word": (-2, 2),
                                 "fraction": (0, 1), "power": (0, 1)}
 UNIT = 1 + 2.0**-14  # length of what a reciprocal root has normalised
-CHECKED = 3.9  # a word that wraps is no less wrong below 4, but for SLACK at the shortest words
+CHECKED = 8.0  # the engine's sum wraps there, and a check is of the sum
 ROUNDED = 2.0**-22  # more than the rounding and truncations of one sum
 WORK = 300_000  # norms that a proof may ask for
 FLIPS = 5  # products of a sum whose factors are exchanged in search of the best norms
@@ -179,7 +179,7 @@ class _Proof:
             self.trace(name, one.sums[0])
         elif one.kind == "check":
             if max(map(abs, interval := self.sum(one.sums[0]))) >= CHECKED:
-                self.wrong(one, name, interval, f"and beyond {CHECKED} it may wrap to 0")
+                self.wrong(one, name, interval, f"and a sum is below {CHECKED:g}")
         elif one.kind == "unit":
             for which, terms in enumerate(one.sums):
                 self.word(one, f"coordinate {which + 1} of unit", terms)
