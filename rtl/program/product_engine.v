@@ -240,6 +240,7 @@ module product_engine #(
         out_word <= word;
         written  <= skip ? 6'd0 : dest;
     end
-    wire unused = &{1'b0, in_start, in_signs, act, fold, low, mid, chosen, op, queue, skip_queue};
+    wire unused = &{1'b0, in_start, in_signs, act, fold, low, mid, subtract, outside, minus1, argument, chosen, queue,
+        skip_queue};
 endmodule
 `default_nettype wire
