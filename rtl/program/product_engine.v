@@ -212,7 +212,7 @@ module product_engine #(
                 off    <= !in_start && (off || in_run && check
                                         && (beyond || (out_word[25:SLACK] ^ {26-SLACK{out_word[26]}}) != 0));
                 if (rst)
-                    first <= 3'b111;
+                    {first, held, below, long} <= {3'b111, 5'd0};  // flags of acts that a program has not are 0
             end
             if (PIPE == 0) begin : g_asked
                 reg        read;

@@ -1,1 +1,5 @@
-"""This package reads the programs of the engines: it says what a control word does and whether a program is sound."""
+"""This package makes programs of the product engine from equations and reads those of all engines.
+
+`parser` to `table` go from a text to a Verilog table, `meaning` and `ranges` say what the text computes; `checker` and
+`product_engine` judge control words and share no code with the others.
+"""

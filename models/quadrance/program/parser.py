@@ -11,13 +11,12 @@ from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
+from quadrance.program import consistency
 from quadrance.program.language import FORMATS, ONE, Port, Program, Statement, Sum, Term, Wrong
 
 LIMITS = {"characters": 100_000, "columns": 160, "statements": 1000, "loops": 4, "values": 16, "name": 12, "terms": 12}
 RESERVED = set("""in cfg sign norm argue out order reach check emit flags both for root unit clamp wrist hold
     one""".split())
-TABLE = set("""reg port last table of by nil plus minus slope back down flip nought power four twice lone add sub done
-    keep high low mid other fold more above far out pair flag""".split())  # names of the printed table
 SIGNS = 3  # bits of in_signs
 ARGUED = 3  # words of a program whose range may be argued
 
@@ -262,41 +261,6 @@ def _clamp(program: Program, tokens: _Tokens, text: str, names: tuple[str, ...])
     return Statement(tokens.line, text, "clamp", names, (one,), source=tuple(factors))
 
 
-def _consistent(program: Program) -> None:
-    """Every word is given once, before it is read, and read; results are words; one flag has one source."""
-    given: dict[str, int] = {ONE: 0} | dict.fromkeys(program.inputs, 0)
-    used: set[str] = {port.name for port in program.results}
-    for one in program.statements:
-        for name in one.reads:
-            if name not in given:
-                raise program.wrong(one.line, f"{name} is not defined")
-            if name in program.inputs and program.inputs[name].format == "power" and one.kind != "clamp":
-                raise program.wrong(one.line, f"{name} is a power of two, which clamp alone multiplies by")
-        used |= set(one.reads)
-        for name in one.names:
-            if name in program.signs or name in given:
-                raise program.wrong(one.line, f"{name} is given twice")
-            given[name] = one.line
-    last = program.statements[-1].line if program.statements else 1
-    for name, line in given.items():
-        if name in TABLE:
-            raise program.wrong(line or 1, f"{name} is a name of the printed table: choose another")
-    for name in (*(port.name for port in program.results), *program.argued, *(n for g in program.order for n in g)):
-        if not given.get(name):
-            raise program.wrong(last, f"{name} is a result, and no statement gives it" if name not in program.argued
-                                else f"{name} is argued, and no statement gives it")
-    for name, line in given.items():
-        if name not in used and name != ONE:
-            raise program.wrong(line or 1, f"{name} is never used")
-    if not program.results and not program.streamed:
-        raise program.wrong(last, "there is no out: the program has no result")
-    if program.results and program.streamed:
-        raise program.wrong(last, "out and emit: results are held in registers or given one after the other")
-    for kind in ("reach", "clamp"):
-        if len(found := [one for one in program.statements if one.kind == kind]) > 1 and not program.streamed:
-            raise program.wrong(found[1].line, f"a second {kind}: the status bit of the first would be lost")
-
-
 def parse(text: str, path: Path) -> Program:
     """The program of a text.
 
@@ -324,7 +288,7 @@ def parse(text: str, path: Path) -> Program:
         if not _declare(program, tokens):
             program.statements.append(_statement(program, tokens, line.strip()))
             tokens.end()
-    _consistent(program)
+    consistency.check(program)
     return program
 
 

@@ -71,7 +71,7 @@ class Rules:
     last : (i, j): or exactly `timing.last` after it, as LAST, which a line has once.
     joined : (i, j): j is the line after i.
     windows : of each shared unit.
-    trailing : lines that are not the last one.
+    trailing : lines that are not the last one; `inner`: not the first one, which is played while the program is idle.
     """
 
     timing: Timing
@@ -80,6 +80,7 @@ class Rules:
     joined: list[tuple[int, int]] = field(default_factory=list)
     windows: dict[str, list[Window]] = field(default_factory=dict)
     trailing: list[int] = field(default_factory=list)
+    inner: set[int] = field(default_factory=set)
 
 
 def _takes_last(user: Line, name: str) -> bool:
@@ -92,6 +93,9 @@ def _takes_last(user: Line, name: str) -> bool:
 def rules(program: Program, lines: Sequence[Line], at: Timing) -> Rules:
     """The rules for the lines of a program."""
     found, writer = Rules(at), {line.dest: i for i, line in enumerate(lines) if line.dest}
+    results = {port.name for port in program.results}
+    found.inner = {i for i, line in enumerate(lines) if line.keep or line.emit or line.dest in results
+                   or line.acts - {"FOLD", "WRIST", "ABOVE", "ROOT"}}
     groups: dict[str, dict[int, list[int]]] = {unit: defaultdict(list) for unit in ("fold", "root", "far")}
     for i, line in enumerate(lines):
         for name in dict.fromkeys(line.registers):
@@ -182,6 +186,8 @@ def faults(found: Rules, lines: Sequence[Line], order: Order) -> list[str]:
     wrong += [f"'{lines[j].label}' needs LAST twice" for j in users if users.count(j) > 1]
     wrong += [f"'{lines[i].label}' is followed by its negative, and is the last line" for i in found.trailing
               if at[i] + 1 == len(order)]
+    wrong += [f"'{lines[i].label}' is the first line, which is played while the program is idle"
+              for i in found.inner if at[i] == 0]
     for unit, windows in found.windows.items():
         ordered = sorted(windows, key=lambda one: min(at[i] for i in one.makers))
         wrong += [f"'{two.title}' takes the {unit} while '{one.title}' needs it"
@@ -227,6 +233,8 @@ class _Lister:
 
     def ready(self, i: int, clock: int, at: dict[int, int]) -> bool:
         """Line i can be placed at a clock."""
+        if clock == 0 and i in self.found.inner:
+            return False
         lasts = 0
         for j, least in self.before[i]:
             if j not in at:

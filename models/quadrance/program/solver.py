@@ -32,6 +32,8 @@ def solved(found: Rules, count: int, hint: Order, seconds: float) -> tuple[list[
             model.add(at[j] >= at[i] + least)
     for every in lasts.values():
         model.add_at_most_one(every)
+    for i in found.inner:
+        model.add(at[i] >= 1)
     for i, j in found.joined:
         model.add(at[j] == at[i] + 1)
     for windows in found.windows.values():
