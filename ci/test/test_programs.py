@@ -14,7 +14,8 @@ from ci import programs
 CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_all_program": "vector_ik6_all",
          "vector_fk6_program": "vector_fk6", "engine_delta_program": "engine_delta_fk",
          "engine_gd_n_program": "engine_quaternion_gd_n", "engine_rus_fk_program": "engine_rus_fk",
-         **{f"{core}_program_{pipe}": f"{core}-PIPE{pipe}" for core in ("vector_ik6", "vector_ik6_all", "vector_fk6") for pipe in (1, 2)}}
+         **{f"{core}_program_{pipe}": f"{core}-PIPE{pipe}" for pipe in (1, 2)
+            for core in ("vector_ik6", "vector_ik6_all", "vector_fk6")}}
 
 
 @functools.cache
