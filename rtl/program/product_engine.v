@@ -79,27 +79,32 @@ module product_engine #(
     wire       never = chosen[12] ? fresh[3] : chosen[11] ? fresh[2] : fresh[1];
     wire       bound = chosen[7] && far && ROOTS != 0, lost = chosen[5] && none && ROOTS != 0;
     assign      skip_queue = {lost && !never, skips};
-    wire [26:0] from_a, from_b, from_c, from_d;
+    wire [3:0]  newer;  // PIPE 2: the register of A, B, C, D was written while it was read, out_word is its word
+    wire        file1 = chosen[46:45] == 2'd0, file2 = !chosen[38];
+    reg  [26:0] other1, other2;  // operands that come from no register
+    always @* begin
+        case (chosen[46:45])
+            2'd1: other1 = in_port;
+            2'd2: other1 = word;
+            default: other1 = {6'd0, w};
+        endcase
+        other2 = chosen[37] ? {chosen[34], 26'h2000000} : 27'd0;
+        if (!chosen[37] && !chosen[34] && ROOTS != 0)
+            case (chosen[33:32])
+                2'd0: other2 = {7'd0, slope} ^ {27{turned}};
+                2'd1: other2 = {1'b0, power};
+                2'd2: other2 = {1'b0, four};
+                default: other2 = {13'd0, twice};
+            endcase
+    end
+
+    // The output of a memory is late: it passes one gate
     reg  [26:0] a, b, c, d;
     always @(posedge clk) begin
-        case (chosen[46:45])
-            2'd0: a <= from_a;
-            2'd1: a <= in_port;
-            2'd2: a <= word;
-            default: a <= {6'd0, w};
-        endcase
-        b <= from_b;
-        if (chosen[38])
-            b <= chosen[37] ? {chosen[34], 26'h2000000} : 27'd0;
-        if (chosen[38] && !chosen[37] && !chosen[34] && ROOTS != 0)
-            case (chosen[33:32])
-                2'd0: b <= {7'd0, slope} ^ {27{turned}};
-                2'd1: b <= {1'b0, power};
-                2'd2: b <= {1'b0, four};
-                default: b <= {13'd0, twice};
-            endcase
-        c <= chosen[19] ? from_c : 27'd0;  // 0: a single product
-        d <= chosen[19] ? from_d : 27'd0;
+        a <= read_a & {27{file1 && !newer[3]}} | (file1 ? out_word & {27{newer[3]}} : other1);
+        b <= read_b & {27{file2 && !newer[2]}} | (file2 ? out_word & {27{newer[2]}} : other2);
+        c <= chosen[19] ? newer[1] ? out_word : read_c : 27'd0;  // 0: a single product
+        d <= chosen[19] ? newer[0] ? out_word : read_d : 27'd0;
         if (bound || lost && never) begin  // +-1 times 1 out of reach; (1, 0) for a direction that was never defined
             a <= {bound && minus, bound || !chosen[9], 25'd0};
             b <= 27'h2000000;
@@ -107,19 +112,15 @@ module product_engine #(
         skips <= skip_queue[PIPE+1:1];
     end
 
-    // PIPE 2: a register that is written while it is read gives its new word
     generate
         if (PIPE == 2) begin : g_through
-            reg [3:0] newer;  // the register is being written
+            reg [3:0] through;
+            assign newer = through;
             always @(posedge clk)
-                newer <= {in_op[44:39] == dest, in_op[37:32] == dest, in_op[31:26] == dest, in_op[25:20] == dest}
-                         & {4{!skip}};
-            assign from_a = newer[3] ? out_word : read_a;
-            assign from_b = newer[2] ? out_word : read_b;
-            assign from_c = newer[1] ? out_word : read_c;
-            assign from_d = newer[0] ? out_word : read_d;
+                through <= {in_op[44:39] == dest, in_op[37:32] == dest, in_op[31:26] == dest, in_op[25:20] == dest}
+                           & {4{!skip}};
         end else begin : g_stored
-            assign {from_a, from_b, from_c, from_d} = {read_a, read_b, read_c, read_d};
+            assign newer = 4'd0;
         end
     endgenerate
 
