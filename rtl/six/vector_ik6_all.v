@@ -104,7 +104,8 @@ module vector_ik6_all #(
     reg  [3:0]          far, held;
     reg                 over, half;
     wire                result = dest[5:4] == 2'd3, last = dest == 6'd63;
-    wire [U+2:0]        near = (over ? {~found[64*(U+2)-1 -: U+2], 1'b1} : word[26:24-U]) + {over && half, 1'b1};
+    wire [U+2:0]        near = (over ? {~found[64*(U+2)-1 -: U+2], 1'b1} : word[26:24-U])
+                               + {{(U+1){1'b0}}, over && half, 1'b1};
     wire                unused = &{1'b0, flags[2], near[0]};
 
     // Positions of a branch's words, n6, c6 to n1, c1, of branches 3 to 0, at PIPE 2, 1 and 0. A branch with its wrist

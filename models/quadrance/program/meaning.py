@@ -184,7 +184,8 @@ class _Walk:
         self.outcome.none |= {one.names[0]: none[..., i] for i, one in enumerate(every)}
 
 
-def _walked(program: Program, on: Fixed | Real, inputs: dict[str, Value], signs: dict[str, Value]) -> Outcome:
+def walked(program: Program, on: Fixed | Real, inputs: dict[str, Value], signs: dict[str, Value]) -> Outcome:
+    """All words of inputs, by their names in the text, in one arithmetic."""
     walk = _Walk(program, on, inputs, signs)
     for one in program.statements:
         for name in one.names:
@@ -206,7 +207,7 @@ def fixed(program: Program, p: Params, **ports: Ints) -> Outcome:
     ports = dict(zip(ports, (ints(word) for word in np.broadcast_arrays(*ports.values()))))
     inputs = {name: ports[port.port] << shift(port.format, p) for name, port in program.inputs.items()}
     signs = {name: ports["in_branch"] >> i & 1 for i, name in enumerate(program.signs)}
-    return _walked(program, Fixed(floor(p), slack(p)), inputs, signs)
+    return walked(program, Fixed(floor(p), slack(p)), inputs, signs)
 
 
 def results(program: Program, p: Params, words: dict[str, Ints]) -> tuple[dict[str, Ints], Ints]:
@@ -238,4 +239,4 @@ def floats(program: Program, p: Params, **ports: Ints) -> dict[str, Value]:
 def real(program: Program, inputs: dict[str, Value], branch: Value = 0) -> Outcome:
     """All words in float64, of input values by their names in the text; `branch` has the signs in its bits."""
     signs = {name: ints(branch) >> i & 1 > 0 for i, name in enumerate(program.signs)}
-    return _walked(program, Real(), inputs, signs)
+    return walked(program, Real(), inputs, signs)

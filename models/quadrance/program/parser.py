@@ -270,6 +270,8 @@ def parse(text: str, path: Path) -> Program:
         One line: file, line and reason.
     """
     program, lines = Program(path), []
+    if not re.fullmatch(r"[A-Za-z]\w*", path.stem):
+        raise program.wrong(1, "the name of the file is the module's: a letter, then letters, digits and _")
     if len(text) > LIMITS["characters"]:
         raise program.wrong(1, f"more than {LIMITS['characters']} characters")
     for number, line in enumerate(text.splitlines(), 1):
