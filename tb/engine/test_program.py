@@ -36,7 +36,8 @@ module top;
     {module} control (.clk(clk), .rst(rst), .in_start(start), .out_idle(idle), .out_done(done), .out_op(op));
     engine_ports #(.COUNT({count})) ports (.clk(clk), .in_words(words), .in_select(op[43:39]), .out_word(port));
     product_engine #(.PIPE({pipe}), .ROOTS({roots})) engine (.clk(clk), .rst(rst), .in_start(start),
-        .in_run(!idle), .in_op(op), .in_port(port), .in_signs(signs), .out_word(word), .out_dest(dest), .out_status(status));
+        .in_run(!idle),
+        .in_op(op), .in_port(port), .in_signs(signs), .out_word(word), .out_dest(dest), .out_status(status));
     always @(posedge clk)
         held[dest] <= word;
     initial begin
