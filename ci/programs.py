@@ -27,7 +27,10 @@ BASE = {"b": 2, "d": 10, "h": 16}
 
 @dataclass(frozen=True)
 class Played:
-    """A table that an elaborated design plays: the module it stands in, the line of the instance, its words."""
+    """A table that an elaborated design plays: the module it stands in, the line of the instance, its words.
+
+    pipe : PIPE of the design's product_engine.
+    """
 
     module: str
     path: Path
@@ -35,6 +38,7 @@ class Played:
     player: str
     words: tuple[int, ...]
     again: int | None = None
+    pipe: int = 0
 
 
 def elaborated(core: Core) -> tuple[object, list]:
@@ -63,6 +67,8 @@ def played(core: Core) -> list[Played]:
     """Every table that a core plays at its parameters."""
     compilation, instances = elaborated(core)
     sources = {source.stem: source for source in core.sources}
+    pipe = next((int(one.body.find("PIPE").value.value) for one in instances
+                 if one.definition.name == "product_engine"), 0)
     found = []
     for one in instances:
         name, body = one.definition.name, one.body
@@ -71,7 +77,7 @@ def played(core: Core) -> list[Played]:
             again = int(body.find("AGAIN").value.value) if name == "engine_program" else lines
             path = Path(compilation.sourceManager.getFileName(one.location)).resolve()
             found.append(Played(path.stem, path, compilation.sourceManager.getLineNumber(one.location), name,
-                                _cut(table, lines, bits), None if again == lines else again))
+                                _cut(table, lines, bits), None if again == lines else again, pipe))
         elif name.endswith("_program") and "reg " in re.sub(r"output\s+reg", "", sources[name].read_text()):
             table, bits = body.find("LINES"), body.find("out_op").type.bitWidth
             lines = table.type.bitWidth // bits
@@ -172,7 +178,8 @@ def product(results: Iterable[int], roots: bool = True) -> Callable[[Played, str
         names = [{key: row.cells[at] for key, at in cells.items()} for row in lines]
         words = [assembled(text, word) for word in one.words]
         return [*mislabelled(text, ((row, row.cells[cells["dest"]]) for row in lines), _registers(text)),
-                *product_engine.check(words, one.again, [row.label for row in lines], names, frozenset(results), roots)]
+                *product_engine.check(words, one.again, [row.label for row in lines], names, frozenset(results), roots,
+                                      one.pipe)]
 
     return read
 
@@ -275,10 +282,12 @@ def parallel(one: Played, text: str) -> list[str]:
                                      frozenset(results), titles, tuple(line for line, _, _ in nodes)))
 
 
+GRADES = ("", "_1", "_2")  # a program's module for each PIPE of the product engine
 MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
-    "vector_ik6_program": product(range(2, 14)), "vector_ik6_all_program": product(range(48, 64)),
-    "vector_fk6_program": product(range(2, 14), roots=False), "engine_delta_program": product((3, 7, 11)),
-    "engine_gd_n_program": space, "engine_rus_fk_program": parallel}
+    "engine_delta_program": product((3, 7, 11)), "engine_gd_n_program": space, "engine_rus_fk_program": parallel,
+    **{f"vector_ik6_program{grade}": product(range(2, 14)) for grade in GRADES},
+    **{f"vector_ik6_all_program{grade}": product(range(48, 64)) for grade in GRADES},
+    **{f"vector_fk6_program{grade}": product(range(2, 14), roots=False) for grade in GRADES}}
 
 
 def problems(one: Played, text: str | None = None) -> list[str]:

@@ -13,7 +13,9 @@ from ci import programs
 
 CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_all_program": "vector_ik6_all",
          "vector_fk6_program": "vector_fk6", "engine_delta_program": "engine_delta_fk",
-         "engine_gd_n_program": "engine_quaternion_gd_n", "engine_rus_fk_program": "engine_rus_fk"}
+         "engine_gd_n_program": "engine_quaternion_gd_n", "engine_rus_fk_program": "engine_rus_fk",
+         **{f"{core}_program_{pipe}": f"{core}-PIPE{pipe}" for pipe in (1, 2)
+            for core in ("vector_ik6", "vector_ik6_all", "vector_fk6")}}
 
 
 @functools.cache
@@ -63,6 +65,8 @@ def test_every_program_is_read_and_sound():
     ("vector_ik6_program", "n4 = C4g * N4u", "c4 = C4g * C4u", "read"),
     ("vector_ik6_all_program", "N2UFu = N2UFv 2^s", "N2UFv = k1f*xxf - k2uf*pz", "is read"),
     ("vector_fk6_program", "c23 = c3*c2 - n2*n3", "u3 = c5*n23 + c23*f1", "is read"),
+    ("vector_ik6_program_1", "x1 = X1g * X1t", "C1v = x1*px + b*py", "is read"),
+    ("vector_ik6_program_2", "n4 = C4g * N4u", "c4 = C4g * C4u", "read"),
     ("engine_delta_program", "|b|^2", "|b|^2 up", "read"),
     ("engine_gd_n_program", "its square", "Newton", "read"),
     ("engine_rus_fk_program", "|q|^2", "Newton", "read"),
@@ -167,6 +171,69 @@ def test_a_root_is_sound():
 ])
 def test_faults_of_words_are_found(name, words, says):
     assert says in said(words)
+
+
+# Lines between one and the next, by PIPE: register, LAST, power, root, flags
+APART = {0: (3, 1, 2, 3, 2), 1: (4, 2, 3, 3, 3), 2: (4, 3, 4, 4, 4)}
+
+
+def placed(*lines):
+    """A program of (line number, word), and idle lines between them."""
+    at = dict(lines)
+    return [at.get(number, IDLE) for number in range(max(at) + 1)]
+
+
+def rooted(pipe, table=0, again=0, hold=None):
+    """A root and what uses it, as early as it can; `table`: so many lines earlier; another root `again` lines after
+    the table, or `hold` lines after HOLD."""
+    _, last, power, root, _ = APART[pipe]
+    first = 2 + power
+    at = first + root - table
+    lines = [(0, word(dest=5)), (1, word(act=product_engine.FOLD)),
+             (1 + power, word(b=(1, 1), align=1, dest=3)), (first, word(act=product_engine.ROOT)),
+             (at, word((product_engine.TABLE, 0), (1, 0), align=2)),
+             (at + last, word((product_engine.LAST, 0), (0, 5), dest=4, act=product_engine.HOLD if hold else 0))]
+    if again or hold:
+        other = at + last + hold if hold else at + again
+        lines += [(other, word(act=product_engine.ROOT)),
+                  (other + root, word((product_engine.TABLE, 0), (1, 0), align=2, dest=6))]
+    return placed(*lines, (60, word(reg(3), dest=4)), (61, word(reg(6), dest=4) if again or hold else IDLE))
+
+
+@pytest.mark.parametrize("pipe", APART)
+def test_distances_by_pipe(pipe):
+    register, last, power, _, flags = APART[pipe]
+    clamp = [(0, IDLE), (1, word(act=product_engine.FAR))]
+    for least, after, says in (
+            (register, lambda n: placed((0, word(dest=1)), (n, word(reg(1), dest=4))), "register 1"),
+            (last, lambda n: placed((0, word(dest=1)), (n, word((product_engine.LAST, 0), dest=4))), "register 1"),
+            (power, lambda n: placed((0, word(act=product_engine.FOLD)), (n, word(b=(1, 1), align=1, dest=4))),
+             "the power"),
+            (flags, lambda n: placed(*clamp, (1 + n, word(dest=4, act=product_engine.CLAMP))), "FAR's flag")):
+        assert said(after(least), pipe=pipe) == ""
+        assert says in said(after(least - 1) if least > 1 else after(least + 1), pipe=pipe)
+
+
+@pytest.mark.parametrize("pipe", APART)
+def test_windows_of_a_root_by_pipe(pipe):
+    _, last, *_ = APART[pipe]
+    assert said(rooted(pipe), pipe=pipe) == ""
+    assert "the root is read" in said(rooted(pipe, table=1), pipe=pipe)
+    assert said(rooted(pipe, -1, again=-last), pipe=pipe) == ""
+    says = "the root is written, and no line reads it" if pipe else "sign of another root"
+    assert says in said(rooted(pipe, -1, again=-last - 1), pipe=pipe)
+    assert said(rooted(pipe, hold=1), pipe=pipe) == ""
+    assert "asks for another root" in said(rooted(pipe, hold=-1), pipe=pipe)
+
+
+@pytest.mark.parametrize("name, word, says", [
+    ("kept", word(keep=1), "played while"), ("checked", word(act=product_engine.CHECK), "played while"),
+    ("a result", word(dest=4), "played while"),
+    ("above of a shifted word", word(align=1, act=product_engine.ABOVE), "take a sum"),
+    ("root of a MID word", word(align=2, act=product_engine.ROOT), "take a sum"),
+])
+def test_faults_of_a_first_line_and_of_acts(name, word, says):
+    assert says in said([word, IDLE, IDLE])
 
 
 def test_a_loop_is_followed_round():

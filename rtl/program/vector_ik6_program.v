@@ -3,7 +3,7 @@
 //   A pose to the six unit vectors of one branch: ortho-parallel base, spherical wrist
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
 // a word of capitals and a small letter is one that the assembler has added. Latency of a core that plays it: 93.
-// Model: quadrance.program.meaning
+// For product_engine with PIPE = 0. Model: quadrance.program.meaning
 `default_nettype none
 module vector_ik6_program (
     input  wire        clk,

@@ -8,8 +8,9 @@
 // ignored. Model: six.ik6
 `default_nettype none
 module six_inverse_path #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
-    parameter U = 16   // fraction bits of the matrix, 8 to 18 (default 16)
+    parameter W = 16,   // bits of a coordinate, 4 to 16 (default 16)
+    parameter U = 16,   // fraction bits of the matrix, 8 to 18 (default 16)
+    parameter PIPE = 0  // registers behind the engine's products, 0 to 2 (default 0: fewest clocks)
 ) (
     input  wire            clk,
     input  wire            rst,
@@ -29,21 +30,31 @@ module six_inverse_path #(
     output wire [3:0]      out_status
 );
     generate
-        if (W < 4 || W > 16 || U < 8 || U > 18) begin : g_illegal
-            six_inverse_path_needs_W_from_4_to_16_and_U_from_8_to_18 rule ();
+        if (W < 4 || W > 16 || U < 8 || U > 18 || PIPE < 0 || PIPE > 2) begin : g_illegal
+            six_inverse_path_needs_W_from_4_to_16_and_U_from_8_to_18_and_PIPE_from_0_to_2 rule ();
         end
     endgenerate
 
     wire [46:0] op;
     wire [26:0] port;
     reg  [2:0]  signs;
-    vector_ik6_program control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done),
-        .out_op(op));
+    generate
+        if (PIPE == 0) begin : g_program
+            vector_ik6_program control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
+                .out_done(out_done), .out_op(op));
+        end else if (PIPE == 1) begin : g_program
+            vector_ik6_program_1 control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
+                .out_done(out_done), .out_op(op));
+        end else begin : g_program
+            vector_ik6_program_2 control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
+                .out_done(out_done), .out_op(op));
+        end
+    endgenerate
     six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(in_start), .in_matrix(in_matrix), .in_tip(in_tip),
         .in_lengths(in_lengths), .in_cp(in_cp), .in_np(in_np), .in_r(in_r), .in_e(in_e), .in_select(op[43:39]),
         .out_word(port));
-    product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(in_start), .in_run(!out_idle),
-        .in_op(op), .in_port(port), .in_signs(signs), .out_word(out_word), .out_dest(out_dest),
+    product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(in_start),
+        .in_run(!out_idle), .in_op(op), .in_port(port), .in_signs(signs), .out_word(out_word), .out_dest(out_dest),
         .out_status(out_status));
     always @(posedge clk)
         if (in_start)

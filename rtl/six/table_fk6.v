@@ -8,10 +8,11 @@
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.table_fk6
 `default_nettype none
 module table_fk6 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
-    parameter A = 18,  // bits of an angle, 12 to 24 (default 18: 0.0014 degrees)
-    parameter U = 16   // fraction bits of a unit vector and of the matrix, 12 to 18 (default 16)
+    parameter W = 16,   // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,    // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18,   // bits of an angle, 12 to 24 (default 18: 0.0014 degrees)
+    parameter U = 16,   // fraction bits of a unit vector and of the matrix, 12 to 18 (default 16)
+    parameter PIPE = 0  // registers behind the engine's products, 0 to 2 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -47,8 +48,9 @@ module table_fk6 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || A < 12 || A > 24 || U < 12 || U > 18) begin : g_illegal
-            table_fk6_needs_W_from_4_to_16_and_F_below_W_and_A_from_12_to_24_and_U_from_12_to_18 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || A < 12 || A > 24 || U < 12 || U > 18 || PIPE < 0 || PIPE > 2)
+        begin : g_illegal
+            table_fk6_needs_W_from_4_to_16_and_F_below_W_and_A_from_12_to_24_and_U_from_12_to_18_and_PIPE_to_2 rule ();
         end
     endgenerate
 
@@ -76,8 +78,8 @@ module table_fk6 #(
         feed <= !rst && (accept || feed && !(take && fed == 3'd5));
         left <= rst ? 6'd0 : accept ? 6'd1 : have ? left << 1 : left;
     end
-    vector_fk6 #(.W(W), .F(F), .U(U)) kernel (.clk(clk), .rst(rst), .cfg_a1(cfg_a1), .cfg_a2(cfg_a2), .cfg_b(cfg_b),
-        .cfg_c1(cfg_c1), .cfg_c2(cfg_c2), .cfg_c3(cfg_c3), .cfg_c4(cfg_c4), .in_valid(have && left[6]),
+    vector_fk6 #(.W(W), .F(F), .U(U), .PIPE(PIPE)) kernel (.clk(clk), .rst(rst), .cfg_a1(cfg_a1), .cfg_a2(cfg_a2),
+        .cfg_b(cfg_b), .cfg_c1(cfg_c1), .cfg_c2(cfg_c2), .cfg_c3(cfg_c3), .cfg_c4(cfg_c4), .in_valid(have && left[6]),
         .in_ready(kernel_ready), .in_c1(first[0 +: U+2]), .in_n1(first[U+2 +: U+2]),
         .in_c2(first[2*U+4 +: U+2]), .in_n2(first[3*U+6 +: U+2]), .in_c3(first[4*U+8 +: U+2]),
         .in_n3(first[5*U+10 +: U+2]), .in_c4(first[6*U+12 +: U+2]), .in_n4(first[7*U+14 +: U+2]),

@@ -9,9 +9,10 @@
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.fk6
 `default_nettype none
 module vector_fk6 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
-    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
+    parameter W = 16,   // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,    // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
+    parameter PIPE = 0  // registers behind the engine's products, 0 to 2 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -53,8 +54,8 @@ module vector_fk6 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18) begin : g_illegal
-            vector_fk6_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18 || PIPE < 0 || PIPE > 2) begin : g_illegal
+            vector_fk6_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18_and_PIPE_from_0_to_2 rule ();
         end
     endgenerate
 
@@ -62,8 +63,18 @@ module vector_fk6 #(
     wire        accept = in_valid && in_ready;
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
-    vector_fk6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-        .out_op(op));
+    generate
+        if (PIPE == 0) begin : g_program
+            vector_fk6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+                .out_op(op));
+        end else if (PIPE == 1) begin : g_program
+            vector_fk6_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+                .out_op(op));
+        end else begin : g_program
+            vector_fk6_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+                .out_op(op));
+        end
+    endgenerate
 
     // The ports as 27-bit words of the product engine
     reg  [12*U+23:0]  joints;
@@ -82,8 +93,8 @@ module vector_fk6 #(
     endgenerate
     engine_ports #(.COUNT(19)) operands (.clk(clk), .in_words(words), .in_select(op[43:39]), .out_word(port));
     /* verilator lint_off PINCONNECTEMPTY */
-    product_engine #(.ROOTS(0)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle), .in_op(op),
-        .in_port(port), .in_signs(3'd0), .out_word(word), .out_dest(dest), .out_status());
+    product_engine #(.PIPE(PIPE), .ROOTS(0)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
+        .in_op(op), .in_port(port), .in_signs(3'd0), .out_word(word), .out_dest(dest), .out_status());
     /* verilator lint_on PINCONNECTEMPTY */
 
     // Results are nine words of the matrix, then three coordinates

@@ -12,9 +12,10 @@
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6
 `default_nettype none
 module vector_ik6 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
-    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
+    parameter W = 16,   // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,    // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
+    parameter PIPE = 0  // registers behind the engine's products, 0 to 2 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -60,8 +61,8 @@ module vector_ik6 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18) begin : g_illegal
-            vector_ik6_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18 || PIPE < 0 || PIPE > 2) begin : g_illegal
+            vector_ik6_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18_and_PIPE_from_0_to_2 rule ();
         end
     endgenerate
 
@@ -70,7 +71,7 @@ module vector_ik6 #(
     wire [26:0] word;
     wire [5:0]  dest;
     assign      in_ready = idle && (!out_valid || out_ready);
-    six_inverse_path #(.W(W), .U(U)) path (.clk(clk), .rst(rst), .in_start(accept),
+    six_inverse_path #(.W(W), .U(U), .PIPE(PIPE)) path (.clk(clk), .rst(rst), .in_start(accept),
         .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
         .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
         .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_signs(in_branch), .out_idle(idle), .out_done(done),

@@ -11,9 +11,10 @@
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6_all
 `default_nettype none
 module vector_ik6_all #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
-    parameter U = 16   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
+    parameter W = 16,   // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,    // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
+    parameter PIPE = 0  // registers behind the engine's products, 0 to 2 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -64,8 +65,8 @@ module vector_ik6_all #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18) begin : g_illegal
-            vector_ik6_all_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18 || PIPE < 0 || PIPE > 2) begin : g_illegal
+            vector_ik6_all_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18_and_PIPE_from_0_to_2 rule ();
         end
     endgenerate
 
@@ -73,8 +74,18 @@ module vector_ik6_all #(
     wire        accept = in_valid && in_ready;
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
-    vector_ik6_all_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-        .out_op(op));
+    generate
+        if (PIPE == 0) begin : g_program
+            vector_ik6_all_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                .out_done(done), .out_op(op));
+        end else if (PIPE == 1) begin : g_program
+            vector_ik6_all_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                .out_done(done), .out_op(op));
+        end else begin : g_program
+            vector_ik6_all_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                .out_done(done), .out_op(op));
+        end
+    endgenerate
 
     wire [3:0]  flags;
     wire [26:0] port, word;
@@ -83,8 +94,9 @@ module vector_ik6_all #(
         .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
         .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
         .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_select(op[43:39]), .out_word(port));
-    product_engine #(.WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
-        .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word), .out_dest(dest), .out_status(flags));
+    product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept),
+        .in_run(!idle), .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word), .out_dest(dest),
+        .out_status(flags));
 
     // Results are shifted in from the top in the order of the program, the flags with joint 5. The negative of a word,
     // for the wrist that is turned over, follows it: -(n + 1/2) is rounded to -n, where n + 1/2 became n + 1
@@ -96,12 +108,17 @@ module vector_ik6_all #(
                                + {{(U+1){1'b0}}, over && half, 1'b1};
     wire                unused = &{1'b0, flags[2], near[0]};
 
-    // Positions of a branch's words, n6, c6 to n1, c1, of branches 7 to 0
-    localparam [8*12*6-1:0] PLACE = {
-        6'd61, 6'd63, 6'd59, 6'd54, 6'd53, 6'd56, 6'd32, 6'd31, 6'd48, 6'd57, 6'd51, 6'd26,
-        6'd35, 6'd30, 6'd38, 6'd21, 6'd23, 6'd25, 6'd3, 6'd2, 6'd17, 6'd20, 6'd4, 6'd5,
-        6'd47, 6'd45, 6'd41, 6'd39, 6'd43, 6'd50, 6'd28, 6'd27, 6'd33, 6'd36, 6'd51, 6'd26,
-        6'd7, 6'd9, 6'd19, 6'd10, 6'd16, 6'd14, 6'd1, 6'd0, 6'd12, 6'd11, 6'd4, 6'd5,
+    // Positions of a branch's words, n6, c6 to n1, c1, of branches 3 to 0, at PIPE 2, 1 and 0. A branch with its wrist
+    // turned over has the same, but the next one for a word that it has the negative of
+    localparam [3*4*12*6-1:0] PLACE = {
+        6'd60, 6'd62, 6'd58, 6'd55, 6'd56, 6'd53, 6'd38, 6'd26, 6'd52, 6'd51, 6'd39, 6'd37,
+        6'd19, 6'd33, 6'd22, 6'd15, 6'd27, 6'd16, 6'd5, 6'd6, 6'd18, 6'd25, 6'd2, 6'd3,
+        6'd43, 6'd47, 6'd49, 6'd40, 6'd41, 6'd45, 6'd21, 6'd24, 6'd35, 6'd36, 6'd39, 6'd37,
+        6'd31, 6'd29, 6'd9, 6'd8, 6'd13, 6'd11, 6'd1, 6'd0, 6'd7, 6'd4, 6'd2, 6'd3,
+        6'd62, 6'd60, 6'd58, 6'd53, 6'd54, 6'd56, 6'd39, 6'd21, 6'd51, 6'd52, 6'd46, 6'd37,
+        6'd35, 6'd29, 6'd22, 6'd16, 6'd27, 6'd17, 6'd5, 6'd6, 6'd15, 6'd19, 6'd2, 6'd3,
+        6'd47, 6'd49, 6'd40, 6'd38, 6'd42, 6'd44, 6'd20, 6'd26, 6'd31, 6'd34, 6'd46, 6'd37,
+        6'd24, 6'd32, 6'd11, 6'd8, 6'd9, 6'd13, 6'd1, 6'd0, 6'd7, 6'd4, 6'd2, 6'd3,
         6'd60, 6'd62, 6'd58, 6'd54, 6'd52, 6'd55, 6'd32, 6'd31, 6'd48, 6'd57, 6'd51, 6'd26,
         6'd34, 6'd29, 6'd37, 6'd21, 6'd22, 6'd24, 6'd3, 6'd2, 6'd17, 6'd20, 6'd4, 6'd5,
         6'd46, 6'd44, 6'd40, 6'd39, 6'd42, 6'd49, 6'd28, 6'd27, 6'd33, 6'd36, 6'd51, 6'd26,
@@ -111,7 +128,8 @@ module vector_ik6_all #(
         for (i = 0; i < 8; i = i + 1) begin : g_branch
             wire [12*(U+2)-1:0] answer;
             for (j = 0; j < 12; j = j + 1) begin : g_word
-                localparam [31:0] AT = {26'd0, PLACE[6*(12*i+j) +: 6]};
+                localparam [31:0] TURN = i > 3 && j > 5 && j != 8 ? 1 : 0;
+                localparam [31:0] AT = {26'd0, PLACE[6*(12*(4*PIPE+i%4)+j) +: 6]} + TURN;
                 assign answer[(U+2)*j +: U+2] = found[(U+2)*AT +: U+2];
             end
             assign out_far[i]  = far[2*(i%2)+(i/2)%2];

@@ -33,10 +33,11 @@ module top;
     wire         idle, done;
     integer      i, j;
     always #1 clk = !clk;
-    {name}_program control (.clk(clk), .rst(rst), .in_start(start), .out_idle(idle), .out_done(done), .out_op(op));
+    {module} control (.clk(clk), .rst(rst), .in_start(start), .out_idle(idle), .out_done(done), .out_op(op));
     engine_ports #(.COUNT({count})) ports (.clk(clk), .in_words(words), .in_select(op[43:39]), .out_word(port));
-    product_engine #(.ROOTS({roots})) engine (.clk(clk), .rst(rst), .in_start(start), .in_run(!idle), .in_op(op),
-        .in_port(port), .in_signs(signs), .out_word(word), .out_dest(dest), .out_status(status));
+    product_engine #(.PIPE({pipe}), .ROOTS({roots})) engine (.clk(clk), .rst(rst), .in_start(start),
+        .in_run(!idle),
+        .in_op(op), .in_port(port), .in_signs(signs), .out_word(word), .out_dest(dest), .out_status(status));
     always @(posedge clk)
         held[dest] <= word;
     initial begin
@@ -60,15 +61,16 @@ endmodule
 """
 
 
-def played(program, inputs, branch, folder):
+def played(program, inputs, branch, folder, pipe):
     """Result words and status of an assembled program, by the engine in Icarus."""
-    found = schedule.rules(program, lines(program), schedule.timing())
-    one = assembler.assemble(program, order=schedule.listed(program, found, len(lines(program)), 3))
+    found = schedule.rules(program, lines(program), schedule.timing(pipe))
+    one = assembler.assemble(program, pipe, order=schedule.listed(program, found, len(lines(program)), 3))
     assert assembler.problems(one) == []
     count, samples = len(program.inputs) + 1, len(branch)
-    (folder / f"{program.name}_program.v").write_text(table.verilog(one))
-    (folder / "top.v").write_text(TOP.format(count=count, samples=samples, name=program.name, roots=int(one.roots),
-                                             first=FIRST, last=FIRST + len(program.results)))
+    module = table.table_path(program.path, pipe).stem
+    (folder / f"{module}.v").write_text(table.verilog(one))
+    (folder / "top.v").write_text(TOP.format(count=count, samples=samples, module=module, pipe=pipe,
+                                             roots=int(one.roots), first=FIRST, last=FIRST + len(program.results)))
     columns = [np.broadcast_to(inputs[name], samples) for name in program.inputs] + [np.full(samples, 1 << 25)]
     rows = []
     for i, sign in enumerate(branch):
@@ -79,7 +81,7 @@ def played(program, inputs, branch, folder):
     (folder / "samples.hex").write_text("\n".join(rows))
     sources = {*sources_of("product_engine"), *sources_of("engine_ports"), *sources_of("engine_program")}
     tools.run("iverilog", "-g2005", "-s", "top", "-o", folder / "top.vvp", folder / "top.v",
-              folder / f"{program.name}_program.v", *sorted(sources))
+              folder / f"{module}.v", *sorted(sources))
     out = tools.run("vvp", "top.vvp", cwd=folder)
     rows = [row.split() for row in out.split("\n") if row.count(" ")]
     words = np.array([[int(word, 16) for word in row[:-1]] for row in rows])
@@ -124,8 +126,8 @@ def written(seed):
     return "\n".join(text)
 
 
-def agree(program, inputs, branch, folder):
-    words, status = played(program, inputs, branch, folder)
+def agree(program, inputs, branch, folder, pipe):
+    words, status = played(program, inputs, branch, folder, pipe)
     outcome = meaning.walked(program, meaning.Fixed(12, 13), inputs, {
         name: branch >> i & 1 for i, name in enumerate(program.signs)})
     for at, port in enumerate(program.results):
@@ -136,22 +138,24 @@ def agree(program, inputs, branch, folder):
 
 
 @pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is not installed")
+@pytest.mark.parametrize("pipe", range(3))
 @pytest.mark.parametrize("seed", range(8))
-def test_random_programs(seed, tmp_path):
+def test_random_programs(seed, pipe, tmp_path):
     program = parser.parse(written(seed), Path("random.kin"))
     rng, n = np.random.default_rng(seed), 60
     inputs = {name: rng.integers(-1 << 25, 1 << 25, n) >> rng.integers(0, 26, n) for name in program.inputs}
     inputs["p0"][::9] = inputs["p1"][::9] = 0
-    agree(program, inputs, rng.integers(0, 8, n), tmp_path)
+    agree(program, inputs, rng.integers(0, 8, n), tmp_path, pipe)
 
 
 @pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is not installed")
-def test_the_example_of_the_page(tmp_path):
+@pytest.mark.parametrize("pipe", range(3))
+def test_the_example_of_the_page(pipe, tmp_path):
     program, rng = parser.parse(EXAMPLE, Path("example.kin")), np.random.default_rng(1)
     inputs = {name: rng.integers(-1 << 24, 1 << 24, 100) for name in program.inputs}
     for name in program.inputs:  # the point is where the axis is
         inputs[name][::7] = 0
-    outcome = agree(program, inputs, np.zeros(100, int), tmp_path)
+    outcome = agree(program, inputs, np.zeros(100, int), tmp_path, pipe)
     assert outcome.none["c"].sum() == 15 and RTL.exists()
 
 
@@ -169,7 +173,8 @@ def chain(q):
 
 
 @pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is not installed")
-def test_an_arm_that_has_no_core(tmp_path):
+@pytest.mark.parametrize("pipe", range(3))
+def test_an_arm_that_has_no_core(pipe, tmp_path):
     """Three parallel axes: float64 gives every branch of the chain, the engine every bit of the model."""
     path = Path(__file__).with_name("ur_ik.kin")
     program, rng, n = parser.load(path), np.random.default_rng(2), 300
@@ -193,4 +198,4 @@ def test_an_arm_that_has_no_core(tmp_path):
     for name, port in program.inputs.items():
         word = np.rint(np.broadcast_to(values[name], n) * 2.0 ** bits[port.format]).astype(int)
         inputs[name] = word << (25 - bits[port.format] if port.format != "power" else 0)
-    agree(program, inputs, rng.integers(0, 8, n), tmp_path)
+    agree(program, inputs, rng.integers(0, 8, n), tmp_path, pipe)

@@ -304,7 +304,7 @@ def _track(args: argparse.Namespace) -> None:
 def _assemble(args: argparse.Namespace) -> None:
     path = Path(args.program)
     one, about = assemble.assemble(path, args.pipe, args.seconds, args.write)
-    written = assemble.write(one, args.pipe, about["verilog"]) if args.write else []
+    written = assemble.write(one, about["verilog"]) if args.write else []
     if args.json:
         return _json(about)
     print(about["verilog"])

@@ -32,7 +32,7 @@ def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS,
         text = table.verilog(one)
     except Wrong as error:
         raise Refused(str(error)) from None
-    if wrong := assembler.problems(one) if pipe == 0 else []:  # the checker knows the engine without registers
+    if wrong := assembler.problems(one):
         raise Refused(f"{path.name}: the checker refuses what was assembled: {wrong[0]}")
     return one, {"program": program.name, "lines": len(one.rows), "idle": sum(not label for label, _ in one.rows),
                  "clocks": one.clocks, "registers": len(set(one.registers.values())),
@@ -40,15 +40,14 @@ def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS,
                  "argued": list(program.argued), "words": [f"{word:012x}" for word in one.words], "verilog": text}
 
 
-def write(one: Assembled, pipe: int, text: str) -> list[Path]:
-    """Write the order of the lines, and for the engine without registers the table, beside the text."""
-    program, every = one.program, {}
+def write(one: Assembled, text: str) -> list[Path]:
+    """Write the order of the lines and the table beside the text."""
+    program, pipe, every = one.program, one.pipe, {}
     for other in range(3):
         if other != pipe and (order := assembler.read_order(program, other)):
             every[other] = order
     paths = {assembler.order_path(program): assembler.order_text(dict(sorted({**every, pipe: one.order}.items())))}
-    if pipe == 0:
-        paths[table.table_path(program.path)] = text
+    paths[table.table_path(program.path, pipe)] = text
     for path, content in paths.items():
         try:
             path.write_text(content)

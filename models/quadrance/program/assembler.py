@@ -41,11 +41,13 @@ class Assembled:
 
     Attributes
     ----------
+    pipe : the engine's PIPE that it is for.
     numbers : of the names of registers and ports in the cells.
     rows : the label and the cells of each clock.
     """
 
     program: Program
+    pipe: int
     lines: list[Line]
     order: Order
     rules: Rules
@@ -135,7 +137,8 @@ def assemble(program: Program, pipe: int = 0, order: Order | None = None, second
     made = lines(program)
     rules = schedule.rules(program, made, schedule.timing(pipe))
     if order is None:
-        order = schedule.listed(program, rules, len(made))
+        guide = read_order(program) if pipe else None
+        order = schedule.listed(program, schedule.guided(rules, guide) if guide else rules, len(made))
         order = (solved(rules, len(made), order, seconds) or (order, False))[0]
     if wrong := schedule.faults(rules, made, order):
         raise Wrong(f"{program.path.with_suffix('.order').name}: {wrong[0]}")
@@ -144,13 +147,14 @@ def assemble(program: Program, pipe: int = 0, order: Order | None = None, second
     numbers |= {f"I_{name.upper()}": i for i, name in enumerate((*program.inputs, ONE))}
     if program.streamed:
         numbers |= {name: EMITTED[how][0] for how, name in OUT.items()}
-    return Assembled(program, made, order, rules, registers, numbers, _rows(made, order, rules))
+    return Assembled(program, pipe, made, order, rules, registers, numbers, _rows(made, order, rules))
 
 
 def problems(one: Assembled) -> list[str]:
     """What the independent checker finds wrong with the words."""
     names = [dict(zip(("a", "b", "c", "d", "dest"), (cells[i] for i in (1, 3, 4, 5, 9)))) for _, cells in one.rows]
-    return product_engine.check(one.words, None, [label for label, _ in one.rows], names, one.results, one.roots)
+    return product_engine.check(one.words, None, [label for label, _ in one.rows], names, one.results, one.roots,
+                                one.pipe)
 
 
 # The order in a file

@@ -1,14 +1,14 @@
 """This module says what a 47-bit control word of rtl/program/product_engine.v does, and the rules of a program.
 
 A word is {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}. A line reads registers in its first clock (0),
-chooses operands in the next (1) and computes in the third (2), in which its word is written; so a register is read
-by the third line after its writer or a later one, and never by the second, since it is written in that clock.
+chooses operands in the next (1) and computes in clock 2 + PIPE, in which its word is written: a register is not read in
+that clock, but with PIPE 2, where the engine gives the new word.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from quadrance.program.checker import BEFORE, Line, Place, Program, Read, Write, soundness, straight
 
@@ -17,10 +17,31 @@ REGISTER, PORT, LAST, TABLE = range(4)  # sources of A
 HIGH, LOW, MID = range(3)  # ALIGN
 FOLD, MORE, WRIST, ABOVE, ROOT, HOLD, FAR, CLAMP, CHECK = (1 << i for i in range(9))  # ACT
 
-# Units beside the registers: first clock in which they show what a line has made of them. After them come flip-flops.
+# Units beside the registers
 WORD, POWER, NONE, LONG, RECIPROCAL = "the word before", "the power", "the root's flag", "FAR's flag", "the root"
-READY = {WORD: 2, POWER: 3, NONE: 3, LONG: 3, RECIPROCAL: 4}
-REGISTERS = 3
+
+
+@dataclass(frozen=True)
+class Clocks:
+    """When a line of the engine does what, its first clock being 0; a place shows its word from a clock on.
+
+    Attributes
+    ----------
+    computes : the clock in which it computes, and in which its word can be chosen as LAST.
+    register : first clock in which its register can be read.
+    flags : first clock in which powers, outcomes of ROOT and of FAR can be used; `root`: the table's factors.
+    """
+
+    computes: int
+    register: int
+    flags: int
+    root: int
+
+
+def clocks(pipe: int) -> Clocks:
+    """The clocks of an engine with that PIPE."""
+    computes = 2 + pipe
+    return Clocks(computes, computes + (pipe < 2), computes + 1, computes + (2 if pipe == 0 else 1))
 
 
 def widened(word: int) -> int:
@@ -38,17 +59,18 @@ def fields(word: int) -> dict[str, int]:
             "align": bits(16, 15), "dest": bits(14, 9), "act": bits(8, 0)}
 
 
-def decode(word: int, label: str = "", names: dict[str, str] | None = None, roots: bool = True) -> Line:
+def decode(word: int, label: str = "", names: dict[str, str] | None = None, roots: bool = True, pipe: int = 0) -> Line:
     """What one word reads and writes.
 
     Parameters
     ----------
     names : names of the words in the registers of fields "a", "b", "c", "d" and "dest", where they are known.
     roots : whether the engine has its root unit (ROOTS).
+    pipe : the engine's PIPE.
     """
-    at, names = fields(word), names or {}
+    at, names, clock = fields(word), names or {}, clocks(pipe)
     act, reads, wrong = at["act"], [], []
-    writes = [Write(WORD, READY[WORD], port=False, needed=False)]
+    writes = [Write(WORD, clock.computes, port=False, needed=False)]
 
     def register(key: str) -> None:
         reads.append(Read(at[key], 0, names.get(key, "")))
@@ -77,27 +99,29 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
         wrong.append("ALIGN is none of HIGH, LOW and MID")
     if at["align"] and (at["add"] or at["keep"]):
         wrong.append("LOW and MID take one product alone")
+    if at["align"] and act & (ABOVE | CHECK) or at["align"] == MID and act & (ROOT | FAR):
+        wrong.append("ABOVE and CHECK take a sum, ROOT and FAR a sum or a LOW word")
     if act & ROOT and act & HOLD or act & FOLD and act & MORE:
         wrong.append("two acts that exclude each other")
     if act & WRIST and not act & (FOLD | MORE):
         wrong.append("WRIST without FOLD or MORE")
     if act & MORE:
-        reads.append(Read(POWER, 2))
+        reads.append(Read(POWER, clock.computes))
     if act & (FOLD | MORE):
-        writes.append(Write(POWER, READY[POWER], port=False))
+        writes.append(Write(POWER, clock.flags, port=False))
     if act & ROOT:
-        reads.append(Read(POWER, 2))
-        writes += [Write(RECIPROCAL, READY[RECIPROCAL], port=False), Write(NONE, READY[NONE], port=False, needed=False)]
+        reads.append(Read(POWER, clock.computes))
+        writes += [Write(RECIPROCAL, clock.root, port=False), Write(NONE, clock.flags, port=False, needed=False)]
     if act & HOLD:
-        reads += [Read(NONE, 1), Read(NONE, 2)]
+        reads += [Read(NONE, 1), Read(NONE, clock.computes)]
     if act & FAR:
         if at["align"] == LOW:
-            reads.append(Read(LONG, 2))
-        writes.append(Write(LONG, READY[LONG], port=False, needed=False))
+            reads.append(Read(LONG, clock.computes))
+        writes.append(Write(LONG, clock.flags, port=False, needed=False))
     if act & CLAMP:
         reads.append(Read(LONG, 1))
     if at["dest"]:
-        writes.append(Write(at["dest"], REGISTERS, names.get("dest", ""), also=WORD))
+        writes.append(Write(at["dest"], clock.register, names.get("dest", ""), port=pipe < 2, also=WORD))
         if at["keep"]:
             wrong.append("a part of a sum is written")
     elif act & (HOLD | CLAMP):
@@ -107,26 +131,30 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
     return Line(label, tuple(reads), tuple(writes), tuple(wrong))
 
 
-def _neighbours(words: Sequence[int], then: Sequence[tuple[int, ...]]) -> dict[int, list[str]]:
-    """What is wrong between a line and the one after it: LAST and the sum of KEEP live for one clock."""
+def _neighbours(words: Sequence[int], then: Sequence[tuple[int, ...]], pipe: int) -> dict[int, list[str]]:
+    """What is wrong between lines that follow one another: LAST and the sum of KEEP live for one clock."""
     wrong: dict[int, list[str]] = {}
     for number, word in enumerate(words):
         first = fields(word)
         if first["keep"] and not then[number]:
             wrong.setdefault(number, []).append("KEEP, and no line goes on with the sum")
         for behind in then[number]:
-            second = fields(words[behind])
-            if first["keep"] and second["align"] != HIGH:
+            if first["keep"] and fields(words[behind])["align"] != HIGH:
                 wrong.setdefault(behind, []).append("the line before keeps its sum, and LOW and MID add none")
-            if second["from"] == LAST and first["keep"]:
-                wrong.setdefault(behind, []).append("LAST is a part of a sum")
-            if second["from"] == LAST and first["act"] & HOLD:
-                wrong.setdefault(behind, []).append("LAST is not the word that HOLD holds")
+        behind = {number}
+        for _ in range(clocks(pipe).computes - 1):
+            behind = {line for one in behind for line in then[one]}
+        for user in sorted(behind):
+            if fields(words[user])["from"] == LAST and first["keep"]:
+                wrong.setdefault(user, []).append("LAST is a part of a sum")
+            if fields(words[user])["from"] == LAST and first["act"] & HOLD:
+                wrong.setdefault(user, []).append("LAST is not the word that HOLD holds")
     return wrong
 
 
 def program(words: Sequence[int], again: int | None = None, labels: Sequence[str] = (),
-            names: Sequence[dict[str, str]] = (), results: frozenset[int] = frozenset(), roots: bool = True) -> Program:
+            names: Sequence[dict[str, str]] = (), results: frozenset[int] = frozenset(), roots: bool = True,
+            pipe: int = 0) -> Program:
     """The program of a list of words that engine_program plays.
 
     Parameters
@@ -135,14 +163,14 @@ def program(words: Sequence[int], again: int | None = None, labels: Sequence[str
     names : for each line the names of its registers' words, as `decode` takes them.
     results : registers whose words leave the engine.
     """
-    lines = [decode(word, labels[i] if labels else "", names[i] if names else None, roots)
+    lines = [decode(word, labels[i] if labels else "", names[i] if names else None, roots, pipe)
              for i, word in enumerate(words)]
     then = straight(lines, again)
     first = fields(words[0])
     if first["keep"] or first["act"] & ~(FOLD | WRIST | ABOVE | ROOT) or first["dest"] in results:
         text = "it is played while the program is idle too: no KEEP, result, MORE, HOLD, FAR, CLAMP or CHECK in it"
         lines[0] = replace(lines[0], wrong=(*lines[0].wrong, text))
-    for number, texts in _neighbours(words, then).items():
+    for number, texts in _neighbours(words, then, pipe).items():
         lines[number] = replace(lines[number], wrong=(*lines[number].wrong, *texts))
     return Program(lines, then, results=results, titles={i: f"register {i}" for i in range(64)})
 
@@ -191,7 +219,8 @@ def _whole(words: Sequence[int], made: Program) -> list[str]:
 
 
 def check(words: Sequence[int], again: int | None = None, labels: Sequence[str] = (),
-          names: Sequence[dict[str, str]] = (), results: frozenset[int] = frozenset(), roots: bool = True) -> list[str]:
+          names: Sequence[dict[str, str]] = (), results: frozenset[int] = frozenset(), roots: bool = True,
+          pipe: int = 0) -> list[str]:
     """What is wrong with a program of control words; empty for a sound one. Parameters as for `program`."""
-    made = program(words, again, labels, names, results, roots)
+    made = program(words, again, labels, names, results, roots, pipe)
     return soundness(made) + _partial(words, made) + _held(words, made) + _whole(words, made)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 from collections import defaultdict
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from quadrance.program.language import Program, Wrong
 from quadrance.program.lines import Line
@@ -40,8 +40,8 @@ class Timing:
 
 
 def timing(pipe: int = 0) -> Timing:
-    """The distances of an engine with `pipe` registers after its products: each is longer by them."""
-    return Timing(3 + pipe, 1 + pipe, 2 + pipe, 3 + pipe, 2 + pipe, 3 + pipe)
+    """The distances of an engine with that PIPE (rtl/program/README.md)."""
+    return (Timing(), Timing(4, 2, 3, 3, 3, 4), Timing(4, 3, 4, 4, 4, 6))[pipe]
 
 
 @dataclass(frozen=True)
@@ -277,6 +277,18 @@ class _Lister:
             return None
         placed = {clock: i for i, clock in at.items()}
         return [placed.get(clock) for clock in range(length)]
+
+
+def guided(found: Rules, order: Order) -> Rules:
+    """The rules, with the groups of each unit one after the other as in an order at another PIPE."""
+    at = {i: clock for clock, i in enumerate(order) if i is not None}
+    edges = list(found.edges)
+    for windows in found.windows.values():
+        ordered = sorted(windows, key=lambda one: min(at[i] for i in one.makers))
+        for one, two in zip(ordered, ordered[1:]):
+            ended = [(i, 1) for i in one.makers] + [(i, -slack) for i, slack in one.uses]
+            edges += [(i, j, least) for i, least in ended for j in two.makers]
+    return replace(found, edges=edges, windows={})
 
 
 def listed(program: Program, found: Rules, count: int, tries: int = TRIES) -> list[int | None]:

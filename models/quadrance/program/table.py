@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterable
 from pathlib import Path
 
-from quadrance.program.assembler import FIELDS, NIL, Assembled, assembled
+from quadrance.program.assembler import FIELDS, NIL, Assembled, assembled, read_order
 from quadrance.program.language import ONE, Wrong
 from quadrance.program.parser import load
 from quadrance.program.ranges import proved
@@ -18,9 +18,9 @@ _HEAD = """\
 //   {title}
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
 // a word of capitals and a small letter is one that the assembler has added. Latency of a core that plays it: {clocks}.
-// Model: quadrance.program.meaning
+// For product_engine with PIPE = {pipe}. Model: quadrance.program.meaning
 `default_nettype none
-module {name}_program (
+module {module} (
     input  wire        clk,
     input  wire        rst,
     input  wire        in_start,
@@ -79,8 +79,9 @@ def verilog(one: Assembled) -> str:
     if long := [label for label, row in zip((row[0] for row in rows), table.split("\n")) if len(row) > WIDTH]:
         raise Wrong(f"{one.program.path.name}: the line '{long[0]}' is printed in more than {WIDTH} columns: take "
                     "shorter names")
-    drain = "" if at.drain == 3 else f".DRAIN({at.drain}), "
-    head = _HEAD.format(name=name, title=one.program.title[:WIDTH - 7], clocks=one.clocks)
+    drain = ("", ".DRAIN({}), ", ".DRAIN({}), .REGISTER(1), ")[one.pipe].format(at.drain)
+    head = _HEAD.format(name=name, title=one.program.title[:WIDTH - 7], clocks=one.clocks, pipe=one.pipe,
+                        module=table_path(one.program.path, one.pipe).stem)
     table = head + "\n".join(_numbers(one)) + (f"\n    localparam [{len(rows)}*{bits}-1:0] LINES = {{\n{table}}};\n")
     op = "out_op"
     if not one.roots:  # no ALIGN and no ACT
@@ -93,9 +94,9 @@ def verilog(one: Assembled) -> str:
     return table + "endmodule\n`default_nettype wire\n"
 
 
-def table_path(path: Path) -> Path:
-    """The file of the module of a program."""
-    return path.with_name(f"{path.stem}_program.v")
+def table_path(path: Path, pipe: int = 0) -> Path:
+    """The file of the module of a program: NAME_program.v, or with registers NAME_program_PIPE.v."""
+    return path.with_name(f"{path.stem}_program{f'_{pipe}' if pipe else ''}.v")
 
 
 def stale(folder: Path) -> list[str]:
@@ -106,8 +107,10 @@ def stale(folder: Path) -> list[str]:
             proved(load(path))
             if not path.with_suffix(".order").exists():
                 wrong.append(f"{path.name}: no order is committed: quadrance assemble {path.name} --write")
-            elif not (at := table_path(path)).exists() or at.read_text() != verilog(assembled(path)):
-                wrong.append(f"{at.name}: stale: quadrance assemble {path.name} --write")
+            for pipe in (one for one in range(3) if read_order(load(path), one)):
+                at = table_path(path, pipe)
+                if not at.exists() or at.read_text() != verilog(assembled(path, pipe)):
+                    wrong.append(f"{at.name}: stale: quadrance assemble {path.name} --pipe {pipe} --write")
         except Wrong as error:
             wrong.append(str(error))
     return wrong
