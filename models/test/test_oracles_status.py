@@ -508,7 +508,7 @@ def test_the_best_branch(core):
 # Arithmetic
 
 
-@pytest.mark.parametrize("core", [core for core in cores.all_cores() if core.name == "divide_iter"],
+@pytest.mark.parametrize("core", [core for core in cores.all_cores() if core.name == "divide"],
                          ids=lambda core: core.id)
 def test_division_by_zero(core):
     """All ones, the remainder n 2^F modulo 2^WD, the flag; the next division is right again."""

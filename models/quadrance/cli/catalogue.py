@@ -135,9 +135,10 @@ def kinds(ports: Iterable[Port]) -> list[str]:
 
 def row(core: Core) -> dict:
     """A line of the table of cores, as `quadrance cores --json` prints it."""
-    return {"core": core.name, "title": title(core), "set": core.set_id, "id": core.id, "family": core.family, "function": core.function,
-            "architecture": core.architecture, "word": kinds([*core.inputs, *core.outputs]), "params": core.params,
-            "latency": core.latency, "ii": core.ii, "figures": figures(core)}
+    return {"core": core.name, "title": title(core), "set": core.set_id, "id": core.id, "family": core.family,
+            "function": core.function, "architecture": core.architecture,
+            "word": kinds([*core.inputs, *core.outputs]), "params": core.params, "latency": core.latency,
+            "ii": core.ii, "figures": figures(core)}
 
 
 def rows(family: str | None = None, function: str | None = None, word: str | None = None,
