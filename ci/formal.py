@@ -103,10 +103,13 @@ def job(proof: Proof) -> str:
 
 
 def elaborate(name: str, text: str) -> tuple[str, list[str]]:
-    """What a job proves: the digest of the circuit without its names, mode, depth, engine and tools.
+    """Elaborate a job without proving it.
 
-    And the nets inside the core that the properties name and the core does not have: such a net would be free, and what
-    is proved of it empty.
+    Returns
+    -------
+    digest, free : what the job proves, as a digest of the circuit without its names, of mode, depth, engine and tools;
+        the nets inside the core that the properties name and the core does not have. A solver may give such a net any
+        value, so that a proof about it says nothing of the core.
     """
     part = {title: body.strip().splitlines()
             for title, body in re.findall(r"^\[(\w+)\]\n(.*?)(?=^\[|\Z)", text, re.M | re.S)}
@@ -265,7 +268,7 @@ def judge(what: Proof | Core | Reset, proved: frozenset[str], limit: int = TIMEO
 
 
 def _timed(what: Proof | Core | Reset, proved: frozenset[str], end: float) -> tuple[Verdict | None, str, float]:
-    """The verdict, the circuit and the seconds; no verdict where `end` comes before it."""
+    """The verdict, the circuit and the seconds; no verdict where the proof has not ended by `end`."""
     start = time.monotonic()
     if start > end:
         return None, "", 0.0

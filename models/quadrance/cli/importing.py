@@ -1,4 +1,4 @@
-"""This module makes an arm file of a chain of joints. It reads axes and no names.
+"""This module makes an arm file of a chain of joints. It judges the chain by its axes, never by names.
 
 `KINDS` is the table of what a chain can be. A kind without `build` has no core yet and is refused by its name.
 """
@@ -21,8 +21,8 @@ from quadrance.cli.catalogue import Refused
 from quadrance.cli.urdf import Chain
 from quadrance.truth import Floats
 
-ANGLE, GAP = 1e-3, 1.0  # rad, mm: a chain as near to a kind as this is called by the kind's name
-MM, RAD, SAMPLES = 0.005, 5e-7, 500  # half of the promised 0.01 mm and 1e-6 rad, seen at so many joint vectors
+ANGLE, GAP = 1e-3, 1.0  # rad, mm: a chain that is no farther from a kind is called by the kind's name
+MM, RAD, SAMPLES = 0.005, 5e-7, 500  # half of the promised 0.01 mm and 1e-6 rad, checked at this many joint vectors
 
 
 class Axis(NamedTuple):
@@ -51,8 +51,12 @@ class Built(NamedTuple):
 
 
 class Kind(NamedTuple):
-    """Letters of the chains (R turns, P slides), what holds between their axes, what makes an arm file's tables of one,
-    and where the cores have its tip.
+    """A row of `KINDS`.
+
+    letters : the chains, a letter for each joint: R turns, P slides.
+    rules : what must hold between the axes.
+    build : makes the tables of the arm file.
+    pose : where the cores put the tip.
     """
 
     name: str
@@ -63,7 +67,7 @@ class Kind(NamedTuple):
 
 
 def _broken(rule: tuple, axes: list[Axis]) -> tuple[float, str]:
-    """By how much a rule is broken, in units of what a kind bears, and in words."""
+    """By how much a rule is broken, as a multiple of `ANGLE` or `GAP`, and in words."""
     what, *numbers = rule
     some = [axes[i - 1] for i in numbers]
     named = f"axes {', '.join(map(str, numbers[:-1]))} and {numbers[-1]}"
@@ -224,8 +228,8 @@ KINDS = (
     Kind("an S-R-S arm", ("RRRRRRR",), (("meet", 1, 2, 3), ("meet", 5, 6, 7))))
 
 
-def classify(chain: Chain) -> tuple[Kind, list[Axis], str]:
-    """The kind of a chain, its axes, and in words the rule that holds least; Refused where no core has that kind."""
+def classify(chain: Chain) -> tuple[Kind, str, list[Axis]]:
+    """The kind of a chain, the rule that it fulfils worst, its axes; Refused where no core has that kind."""
     letters, axes = "".join("P" if joint.slides else "R" for joint in chain.joints), []
     for i, joint in enumerate(chain.joints):
         at = urdf.pose(replace(chain, joints=chain.joints[:i], after=joint.before), np.zeros((1, i)))[0]

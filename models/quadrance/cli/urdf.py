@@ -1,8 +1,8 @@
 """This module reads a robot that others described (URDF, xacro, a table of Denavit and Hartenberg) as one chain.
 
-Such a file is not trusted. Refused are a document type, and with it every entity, a file of more than 16 MiB, elements
-more than 64 deep, more than 1000 joints, and a length beyond 1 km. No file that it names is opened. Xacro opens files
-and evaluates expressions: `expand` runs it apart.
+Such a file is not trusted. The reader refuses a document type, and with it every entity; a file of more than 16 MiB;
+elements more than 64 deep; more than 1000 joints; and a length beyond 1 km. It opens no file that the robot names.
+Xacro opens files and evaluates expressions, so `expand` runs it in a process of its own.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Element = dict[str, dict[str, str]]  # a joint: "" -> its attributes, child -> t
 
 
 class Moving(NamedTuple):
-    """A joint that turns about its axis (rad), or slides along it (mm), behind what is fixed in front of it."""
+    """A joint that turns about its axis (rad) or slides along it (mm); `before` is the fixed frame that leads to it."""
 
     name: str
     slides: bool
@@ -41,7 +41,7 @@ class Moving(NamedTuple):
 
 @dataclass(frozen=True)
 class Chain:
-    """The joints between two links; `written`: the same with the angles `rounded` as they are in the file."""
+    """The joints between two links. `written` is the same chain with the angles `rounded` as the file has them."""
 
     name: str
     base: str
@@ -84,7 +84,7 @@ def _numbers(where: str, text: str, count: int = 3, most: float = MOST) -> list[
 
 
 def _meant(text: str) -> float:
-    """An angle: a multiple of pi/4 where the text is one that was cut or rounded at a decimal behind the third."""
+    """The angle of a text; a multiple of pi/4 where the text is one, truncated or rounded to four decimals or more."""
     value, (mantissa, _, exponent) = float(text), text.lower().partition("e")
     near = round(value / (math.pi / 4)) * (math.pi / 4)
     decimals = len(mantissa.partition(".")[2]) - int(exponent or 0)
