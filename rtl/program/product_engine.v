@@ -137,29 +137,34 @@ module product_engine #(
     wire               outside, minus1;  // a LOW product is beyond +-1, below 0
     wire [19:0]        argument;        // of a root
     generate
-        if (PIPE == 0) begin : g_product
-            assign product1 = $signed(a) * $signed(b);
-            assign product2 = $signed(c) * $signed(d);
-        end else if (PIPE == 1) begin : g_registered
-            reg signed [53:0] p1, p2;
-            assign {product1, product2} = {p1, p2};
-            always @(posedge clk) begin
-                p1 <= $signed(a) * $signed(b);
-                p2 <= $signed(c) * $signed(d);
+        case (PIPE)
+            0: begin : g_product
+                assign product1 = $signed(a) * $signed(b);
+                assign product2 = $signed(c) * $signed(d);
             end
-        end else begin : g_partial
-            reg signed [44:0] low1, low2;
-            reg signed [36:0] high1, high2;
-            wire       [36:0] top1 = high1 + {{9{low1[44]}}, low1[44:17]}, top2 = high2 + {{9{low2[44]}}, low2[44:17]};
-            assign product1 = {top1, low1[16:0]};
-            assign product2 = {top2, low2[16:0]};
-            always @(posedge clk) begin
-                low1  <= $signed(a) * $signed({1'b0, b[16:0]});
-                high1 <= $signed(a) * $signed(b[26:17]);
-                low2  <= $signed(c) * $signed({1'b0, d[16:0]});
-                high2 <= $signed(c) * $signed(d[26:17]);
+            1: begin : g_registered
+                reg signed [53:0] p1, p2;
+                assign {product1, product2} = {p1, p2};
+                always @(posedge clk) begin
+                    p1 <= $signed(a) * $signed(b);
+                    p2 <= $signed(c) * $signed(d);
+                end
             end
-        end
+            default: begin : g_partial
+                reg signed [44:0] low1, low2;
+                reg signed [36:0] high1, high2;
+                wire       [36:0] top1 = high1 + {{9{low1[44]}}, low1[44:17]};
+                wire       [36:0] top2 = high2 + {{9{low2[44]}}, low2[44:17]};
+                assign product1 = {top1, low1[16:0]};
+                assign product2 = {top2, low2[16:0]};
+                always @(posedge clk) begin
+                    low1  <= $signed(a) * $signed({1'b0, b[16:0]});
+                    high1 <= $signed(a) * $signed(b[26:17]);
+                    low2  <= $signed(c) * $signed({1'b0, d[16:0]});
+                    high2 <= $signed(c) * $signed(d[26:17]);
+                end
+            end
+        endcase
         if (PIPE < 2) begin : g_three
             assign sum      = product1[53:22] + (product2[53:22] ^ {32{subtract}}) + kept;
             assign word     = low ? product1[26:0] : mid ? product1[38:12] : sum[29:3];
