@@ -325,6 +325,8 @@ async def both_ways_at_once(dut):
             assert await bus.read(address) == page.register(port, port.low + (value - port.low) % (1 << port.width)
                                                             if port.width <= 32 else value, low, width)
 
+    for one in [cocotb.start_soon(bus.write(page.IRQ_ENABLE, i)) for i in range(8)]:  # no answer is lost
+        await one
     writer = cocotb.start_soon(write())
     for _ in range(24):
         assert await bus.read(page.ID) == registers.identity(CORE)

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadrance import arms
-from quadrance.cli import axis, catalogue, check, importing, registers, tables, urdf, verilog, words
+from quadrance.cli import axis, c, catalogue, check, importing, registers, tables, urdf, verilog, words
 from quadrance.cli.catalogue import Refused
 from quadrance.cli.tables import Column
 from quadrance.cores import Core
@@ -162,7 +162,8 @@ def _registers(args: argparse.Namespace) -> None:
     bus = catalogue.choose("bus", args.bus, registers.BUSSES)
     own = (args.core_clock, not args.no_readback)
     if args.out:
-        return _fill(args.out, registers.files(core, bus, cfg, *own), "written")
+        texts = {f"{core.name}.h": c.header(core, arm), c.SHARED.name: c.SHARED.read_text()}
+        return _fill(args.out, registers.files(core, bus, cfg, *own) | texts, "written")
     if args.json:
         return _json(registers.described(core, cfg) | {"verilog": registers.wrapper(core, bus, *own)})
     print(registers.wrapper(core, bus, *own), end="")
