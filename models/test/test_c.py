@@ -86,6 +86,9 @@ def check_arms(folder, count, seed, absolute):
                 want = "x"
             assert found == want, f"{core.id}: C {found}, Python {want}: {arm}"
     assert all(0 < one for one in fits.values()), fits
+    odd = np.array([[value] * 19 for value in (math.nan, math.inf, -math.inf, 1e300, 0.0)], dtype="<f8")
+    said = subprocess.run([run], input=odd.tobytes(), capture_output=True, check=True).stdout.decode().splitlines()
+    assert set("".join(said[:3])) <= {"x", ";"} and len(said) == len(odd), said
 
 
 @pytest.mark.parametrize("absolute", [False, True])

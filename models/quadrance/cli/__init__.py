@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadrance import arms
-from quadrance.cli import axis, c, catalogue, check, importing, registers, tables, urdf, verilog, words
+from quadrance.cli import axis, c, catalogue, check, importing, registers, tables, urdf, verilog, vhdl, words
 from quadrance.cli.catalogue import Refused
 from quadrance.cli.tables import Column
 from quadrance.cores import Core
@@ -133,8 +133,11 @@ def _around(args: argparse.Namespace) -> tuple[Core, arms.Arm | None, dict[str, 
 
 def _instance(args: argparse.Namespace) -> None:
     core, arm, cfg = _around(args)
+    form = catalogue.choose("format", "json" if args.json else args.format, ("verilog", "vhdl", "c", "json"))
+    if form in ("vhdl", "c"):
+        return print(vhdl.instance(core, arm, args.name) if form == "vhdl" else c.words(core, arm, args.name), end="\n")
     text = verilog.instance(core, arm, args.name, args.declare)
-    if args.json:
+    if form == "json":
         return _json({"core": core.id, "params": core.params, "arm": arm and arm.id, "cfg": cfg, "verilog": text})
     print(text)
 
@@ -353,6 +356,7 @@ def parser() -> Parser:
     sub.add_argument("--arm", help="name of an arm, or its TOML file: computes cfg_*")
     sub.add_argument("--name", help="of the instance")
     sub.add_argument("--declare", action="store_true", help="declare the wires too")
+    sub.add_argument("--format", default="verilog", metavar="FORMAT", help="verilog, vhdl, c (the words) or json")
     sub = core(command("files", _files, "the Verilog files of a core in compile order"), param=False)
     sub.add_argument("-f", action="store_true", help="as a command file (-f) of a simulator")
     sub.add_argument("--relative", metavar="DIR", help="paths seen from a folder")

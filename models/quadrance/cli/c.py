@@ -55,9 +55,9 @@ def _formulas(core: Core) -> tuple[list[str], dict[str, str]]:
     shrink = [f"floor((double)quadrance_least({name}, {longest}) * {classic.SHRINK!r}" for name in ("l1", "l2")]
     turn = f"quadrance_fixed({{}}(quadrance_radians(quadrance_elbow_angle(arm))), {u})"
     found = {"l1": "l1", "l2": "l2", "l3": length("arm->l3"), "q": "gap.q", "r": "gap.r", "e": "gap.e",
-             "c1": f"(int64_t){shrink[0]} * {2**classic.GUARD}.0)",
-             "s1": f"(int64_t){shrink[0]} * {2**classic.CHAIN_GUARD}.0)",
-             "s2": f"(int64_t){shrink[1]} * {classic.SHRINK!r} * sqrt(2.0) * {2**classic.CHAIN_GUARD}.0)",
+             "c1": f"quadrance_word({shrink[0]} * {2**classic.GUARD}.0))",
+             "s1": f"quadrance_word({shrink[0]} * {2**classic.CHAIN_GUARD}.0))",
+             "s2": f"quadrance_word({shrink[1]} * {classic.SHRINK!r} * sqrt(2.0) * {2**classic.CHAIN_GUARD}.0))",
              "far": "quadrance_square(l1 + l2)", "near": "quadrance_square(l1 - l2)",
              "f": f"quadrance_tangent({w}, l1, l2)",
              **{name: length(f"arm->{name}") for name in ("base", "shoulder", "lateral", "elbow")},
@@ -175,13 +175,15 @@ def _arm(core: Core) -> list[str]:
     lines = ["", "/* Configuration of an arm; 0, or -1 where a word does not fit and cfg stays as it was. */",
              f"static inline int {n}_of_arm({n}_cfg *cfg, const quadrance_arm *arm) {{",
              *(f"    {line}" for line in local)]
+    refusals = ["    if (!quadrance_sound(arm)) return -1;"]
     for port in core.cfg:
         name = port.name[4:]
         if formulas[name] != name:
             lines.append(f"    const int64_t {name} = {formulas[name]};")
     for port in core.cfg:
         low, high = _range(core, port)
-        lines.append(f"    if (!quadrance_fits({port.name[4:]}, {_literal(low)}, {_literal(high)})) return -1;")
+        refusals.append(f"    if (!quadrance_fits({port.name[4:]}, {_literal(low)}, {_literal(high)})) return -1;")
+    lines += refusals
     lines += [f"    cfg->{port.name[4:]} = ({_type(port)}){port.name[4:]};" for port in core.cfg]
     return [*lines, "    return 0;", "}"]
 
@@ -204,6 +206,20 @@ def _constants(core: Core, arm: Arm | None) -> list[str]:
                   *(f"    {words[port.name]}{'' if port.signed else 'U'}{'LL' if port.width > 32 else ''},"
                     f"  /* {port.name[4:]} */" for port in core.cfg), "};"]
     return lines
+
+
+def words(core: Core, arm: Arm | None, name: str | None = None) -> str:
+    """The configuration words of an arm as constants of C, for a design with a register map of its own."""
+    if arm is None:
+        raise Refused("--format c prints the words of an arm: give --arm")
+    name = name or core.name
+    if not re.fullmatch(r"[A-Za-z]\w*", name):
+        raise Refused(f"'{name}' is no name in C: letters, digits and _ alone, a letter first")
+    lines = [f"/* {_plain(line)} */" for line in verilog.notes(core, arm)]
+    found = verilog.config(core, arm)
+    lines += [f"#define {name.upper()}_{key} {value}" for key, value in core.params.items()]
+    return "\n".join([*lines, *(f"#define {name.upper()}_{port.name.upper()} {_literal(found[port.name])}"
+                                for port in core.cfg)])
 
 
 def _plain(text: str) -> str:

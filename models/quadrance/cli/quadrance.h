@@ -17,9 +17,20 @@ typedef struct {
     double shoulder_limit[2], elbow_limit[2], yaw_limit[2], forearm_limit[2];
 } quadrance_arm;
 
+/* whether an arm file might say it; false of what is no number */
+static inline int quadrance_sound(const quadrance_arm *arm) {
+    return arm->mm_per_unit > 0 && arm->mm_per_unit <= 1e9 && arm->l1 >= 0 && arm->l1 <= 1e9 && arm->l2 >= 0
+        && arm->l2 <= 1e9;
+}
+
+/* a whole number as a word; one that no word holds, or none at all, is 2^40, which fits no core */
+static inline int64_t quadrance_word(double whole) {
+    return fabs(whole) < ldexp(1.0, 40) ? (int64_t)whole : (int64_t)1 << 40;
+}
+
 /* the nearest word, ties upward */
 static inline int64_t quadrance_fixed(double value, int fraction) {
-    return (int64_t)floor(value * ldexp(1.0, fraction) + 0.5);
+    return quadrance_word(floor(value * ldexp(1.0, fraction) + 0.5));
 }
 
 static inline int64_t quadrance_length(const quadrance_arm *arm, double mm, int fraction) {
@@ -84,6 +95,10 @@ static inline quadrance_gap quadrance_gap_of(int w, int64_t l1, int64_t l2) {
     quadrance_gap found;
     int bits = 0, e;
     uint64_t twice, half;
+    if (l1 < 0 || l2 < 0 || l1 >> w || l2 >> w) {
+        found.q = found.r = found.e = (int64_t)1 << 40;
+        return found;
+    }
     l1 *= (int64_t)1 << (16 - w);
     l2 *= (int64_t)1 << (16 - w);
     twice = 2 * (uint64_t)l1 * (uint64_t)l2;
@@ -103,7 +118,9 @@ static inline int64_t quadrance_tangent(int w, int64_t l1, int64_t l2) {
     return whole - (wide % sum < 0);
 }
 
-static inline int64_t quadrance_square(int64_t value) { return value * value; }
+static inline int64_t quadrance_square(int64_t value) {
+    return value < -INT64_C(0x7fffffff) || value > INT64_C(0x7fffffff) ? (int64_t)1 << 62 : value * value;
+}
 
 static inline int64_t quadrance_least(int64_t a, int64_t b) { return a < b ? a : b; }
 
@@ -114,9 +131,9 @@ static inline quadrance_limit quadrance_limit_of(double low, double high, double
     double one = ldexp(1.0, u), first = quadrance_radians(low - less), last = quadrance_radians(high - less);
     double middle = (first + last) / 2, room = (last - first) / 2;
     quadrance_limit found;
-    found.mc = (int64_t)rint(cos(middle) * one);
-    found.mn = (int64_t)rint(sin(middle) * one);
-    found.h = room >= QUADRANCE_PI ? (int64_t)(-2 * one) : (int64_t)floor(cos(room) * one) - 3;
+    found.mc = quadrance_word(rint(cos(middle) * one));
+    found.mn = quadrance_word(rint(sin(middle) * one));
+    found.h = room >= QUADRANCE_PI ? (int64_t)(-2 * one) : quadrance_word(floor(cos(room) * one)) - 3;
     return found;
 }
 
@@ -124,7 +141,7 @@ static inline quadrance_limit quadrance_limit_of(double low, double high, double
 typedef struct { int64_t k, cp, np, r, e; } quadrance_six;
 
 static inline int64_t quadrance_fine(const quadrance_arm *arm, double mm, int fraction) {
-    return (int64_t)rint(mm / arm->mm_per_unit * ldexp(1.0, fraction));
+    return quadrance_word(rint(mm / arm->mm_per_unit * ldexp(1.0, fraction)));
 }
 
 static inline quadrance_six quadrance_six_of(const quadrance_arm *arm, int w, int fraction, int more, double one) {
@@ -132,13 +149,13 @@ static inline quadrance_six quadrance_six_of(const quadrance_arm *arm, int w, in
     int64_t c2 = quadrance_fine(arm, arm->l1, fraction);
     int e;
     quadrance_six found;
-    found.k = (int64_t)rint(hypot(a2, c3) * ldexp(1.0, fraction));
-    twice = fmax((double)(2 * c2 * found.k) * ldexp(1.0, -2 * w - 2 * more), ldexp(1.0, -20));
-    e = (int)floor(-log2(twice)) + 1;
+    found.k = quadrance_word(rint(hypot(a2, c3) * ldexp(1.0, fraction)));
+    twice = fmax(2.0 * (double)c2 * (double)found.k * ldexp(1.0, -2 * w - 2 * more), ldexp(1.0, -20));
+    e = twice < 1 ? (int)floor(-log2(twice)) + 1 : 1;
     if (e < 1) e = 1;
-    found.cp = (int64_t)rint(one * cos(psi));
-    found.np = (int64_t)rint(one * sin(psi));
-    found.r = quadrance_least((int64_t)floor(one / twice / ldexp(1.0, e)), (int64_t)one - 1);
+    found.cp = quadrance_word(rint(one * cos(psi)));
+    found.np = quadrance_word(rint(one * sin(psi)));
+    found.r = quadrance_least(quadrance_word(floor(one / twice / ldexp(1.0, e))), (int64_t)one - 1);
     found.e = (int64_t)1 << e;
     return found;
 }
