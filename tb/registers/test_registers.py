@@ -78,7 +78,7 @@ FAULTS = {  # in the face, the modules around the core and what is generated for
     "refused": (r"write && busy &&", "write && busy && at_start &&"), "last": (r"at < IN", "at <= IN"),
     "index": (r"waddr\[5:0\] >> K == 6'd0", "1'b1"), "clears": (r"clears && wdata\[3\]", "clears"),
     "only-read": (r"at_state \|\| at_irq;", "at_state || at_irq || at_control && at == 0;"),
-    "start": (r"!start && ", ""), "reset": (r"in_valid <= 1'b0;", ""),
+    "start": (r"!start && ", ""),
     "held": (r"out_c1 <= new_c1", "out_c1 <= new_c2"),
     "high": (r"cfg_q\[33:32\] <= wdata\[1:0\]", "cfg_q[33:32] <= wdata[2:1]"),
     "sign": (r"\{\{(\d+)\{in_x\[\d+\]\}\}", r"{{\1{1'b0}}"), "place": (r"\.in_z\(in_z\)", ".in_z(in_y)"),
