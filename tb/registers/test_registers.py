@@ -8,7 +8,7 @@ from pyslang.driver import Driver
 from quadrance import cores
 from quadrance.cli import catalogue, registers
 
-from ci import lint
+from ci import lint, synth
 from tb.lib.simulate import available, simulate
 from tb.lib.suite import SEED
 from tb.registers import page
@@ -104,6 +104,18 @@ def test_a_fault_is_found(name, tmp_path):
     assert count
     with pytest.raises(SystemExit, match="FAILED"):
         bench(top, "-broken", failures=1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("readback, most", [(True, 150), (False, 50)])
+def test_registers_are_small(readback, most):
+    core, folder = cores.find("table_ik2"), synth.WORK / f"registers-{readback}"
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / "axil_table_ik2.v"
+    path.write_text(registers.wrapper(core, "axil", readback=readback))
+    whole = synth.area("cyclonev", path.stem, {}, [path, *registers.sources("axil"), *core.sources])
+    alone = synth.area("cyclonev", core.name, core.params, core.sources)
+    assert whole["lut"] - alone["lut"] <= most and whole["dsp"] == alone["dsp"] and whole["mem"] == alone["mem"]
 
 
 @pytest.mark.parametrize("bus, core_clock", [("axil", False), ("wishbone", True)])
