@@ -72,9 +72,12 @@ def check_arms(folder, count, seed, absolute):
     some = [catalogue.at(core, {"ABSOLUTE": int(absolute)}) if "ABSOLUTE" in core.params else core for core in SHAPES]
     run = compiled(folder, program(some), {f"{core.name}.h": c.header(core) for core in some})
     drew = [drawn(rng, absolute) for _ in range(count)]
+    drew += [(dataclasses.replace(drew[0][0], mm_per_unit=8.0, l1=l1, l2=l2, base=-2.5 / 32, shoulder=1.5 / 32,
+                                  lateral=0.0, elbow=0.0, elbow_angle=0.0), l2)  # ties, and links of some LSB or none
+             for l1, l2 in ((100.5 / 32, 101.5 / 32), (1e-6, 1e-6), (1 / 32, 1e-6), (1 / 32, 1 / 32), (3 / 32, 1 / 32))]
     data = np.array([numbers(*one) for one in drew], dtype="<f8").tobytes()
     said = subprocess.run([run], input=data, capture_output=True, check=True).stdout.decode().splitlines()
-    assert len(said) == count
+    assert len(said) == len(drew)
     fits = dict.fromkeys((core.name for core in some), 0)
     for (arm, _), line in zip(drew, said):
         for core, found in zip(some, line.split(";")):
@@ -154,7 +157,6 @@ def test_the_driver_drives_registers(tmp_path):
     """A device in memory: what the driver writes is where the map says, and a result is read with its sign."""
     arm, core = arms.load("cobra600"), catalogue.find("vector_ik2")
     words = {word.name: word for word in registers.words(core)}
-    main = tmp_path / "main.c"
     text = """#include <stdio.h>
 #include "vector_ik2.h"
 static uint32_t memory[1024];
@@ -170,11 +172,14 @@ int main(void) {
     vector_ik2_run(memory, -5, 300, 1, &out);
     for (i = 0; i < 1024; i++) if (memory[i]) printf("%x %x ", 4 * i, memory[i]);
     printf("\\n%d %d %u\\n", (int)out.c1, (int)out.n1, (unsigned)out.status);
+    vector_ik2_acknowledge(memory);
+    if (memory[3] != 2) return 3;
+    memory[3] = 0x30e;
+    if (vector_ik2_flags(memory) != 12 || memory[3] != 12) return 4;
     return 0;
 }
 """
     run = compiled(tmp_path, text.replace("\\\\n", "\\n"), {"vector_ik2.h": c.header(core, arm)})
-    assert main.exists()
     memory, result = subprocess.run([run], capture_output=True, text=True, check=True).stdout.splitlines()
     pairs = memory.split()
     found = {int(at, 16): int(word, 16) for at, word in zip(pairs[::2], pairs[1::2])}
