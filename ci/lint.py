@@ -84,10 +84,11 @@ def _elaborated(core: Core, params: dict[str, int]) -> tuple[Driver, Compilation
 def slang(core: Core, params: dict[str, int]) -> tuple[int, str]:
     """slang's complaints about one parameter set."""
     found = _elaborated(core, params)
-    return _complaints(*found) if found else (1, "sources or parameters are not accepted")
+    return complaints(*found) if found else (1, "sources or parameters are not accepted")
 
 
-def _complaints(driver: Driver, compilation: Compilation) -> tuple[int, str]:
+def complaints(driver: Driver, compilation: Compilation) -> tuple[int, str]:
+    """Number of errors, and what slang says."""
     engine, client = driver.diagEngine, TextDiagnosticClient()
     engine.clearClients()
     engine.addClient(client)

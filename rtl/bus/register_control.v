@@ -32,7 +32,7 @@ module register_control #(
             register_control_needs_K_from_3_to_6_and_up_to_2_to_the_K_words rule ();
         end
     endgenerate
-    // an address is near: no word of a block lies beyond. Then seven bits or fewer tell all words apart.
+    // The address is within the first 2^K words of its block, so waddr[7:6] selects the block and K bits the word.
     wire near = waddr[9:8] == 2'd0 && waddr[5:0] >> K == 6'd0;
     wire hit = write && whole && near;
     wire [K:0] at = {1'b0, waddr[K-1:0]};

@@ -11,7 +11,7 @@ module register_crossing (
     input  wire rst,
     input  wire start,
     output wire busy,
-    output wire capture,    // the result stands and has stood for two clocks
+    output wire capture,    // the result has not changed for two clocks
     output wire finished,
     input  wire core_clk,
     output wire core_rst,
