@@ -172,12 +172,12 @@ class _Proof:
 
     def statement(self, one: Statement) -> None:
         """The words of a statement."""
-        name = one.names[0] if one.names else "check"
+        name = one.names[0] if one.names else one.kind
         if one.kind in ("sum", "reach"):
             interval = self.word(one, name, one.sums[0])
             self.range[name] = (0.0, interval[1]) if one.kind == "reach" else interval
             self.trace(name, one.sums[0])
-        elif one.kind == "check":
+        elif one.kind in ("check", "near", "far"):
             if max(map(abs, interval := self.sum(one.sums[0]))) >= CHECKED:
                 self.wrong(one, name, interval, f"and a sum is below {CHECKED:g}")
         elif one.kind == "unit":
