@@ -38,11 +38,16 @@ def config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: float, c
     """
     words = {f"cfg_{name}": round(value * 2.0 ** (p["F"] + MORE)) for name, value in
              (("a1", a1), ("b", b), ("c1", c1), ("c2", c2), ("c4", c4), ("k", math.hypot(a2, c3)))}
-    double = max(2 * words["cfg_c2"] * words["cfg_k"] * 2.0 ** (-2 * p["W"] - 2 * MORE), 2.0**-20)
-    e = max(math.floor(-math.log2(double)) + 1, 1)
     psi = math.atan2(a2, c3)
-    return words | {"cfg_cp": round(ONE * math.cos(psi)), "cfg_np": round(ONE * math.sin(psi)),
-                    "cfg_r": min(math.floor(ONE / double / 2**e), ONE - 1), "cfg_e": 1 << e}
+    return words | {"cfg_cp": round(ONE * math.cos(psi)), "cfg_np": round(ONE * math.sin(psi))} | triangle(
+        p, words["cfg_c2"], words["cfg_k"])
+
+
+def triangle(p: Params, one: int, two: int) -> dict[str, int]:
+    """`cfg_r` and `cfg_e` of two links in 2^-4 LSB: their product is the reciprocal of twice that of the links."""
+    double = max(2 * one * two * 2.0 ** (-2 * p["W"] - 2 * MORE), 2.0**-20)
+    e = max(math.floor(-math.log2(double)) + 1, 1)
+    return {"cfg_r": min(math.floor(ONE / double / 2**e), ONE - 1), "cfg_e": 1 << e}
 
 
 def forward_config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: float, c3: float,

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from quadrance import six, truth_six
+from quadrance import six, truth_six, ur
 from quadrance.cli import main
 from quadrance.cores import ROOT, RTL, find
 from quadrance.program import assembler, lines, meaning, parser, ranges, schedule, table
@@ -247,6 +247,16 @@ def test_no_word_leaves_the_range_that_is_proved(path):
             assert np.all((words[name] >= low - 1e-6) & (words[name] <= high + 1e-6)), name
     widest = max(np.abs(words[name]).max() for name in found if name in words and name not in program.inputs)
     assert widest > 1.2  # the samples reach far
+
+
+@pytest.mark.parametrize(("old", "new", "says"), [
+    ("near c1 (", "near c4 (", "c4 is no direction that is held"),
+    ("far c3 (", "far c5 (", "c5 is no word of clamp above this line"),
+    ("near c2 (", "near c1 (", "a second near of c1"),
+    ("near c2 (k2*k2 - m*m)", "near c2 k2*k2", "( is expected at k2")])
+def test_what_margins_speak_of(old, new, says):
+    text = ur.INVERSE.read_text()
+    assert text.count(old) == 1 and says in refusal(text.replace(old, new))
 
 
 def test_a_matrix_that_is_longer_than_its_norm_is_refused():

@@ -7,7 +7,7 @@ import inspect
 import math
 
 from quadrance import arm as arm_model
-from quadrance import arm_keep, six
+from quadrance import arm_keep, six, ur
 from quadrance.arms import Arm, ArmError
 from quadrance.cores import Core, Joint, joints
 from quadrance.fixed import to_fixed, to_float
@@ -83,6 +83,10 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
     if core.family == "six":
         derive = six.forward_config if function.startswith("fk6") else six.config
         return derive(p, **{name: length / arm.mm_per_unit for name, length in arm.six.items()})
+    if core.family == "ur":
+        lengths = {name: length / arm.mm_per_unit for name, length in arm.ur.items()}
+        margin = (arm.singular[1] or 0.0) / arm.mm_per_unit
+        return ur.forward_config(p, **lengths) if function == "ur_fk" else ur.config(p, **lengths, margin=margin)
     if function in ("arm_fk3", "arm_ik3"):
         return arm_model.words(p, arm, inverse=function == "arm_ik3")
     if function == "keep3":
