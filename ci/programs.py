@@ -285,6 +285,8 @@ MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
     **{f"vector_ik6_program{grade}": product(range(2, 14)) for grade in GRADES},
     **{f"vector_ik6_all_program{grade}": product(range(48, 64)) for grade in GRADES},
     **{f"vector_fk6_program{grade}": product(range(2, 14), roots=False) for grade in GRADES},
+    **{f"vector_velocity6_program{grade}": product(range(2, 8), roots=False) for grade in GRADES},
+    **{f"vector_rates6_program{grade}": product(range(2, 11)) for grade in GRADES},
     **{f"vector_ur_ik_program{grade}": product(range(2, 14)) for grade in GRADES},
     **{f"vector_ur_ik_all_program{grade}": product(range(48, 64)) for grade in GRADES},
     **{f"vector_ur_fk_program{grade}": product(range(2, 14), roots=False) for grade in GRADES}}

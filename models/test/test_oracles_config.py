@@ -205,6 +205,25 @@ def test_words_of_six_axes_forward(core):
                for name, value in lengths.items())
 
 
+@oracle("six.velocity6", "six.rates6", cfg=("a1", "a2", "b", "c2", "c3", "c4", "radius", "elbow", "sine"))
+def test_words_of_six_rates(core):
+    """Lengths in 2^-4 LSB; thresholds: a distance in LSB, k times the sine of an angle in LSB, that sine in 2^-U."""
+    p = core.params
+    lengths = {"a1": 0.13, "a2": -0.077, "b": 0.111, "c2": 0.325, "c3": 0.29, "c4": -0.06}
+    lengths = {name: value * 2 ** (p["W"] - 1 - p["F"]) for name, value in lengths.items()}
+    if core.function == "velocity6":
+        found = six.motion_config(p, **lengths)
+    else:
+        radius, angle = lengths["c2"] / 7, 0.0731
+        found = six.rates_config(p, **lengths, radius=radius, angle=angle)
+        k = mpmath.hypot(lengths["a2"], lengths["c3"])
+        for name, value in (("radius", radius * 2 ** p["F"]), ("elbow", k * mpmath.sin(angle) * 2 ** p["F"]),
+                            ("sine", mpmath.sin(angle) * 2 ** p["U"])):
+            assert abs(found.pop(f"cfg_{name}") - value) <= 0.5
+    assert found.keys() == {f"cfg_{name}" for name in lengths}
+    assert all(abs(found[f"cfg_{name}"] - value * 2 ** (p["F"] + 4)) <= 0.5 for name, value in lengths.items())
+
+
 @oracle("six.ik6", "six.ik6_all", "six.ik6_to_angles", cfg=("a1", "b", "c1", "c2", "c4", "k", "cp", "np", "r", "e"))
 def test_words_of_six_axes(core):
     """Lengths in 2^-4 LSB, k = sqrt(a2^2 + c3^2) in the direction psi = atan2(a2, c3); r e = 1 / 2 c2 k, never more."""

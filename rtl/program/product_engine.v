@@ -14,7 +14,8 @@ module product_engine #(
     parameter ROOTS = 1,   // 0 or 1 (default 1); 0: sums only, without ACT, ALIGN and root tables
     parameter WRIST = 12,  // lowest bit that counts with act WRIST, 0 to 25 (default 12, 8 units of 2^-16)
     parameter SLACK = 13,  // lowest bit that is an error with act CHECK, 0 to 25 (default 13, 16 units of 2^-16)
-    parameter MARGINS = 0  // 0 or 1 (default 0); 1: with NEAR (CHECK | WRIST), OVER (CHECK | FAR), C of HOLD
+    parameter MARGINS = 0,    // 0 or 1 (default 0); 1: with NEAR (CHECK | WRIST), OVER (CHECK | FAR), C of HOLD
+    parameter QUOTIENTS = 0  // 0 or 1 (default 0); 1: in_start clears the outcome of FAR
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -228,6 +229,9 @@ module product_engine #(
                     long <= low ? long || wide : !sum[31] && sum[30:29] != 2'd0;
                     sign <= low && minus1 && !long;
                 end
+                if (QUOTIENTS != 0)
+                    if (in_start)
+                        long <= 1'b0;
                 if (MARGINS != 0)
                     if (overs) begin  // a clamp at -1 is told by itself, one at 1 by this sum
                         long <= long && sign || sum[31];

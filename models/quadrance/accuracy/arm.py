@@ -80,6 +80,12 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
         For a core with words that no arm file says.
     """
     p, function = core.params, core.function
+    if core.family == "six" and function in ("velocity6", "rates6"):
+        lengths = {name: length / arm.mm_per_unit for name, length in arm.six.items() if name != "c1"}
+        if function == "velocity6":
+            return six.motion_config(p, **lengths)
+        angle, radius = (_said(arm, f"singular.{key}", value) for key, value in zip(("elbow", "axis"), arm.singular))
+        return six.rates_config(p, **lengths, radius=radius / arm.mm_per_unit, angle=math.radians(angle))
     if core.family == "six":
         derive = six.forward_config if function.startswith("fk6") else six.config
         return derive(p, **{name: length / arm.mm_per_unit for name, length in arm.six.items()})

@@ -141,6 +141,8 @@ def _velocity(core: Core, arm: Arm, machine: list[tuple[Joint, str]]) -> Around:
     plain = [(replace(joint, zero=0.0), less.replace("j", "w")) for joint, less in machine]
     named = [(replace(joint, name=f"rate({joint.name})"), less) for joint, less in plain]
     remarks = ("the core has no offsets; base height needs none",)
+    if core.family == "six":
+        remarks = ("velocity and turn are those of the flange in the frame of the base",)
     if core.function in PLANE and arm.yaws:
         remarks = ("x and y of the core are the rates of rho and z in the arm's plane; offsets change neither",)
     yawing = core.function in SPACE and bool(a or b)

@@ -198,9 +198,12 @@ def scale_of(core: Core, port: Port) -> tuple[int, str] | None:
         return p["F"], "units"
     if core.family == "six" and side == "cfg" and re.fullmatch(r"[abc]\d?|k", plain):
         return p["F"] + six.MORE, "units"
+    if core.family == "six" and (plain in ("vx", "vy", "vz", "d1", "d3") or side == "cfg" and plain in (
+            "radius", "elbow")):
+        return p["F"], "units"
     if core.family == "arm" and side == "cfg" and plain in ("base", "shoulder", "lateral", "elbow", "radius"):
         return p["F"], "units"
-    if "V" in p and re.fullmatch(r"w\d", plain):
+    if "V" in p and re.fullmatch(r"w[\dxyz]", plain):
         return p["V"], "rad"
     if "U" in p and re.fullmatch(r"r\d\d", plain):
         return p["U"], "1"

@@ -79,6 +79,8 @@ def _units(program: Program) -> None:
         _once(program, [one for one in program.statements if one.hold == hold], f"direction of {hold}")
     results = {port.name for port in program.results}
     for one in program.statements:
+        if one.kind == "quotient" and any(other.kind in ("reach", "clamp") for other in program.statements):
+            raise program.wrong(one.line, "a quotient beside reach or clamp: it changes the status bit of those")
         if "-" in one.signs and program.signs:
             raise program.wrong(one.line, "a minus beside sign inputs: the engine has it as one of them")
         if one.kind == "reach":

@@ -241,6 +241,25 @@ class _Lowering:
             self.add(Line(f"{name} = {g} * {word}", REG, g, word, dest=name, hold=hold,
                           acts={"HOLD"} if one.hold else set(), root=root if one.hold else -1, own=one.keep))
 
+    def _quotient(self, one: Statement) -> None:
+        fold, root, first = self.group("fold"), self.group("root"), one.names[0]
+        up, g, sign, inverse = (added(first, part) for part in "xgsi")
+        x = self.folded((Term(False, one.source[0]),), added(first, "d"), fold)
+        self.add(Line(f"{up} = {x} 2^s", REG, x, by="POWER", align="LOW", dest=up, fold=fold))
+        self.add(Line(f"{up}^2", REG, up, up, acts={"ROOT"}, fold=fold, root=root))
+        self.add(Line(f"{g} = 1 / root", TABLE, "", by="SLOPE", align="MID", dest=g, root=root))
+        self.add(Line(f"{sign} = {g} * {up}", REG, g, up, dest=sign))
+        self.add(Line(f"{inverse} = {sign} * {g}", REG, sign, g, dest=inverse))
+        for name, terms in zip(one.names, one.sums):
+            far, (dividend, whole, kept) = self.group("far"), (added(name, part) for part in "nwc")
+            at = self.sum(terms, dividend, dividend)
+            self.lines[at].acts.add("FAR")
+            self.lines[at].far = far
+            self.add(Line(f"{whole} = {dividend} 2^s", REG, dividend, by="POWER", align="LOW", dest=whole,
+                          acts={"FAR"}, fold=fold, far=far))
+            self.add(Line(f"{kept} = limit {whole}", REG, whole, by="PLUS", acts={"CLAMP"}, dest=kept, far=far))
+            self.add(Line(f"{name} = {inverse} * {kept}", REG, inverse, kept, dest=name))
+
     def _clamp(self, one: Statement) -> None:
         name, far = one.names[0], self.group("far")
         gap, scaled, product = (added(name, part) for part in "drp")

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
-from quadrance.product_engine import ONE, G, H, N, dot, fold, root, rounded, sum_of, term, unit
+from quadrance.product_engine import ONE, G, H, N, dot, fold, low, power_of, reciprocal, root, rounded, sum_of, term, unit
 from quadrance.program import language
 from quadrance.program.language import Program, Statement
 
@@ -23,8 +23,8 @@ MORE = 4  # fraction bits of a configured length below the LSB of a coordinate
 
 def shift(format: str, p: Params) -> int:
     """Bits by which a word of a format is shifted to 25 fraction bits; a power of two is not."""
-    return {"vector": H - p.get("U", H), "coordinate": H - p.get("W", H), "length": H - p.get("W", H) - MORE}.get(
-        format, 0)
+    return {"vector": H - p.get("U", H), "coordinate": H - p.get("W", H), "length": H - p.get("W", H) - MORE,
+            "velocity": H - 2 * p.get("W", H) + p.get("V", H)}.get(format, 0)
 
 
 def floor(p: Params) -> int:
@@ -88,10 +88,26 @@ class Fixed:
         a, b, g, none = unit(a, b, self.wrist if wrist else 0, minus)
         return dot((a, g)), dot((b, g)), none
 
+    def quotients(self, totals: list[Value], divisor: Value) -> tuple[list[Value], Bools]:
+        """Words from -1 to 1, and where one was limited, from 1/2 to 1 on; 0 where the divisor is 0."""
+        power = power_of(fold(divisor))
+        up = low(divisor, power)
+        g = reciprocal(sum_of(term(up, up)) >> 12)
+        inverse = dot((dot((g, up)), g))
+        found, limited = [], np.False_
+        for total in totals:
+            word, outside = self.limited(total, rounded(total) * power)
+            found.append(dot((inverse, word)))
+            limited = limited | outside
+        return found, limited
+
     def clamp(self, total: Value, fraction: Value, power: Value) -> tuple[Value, Bools]:
         """A word from -1 to 1, and where the product lies beyond."""
+        return self.limited(total, dot((rounded(total), fraction)) * power)
+
+    def limited(self, total: Value, product: Value) -> tuple[Value, Bools]:
+        """A product of a sum, from -1 to 1, and where it, or the sum above, lies beyond."""
         long = total >> G >= 1 << N - 1
-        product = dot((rounded(total), fraction)) * power
         outside = long | (product < -ONE) | (product >= ONE)
         return np.where(outside, np.where((product < 0) & ~long, -ONE, ONE), wrap(product, N)), outside
 
@@ -122,6 +138,11 @@ class Real:
         none = length < self.none
         g = np.where(minus, -1, 1) / np.where(none, 1, length)
         return a * g, b * g, none
+
+    def quotients(self, totals: list[Value], divisor: Value) -> tuple[list[Value], Bools]:
+        inverse = np.where(divisor == 0, 0, 1 / np.where(divisor == 0, 1, divisor))
+        found = [total * inverse for total in totals]
+        return [np.clip(one, -1, 1) for one in found], np.any(np.abs(np.broadcast_arrays(*found)) > 1, axis=0)
 
     def clamp(self, total: Value, fraction: Value, power: Value) -> tuple[Value, Bools]:
         product = total * fraction * power
@@ -180,6 +201,11 @@ class _Walk:
                 outcome.near.setdefault(one.of, []).append(self.total(one) < 0)
             case "far":
                 outcome.beyond[one.of] = outcome.beyond[one.of] | (self.total(one) < 0)
+            case "quotient":
+                totals = [self.total(one, which) for which in range(len(one.sums))]
+                found, limited = self.on.quotients(totals, self.word(one.source[0]))
+                outcome.beyond[one.names[0]] = limited
+                words |= zip(one.names, found)
             case "unit" if one.hold:
                 self.hold(self.held[one.hold])
             case "unit":
@@ -235,7 +261,7 @@ def results(program: Program, p: Params, words: dict[str, Ints]) -> tuple[dict[s
     """Words of the result ports, each rounded to its format, ties upward, and where a coordinate was saturated."""
     found, overflow = {}, ints(0)
     for port in program.results:
-        if port.format == "coordinate":
+        if port.format in ("coordinate", "velocity"):
             found[port.port], over = saturate(round_shift(words[port.name], shift(port.format, p)), p["W"])
             overflow = overflow | over
         else:

@@ -20,7 +20,7 @@ RESERVED = set("""in cfg sign norm argue out order reach check near far emit fla
 SIGNS = 3  # bits of in_signs
 ARGUED = 3  # words of a program whose range may be argued
 
-_TOKEN = re.compile(r"\s*(?:([A-Za-z_]\w*)|(\d+(?:\.\d*)?|\.\d+)|(<=|[-+*=(),]))")
+_TOKEN = re.compile(r"\s*(?:([A-Za-z_]\w*)|(\d+(?:\.\d*)?|\.\d+)|(<=|[-+*/=(),]))")
 _NAME = re.compile(rf"[a-z][a-z0-9]{{0,{LIMITS['name'] - 1}}}")
 _LOOP = re.compile(r"for ([a-z][a-z0-9]*) in ([a-z0-9+\- ]+):")
 
@@ -211,6 +211,8 @@ def _statement(program: Program, tokens: _Tokens, text: str) -> Statement:
     tokens.take("=")
     if tokens.next in ("root", "unit", "clamp") and kind == "sum":
         return {"root": _root, "unit": _unit, "clamp": _clamp}[tokens.take()](program, tokens, text, tuple(names))
+    if tokens.next == "(" and kind == "sum":
+        return _quotient(tokens, text, tuple(names))
     if len(names) > 1:
         raise tokens.wrong("one name is expected before = of a sum")
     return Statement(line, text, kind, tuple(names), (tokens.sum(),))
@@ -241,6 +243,16 @@ def _unit(program: Program, tokens: _Tokens, text: str, names: tuple[str, ...]) 
         hold = tokens.name() if tokens.next else names[0]
     return Statement(tokens.line, text, "unit", names, (first, second), signs=(sign,), wrist=wrist, hold=hold,
                      keep=how == "keep")
+
+
+def _quotient(tokens: _Tokens, text: str, names: tuple[str, ...]) -> Statement:
+    sums = []
+    for before in ("(", *"," * (len(names) - 1)):
+        tokens.take(before)
+        sums.append(tokens.sum())
+    tokens.take(")")
+    tokens.take("/")
+    return Statement(tokens.line, text, "quotient", names, tuple(sums), source=(tokens.name(),))
 
 
 def _emit(tokens: _Tokens, text: str) -> Statement:

@@ -233,8 +233,16 @@ def _kept(words: Sequence[int], made: Program, pipe: int) -> list[str]:
     return wrong
 
 
+def _limited(words: Sequence[int], made: Program) -> list[str]:
+    """CLAMP asks whether the newest FAR was beyond: it must be that of the word which the line limits."""
+    return [f"line {number + 1} '{line.label}': CLAMP asks for another FAR than its word's"
+            for number, line in enumerate(made.lines) if fields(words[number])["act"] & CLAMP
+            and _writers(made, number, (LONG,)) != _writers(made, number, {*range(64), WORD})]
+
+
 def check(words: Sequence[int], labels: Sequence[str] = (), names: Sequence[dict[str, str]] = (),
           results: frozenset[int] = frozenset(), roots: bool = True, pipe: int = 0) -> list[str]:
     """What is wrong with a program of control words; empty for a sound one. Parameters as for `program`."""
     made = program(words, labels, names, results, roots, pipe)
-    return soundness(made) + _partial(words, made) + _held(words, made) + _whole(words, made) + _kept(words, made, pipe)
+    return (soundness(made) + _partial(words, made) + _held(words, made) + _whole(words, made)
+            + _kept(words, made, pipe) + _limited(words, made))
