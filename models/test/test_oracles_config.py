@@ -20,6 +20,7 @@ from quadrance import (
     rational,
     six,
     table,
+    tool,
 )
 from quadrance.iterative import newton_fixed
 from quadrance.parallel import geometry
@@ -203,6 +204,16 @@ def test_words_of_six_axes_forward(core):
     assert found.keys() == {f"cfg_{name}" for name in lengths}
     assert all(abs(found[f"cfg_{name}"] - value * 2 ** (core.params["F"] + 4)) <= 0.5
                for name, value in lengths.items())
+
+
+@oracle("tool.xyzac", "tool.xyzbc", cfg=("xr", "yr", "d", "zs"))
+def test_words_of_machine_tools(core):
+    """Lengths in LSB; the height of the axis, its offset and the tool's length are added before the rounding."""
+    p = core.params
+    found = tool.config(p, x_rot=1.2345, y_rot=-2.71, z_rot=3.3, offset=0.123, z_offset=-7.7, tool=20.004)
+    exact = {"cfg_xr": 1.2345, "cfg_yr": -2.71, "cfg_d": 0.123, "cfg_zs": 15.604}
+    assert found.keys() == exact.keys()
+    assert all(abs(word - exact[name] * 2 ** p["F"]) <= 0.5 for name, word in found.items())
 
 
 @oracle("six.velocity6", "six.rates6", cfg=("a1", "a2", "b", "c2", "c3", "c4", "radius", "elbow", "sine"))

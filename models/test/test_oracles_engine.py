@@ -412,6 +412,27 @@ def test_the_edge_of_a_tip_of_six_axes(core):
             assert found[axis] == min(max(want, -half), half - 1)
 
 
+@oracle("tool.xyzac", "tool.xyzbc", status=("overflow",))
+def test_the_edge_of_a_machine_tool(core):
+    """Both tables at 0: the axes are the point's; with the tilt at a quarter of a turn they are exchanged."""
+    p, half = core.params, 1 << core.params["W"] - 1
+    one, tilt = 1 << p["U"], core.function[3]
+    flat = {f"c{tilt}": one, f"n{tilt}": 0, "cc": one, "nc": 0}
+    upright = flat | {f"c{tilt}": 0, f"n{tilt}": one}
+    axis, sign = ("y", -1) if tilt == "a" else ("x", 1)
+    cfg = {"xr": 5, "yr": -9, "d": half // 8, "zs": -sign * (half // 4)}
+    point = {"x": half - 1, "y": -half, "z": half - 3}
+    assert ask(core, [flat | point], cfg)[0] == point | {"status": 0}
+    centre = cfg["d"] + cfg[f"{axis}r"]
+    for off, over in ((0, False), (1, True)):
+        high = upright | {"x": 0, "y": 0, "z": cfg["zs"] + sign * (half - 1 + off - centre)}
+        answer = ask(core, [high], cfg)[0]
+        assert abs(high["z"]) < half and (answer[axis], bool(answer["status"])) == (half - 1, over)
+    low = upright | {"x": 0, "y": 0, "z": cfg["zs"]} | {axis: -half}
+    rise = (-half - centre) * -sign  # the level of the point on the tilted table
+    assert ask(core, [low], cfg)[0]["z"] == min(max(cfg["zs"] + rise, -half), half - 1)
+
+
 @oracle("six.velocity6", "six.rates6", status=("singular", "overflow"))
 def test_motions_of_an_arm_with_a_square_elbow(core):
     """q = (0, 0, 90, 0, 90) degrees, c2 = c3 = c, no offset and no flange: the wrist is at (c, 0, c), axis 5 along y.

@@ -58,7 +58,7 @@ class Motion:
 @ROBOTS
 @cores(FORWARD)
 def test_velocity(core, robot):
-    """Within its law of the chain's Jacobian; saturated where that is beyond the word, and never unflagged."""
+    """Within its law of the Jacobian of the chain; saturated where that is beyond the word, and never unflagged."""
     p, one = core.params, Motion(core.params, robot, 2000, 1)
     rates = np.rint(one.rates(0.4) * 2.0 ** p["V"]).astype(np.int64)
     answer = core.model(p, **one.words, **{f"in_w{i + 1}": rates[:, i] for i in range(6)},

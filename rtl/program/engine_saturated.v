@@ -8,7 +8,7 @@
 module engine_saturated #(
     parameter COUNT = 3,  // words, 1 to 62 (default 3)
     parameter FIRST = 2,  // register of the first word, 2 to 64 - COUNT (default 2)
-    parameter W = 16,     // bits of a word, 4 to 16 (default 16)
+    parameter W = 16,     // bits of a word, 4 to 22, with FINE at most 24 (default 16)
     parameter FINE = 0    // fraction bits of a word beyond W, 0 to 8 (default 0)
 ) (
     input  wire               clk,
@@ -19,8 +19,9 @@ module engine_saturated #(
     output reg                out_over
 );
     generate
-        if (COUNT < 1 || FIRST < 2 || FIRST + COUNT > 64 || W < 4 || W > 16 || FINE < 0 || FINE > 8) begin : g_illegal
-            engine_saturated_needs_COUNT_from_1_FIRST_from_2_both_to_64_W_from_4_to_16_and_FINE_from_0_to_8 rule ();
+        if (COUNT < 1 || FIRST < 2 || FIRST + COUNT > 64 || W < 4 || W > 22 || FINE < 0 || FINE > 8
+            || W + FINE > 24) begin : g_illegal
+            engine_saturated_needs_COUNT_from_1_FIRST_from_2_both_to_64_W_from_4_to_22_FINE_to_8_both_to_24 rule ();
         end
     endgenerate
 

@@ -382,7 +382,7 @@ def test_the_printed_instance_is_the_arm(core: Core) -> None:
 def kind(core: Core) -> str:
     """Which case and judge a core has."""
     if core.function.startswith(("velocity", "rates")):
-        return core.function[:-1]
+        return "six_" * (core.family == "six") + core.function[:-1]
     if core.family == "six":
         return "six_" + core.function[:2]
     if core.family == "ur":
@@ -724,12 +724,74 @@ def velocity_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dic
     return off, law + words
 
 
+# Velocities of six axes
+
+
+def jacobian(arm: Machine, angles: dict[str, Floats]) -> Floats:
+    """(N, 6, 6) velocity (mm) and turn (radians) of the flange for a rate of each joint of the machine."""
+    step, columns = 1e-4, []
+    here = arm.chain(angles, links=6)[:, :3, :3]
+    for name, angle in angles.items():
+        ahead, behind = (arm.chain(angles | {name: angle + sign * math.degrees(step)}, links=6) for sign in (1, -1))
+        change = (ahead - behind)[:, :3] / (2 * step)
+        spin = change[:, :, :3] @ np.swapaxes(here, 1, 2)
+        columns.append(np.concatenate([change[:, :, 3], np.stack([spin[:, 2, 1], spin[:, 0, 2], spin[:, 1, 0]], 1)], 1))
+    return np.stack(columns, axis=2)
+
+
+def six_motion_case(core: Core, arm: Machine, text: Printed, rng: np.random.Generator) -> dict:
+    unit = 2.0 ** -core.params["V"]
+    angles = exact(text, core, arm.sample(FEW // 2, rng))
+    rates = {name: np.rint(rng.uniform(-0.5, 0.5, FEW // 2) / unit) * unit for name in angles}
+    names = followed(text.before, angles | {f"rate({name})": rate for name, rate in rates.items()})
+    matrix, words = jacobian(arm, angles), joint_words(core, names)
+    scale = np.repeat([lsb(core, arm), unit], 3)
+    tip = (matrix @ np.stack(list(rates.values()), axis=1)[..., None])[..., 0]
+    if core.function == "velocity6":
+        words |= {f"in_w{i}": np.rint(names[f"w{i}"] / unit).astype(np.int64) for i in range(1, 7)}
+    else:
+        tip = np.rint(tip / scale) * scale
+        words |= {f"in_{axis}": np.rint(tip[:, i] / scale[i]).astype(np.int64)
+                  for i, axis in enumerate(("vx", "vy", "vz", "wx", "wy", "wz"))}
+    q = np.radians(np.stack([names[f"j{i}"] for i in range(1, 6)] + [0 * names["j1"]], axis=1))
+    return {"rates": rates, "tip": tip, "matrix": matrix, "q": q, "scale": scale, "words": words}
+
+
+def six_velocity_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -> tuple[Floats, Floats]:
+    found = np.stack([out[f"out_{axis}"] for axis in ("vx", "vy", "vz", "wx", "wy", "wz")], axis=1)
+    rates = np.stack([case["words"][f"in_w{i}"] for i in range(1, 7)], axis=1) * 2.0 ** -core.params["V"]
+    laws = six_bounds.velocity(core.params, seven(core, arm), rates)
+    assert not out["out_status"].any()
+    return (np.abs(found - case["tip"] / case["scale"]) / np.repeat(np.stack(laws, axis=1), 3, axis=1)).max(axis=1), \
+        np.ones(len(found))
+
+
+def six_rates_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -> tuple[Floats, Floats]:
+    p, step = core.params, case["scale"][0]
+    given = {f"w{i}": out[f"out_w{i}"] * 2.0 ** -p["V"] for i in range(1, 7)}
+    known = followed(text.after, given)
+    found = np.stack([known[f"rate_{name}"] for name in case["rates"]], axis=1)
+    want = np.linalg.solve(case["matrix"], case["tip"][..., None])[..., 0]
+    motion = case["tip"] / np.repeat([step, 1.0], 3)
+    law = six_bounds.rates(p, seven(core, arm), case["q"], motion, np.abs(want))
+    off = (np.abs(found - want) * 2.0 ** p["V"] / law).max(axis=1)
+    near, k = arm.file["singular"], math.hypot(arm.key("links", "l2"), arm.key("constants", "elbow"))
+    sine = math.sin(math.radians(near["elbow"]))
+    for word, value in (("radius", near["axis"] / step), ("elbow", k * sine / step), ("sine", sine * 2 ** p["U"])):
+        assert abs(text.words[f"cfg_{word}"] - value) <= 0.5
+    regular = out["out_status"] == 0
+    assert regular.mean() > 0.5
+    return np.where(regular, off, 0), np.ones(len(off))
+
+
 CASES = {"fk": forward_case, "ik": inverse_case, "keep": inverse_case, "six_fk": forward_case,
          "six_ik": six_inverse_case, "ur_fk": forward_case, "ur_ik": ur_inverse_case,
-         "velocity": velocity_case, "rates": velocity_case}
+         "velocity": velocity_case, "rates": velocity_case,
+         "six_velocity": six_motion_case, "six_rates": six_motion_case}
 JUDGES = {"fk": forward_judge, "ik": inverse_judge, "keep": keep_judge, "six_fk": six_forward_judge,
           "six_ik": six_inverse_judge, "ur_fk": ur_forward_judge, "ur_ik": ur_inverse_judge,
-          "velocity": velocity_judge, "rates": velocity_judge}
+          "velocity": velocity_judge, "rates": velocity_judge,
+          "six_velocity": six_velocity_judge, "six_rates": six_rates_judge}
 
 
 def test_every_other_core_refuses_an_arm() -> None:

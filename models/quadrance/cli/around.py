@@ -137,7 +137,7 @@ def _target(core: Core, arm: Arm) -> tuple[tuple[str, ...], str, tuple[str, ...]
 def _velocity(core: Core, arm: Arm, machine: list[tuple[Joint, str]]) -> Around:
     """Rates of the machine's joints, and what the offsets add to the velocity of a plane that yaws."""
     a, b = arm.shoulder, arm.lateral
-    angles = tuple(_taken(i, *one) for i, one in enumerate(machine, 1))
+    angles = tuple(_taken(i, *one) for i, one in enumerate(machine[:5], 1))  # that of joint 6 does not matter
     plain = [(replace(joint, zero=0.0), less.replace("j", "w")) for joint, less in machine]
     named = [(replace(joint, name=f"rate({joint.name})"), less) for joint, less in plain]
     remarks = ("the core has no offsets; base height needs none",)

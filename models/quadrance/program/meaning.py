@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
-from quadrance.product_engine import ONE, G, H, N, dot, fold, low, power_of, reciprocal, root, rounded, sum_of, term, unit
+from quadrance.product_engine import ONE, G, H, N, dot, fold, inverse, root, rounded, sum_of, term, unit
 from quadrance.program import language
 from quadrance.program.language import Program, Statement
 
@@ -90,14 +90,11 @@ class Fixed:
 
     def quotients(self, totals: list[Value], divisor: Value) -> tuple[list[Value], Bools]:
         """Words from -1 to 1, and where one was limited, from 1/2 to 1 on; 0 where the divisor is 0."""
-        power = power_of(fold(divisor))
-        up = low(divisor, power)
-        g = reciprocal(sum_of(term(up, up)) >> 12)
-        inverse = dot((dot((g, up)), g))
+        up, power = inverse(divisor)
         found, limited = [], np.False_
         for total in totals:
             word, outside = self.limited(total, rounded(total) * power)
-            found.append(dot((inverse, word)))
+            found.append(dot((up, word)))
             limited = limited | outside
         return found, limited
 

@@ -16,7 +16,8 @@ from quadrance.program.language import ONE, Program, Statement, Sum, Term
 Interval = tuple[float, float]
 # Words and `of`, with norm(words) <= factor * norm(of)
 Part = tuple[frozenset[str], tuple[str, ...], float]
-FORMATS: dict[str, Interval] = {"vector": (-2, 2), "coordinate": (-0.5, 0.5), "velocity": (-0.5, 0.5), "length": (-0.5, 0.5), "word": (-2, 2),
+FORMATS: dict[str, Interval] = {"vector": (-2, 2), "coordinate": (-0.5, 0.5), "velocity": (-0.5, 0.5),
+                                "length": (-0.5, 0.5), "word": (-2, 2),
                                 "fraction": (0, 1), "power": (0, 1)}
 UNIT = 1 + 2.0**-14  # length of what a reciprocal root has normalised
 CHECKED = 8.0  # the engine's sum wraps there, and a check is of the sum
