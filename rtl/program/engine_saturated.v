@@ -28,19 +28,19 @@ module engine_saturated #(
     wire [W+FINE+3:0] near = {in_word[26], in_word[26:24-W-FINE]} + 1'b1;
     wire              over = near[W+FINE+3:W] != {(FINE+4){near[W+FINE+3]}};
     wire [W-1:0]      word = over ? {near[W+FINE+3], {(W-1){!near[W+FINE+3]}}} : near[W:1];
-    wire [COUNT-1:0]  here;
+    localparam [31:0] START = FIRST, LAST = FIRST + COUNT - 1;
+    wire              here = in_dest >= START[5:0] && in_dest <= LAST[5:0];
     wire              unused = &{1'b0, near[0], in_word};
     genvar i;
     generate
         for (i = 0; i < COUNT; i = i + 1) begin : g_word
             localparam [31:0] DEST = FIRST + i;
-            assign here[i] = in_dest == DEST[5:0];
             always @(posedge clk)
-                if (here[i])
+                if (in_dest == DEST[5:0])
                     out_words[W*i +: W] <= word;
         end
     endgenerate
     always @(posedge clk)
-        out_over <= !in_start && (out_over || over && here != {COUNT{1'b0}});
+        out_over <= !in_start && (out_over || over && here);
 endmodule
 `default_nettype wire
