@@ -4,7 +4,7 @@
 // Formats: in_c*, in_n* s2.U; in_w1 to in_w6 and out_wx, out_wy, out_wz s(W-V).V, radians in a unit of time; out_vx,
 // out_vy, out_vz s(W-F).F in that unit; cfg_* lengths s(W-F).(F+4), by six.motion_config; results are rounded to
 // nearest (ties upward) and saturated.
-// Error: bounds.six.velocity, in LSB 1/2 + 24 2^(W-25) of a turn and 1/2 + 60 2^(2W-V-25) of a velocity, and what the
+// Error: bounds.six.velocity, in LSB 1/2 + 6 2^(W-25) of a turn and 1/2 + 12 2^(2W-V-25) of a velocity, and what the
 // lengths of the vectors make of them. Latency and II: 56. Status: overflow (a word was saturated).
 // Source: Brandstoetter, Angerer, Hofbaur 2014, differentiated. Model: six.velocity6
 `default_nettype none
