@@ -73,16 +73,20 @@ module vector_rates6 #(
     wire [5:0]  dest;
     assign      in_ready = idle && (!out_valid || out_ready);
     generate
-        if (PIPE == 0) begin : g_program
-            vector_rates6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end else if (PIPE == 1) begin : g_program
-            vector_rates6_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end else begin : g_program
-            vector_rates6_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end
+        case (PIPE)
+            0: begin : g_program
+                vector_rates6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+            1: begin : g_program
+                vector_rates6_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+            default: begin : g_program
+                vector_rates6_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+        endcase
     endgenerate
 
     six_motion #(.W(W), .U(U), .FINE(W-V)) operands (.clk(clk), .in_take(accept),
@@ -90,8 +94,8 @@ module vector_rates6 #(
         .in_motion({in_wz, in_wy, in_wx, in_vz, in_vy, in_vx}),
         .in_lengths({cfg_c4, cfg_c3, cfg_c2, cfg_b, cfg_a2, cfg_a1}), .in_select(op[43:39]), .out_word(port));
     wire [3:0] flags;
-    product_engine #(.PIPE(PIPE), .QUOTIENTS(1)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle), .in_op(op),
-        .in_port(port), .in_signs(3'd0), .out_word(word), .out_dest(dest), .out_status(flags));
+    product_engine #(.PIPE(PIPE), .QUOTIENTS(1)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
+        .in_op(op), .in_port(port), .in_signs(3'd0), .out_word(word), .out_dest(dest), .out_status(flags));
 
     localparam [5:0] D5 = 6'd2, D1 = 6'd9, D3 = 6'd10;
     wire over;  // a word was saturated
@@ -109,7 +113,7 @@ module vector_rates6 #(
     wire         unused = &{1'b0, flags[3:1]};
     always @(posedge clk) begin
         singular  <= !accept && (singular || near && (dest == D1 || dest == D3 || dest == D5));
-        limited   <= !accept && (limited || flags[0]);  // the engine has limited a quotient
+        limited   <= !accept && (limited || flags[0] && !idle);  // the engine has limited a quotient
         out_valid <= !rst && (done || out_valid && !out_ready);
     end
 endmodule

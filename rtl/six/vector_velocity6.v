@@ -65,16 +65,20 @@ module vector_velocity6 #(
     wire [5:0]  dest;
     assign      in_ready = idle && (!out_valid || out_ready);
     generate
-        if (PIPE == 0) begin : g_program
-            vector_velocity6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end else if (PIPE == 1) begin : g_program
-            vector_velocity6_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end else begin : g_program
-            vector_velocity6_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end
+        case (PIPE)
+            0: begin : g_program
+                vector_velocity6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+            1: begin : g_program
+                vector_velocity6_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+            default: begin : g_program
+                vector_velocity6_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+        endcase
     endgenerate
 
     six_motion #(.W(W), .U(U)) operands (.clk(clk), .in_take(accept),

@@ -74,16 +74,20 @@ module vector_ur_ik_all #(
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
     generate
-        if (PIPE == 0) begin : g_program
-            vector_ur_ik_all_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end else if (PIPE == 1) begin : g_program
-            vector_ur_ik_all_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end else begin : g_program
-            vector_ur_ik_all_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end
+        case (PIPE)
+            0: begin : g_program
+                vector_ur_ik_all_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+            1: begin : g_program
+                vector_ur_ik_all_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+            default: begin : g_program
+                vector_ur_ik_all_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+        endcase
     endgenerate
 
     wire [3:0]  flags;
@@ -170,7 +174,7 @@ module vector_ur_ik_all #(
     always @(posedge clk) begin
         over <= result && dest[3] && !last;
         half <= word[24-U:0] == {1'b1, {(24-U){1'b0}}};
-        if (result || over)
+        if (result || over && !idle)
             found <= {near[U+2:1], found[62*(U+2)-1:U+2]};
         if (reach)
             far <= {flags[0], far[3:1]};
