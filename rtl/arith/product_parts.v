@@ -39,7 +39,8 @@ module product_parts #(
             always @(posedge clk)
                 if (in_move)
                     whole <= x * y;
-        end else if (Y <= MULTIPLY) begin : g_two
+        end
+        if (X > MULTIPLY && Y <= MULTIPLY) begin : g_two
             reg  signed [X+Y-L-1:0] high;
             reg  signed [L+Y:0]     low;
             wire        [X+Y-L-1:0] upper = high + {{(X-L){low[L+Y]}}, low[L+Y-1:L]};
@@ -49,7 +50,8 @@ module product_parts #(
                     high <= $signed(x[X-1:L]) * y;
                     low  <= $signed({1'b0, x[L-1:0]}) * y;
                 end
-        end else begin : g_four
+        end
+        if (Y > MULTIPLY) begin : g_four
             reg  signed [X+Y-2*L-1:0] high;
             reg  signed [2*L+1:0]     low;
             reg  signed [X:0]         right;
