@@ -233,12 +233,13 @@ def expand(family: str, function: str, shared: dict, name: str, own: dict,
                              for port in _ports(kind, key, spec, params, where)) for kind in PORTS}
         if status is not None:
             ports["out"] += (Port("out_status", 4, False),)
+        first = params.get("PIPE", 0) not in [one.params.get("PIPE", 0) for one in cores]
         latency = None if own["latency"] == VARIES else formula(own["latency"], params, f"{where}: latency")
         cores.append(Core(
             name=name, family=family, function=function, architecture=own["architecture"], set_id=set_id, params=params,
             latency=latency, ii=formula(own["ii"], params, f"{where}: ii") if "ii" in own else latency,
             sources=sources, cfg=ports["cfg"], inputs=ports["in"], outputs=ports["out"],
-            status=None if status is None else tuple(status), model_name=shared["model"], first_set=not cores,
+            status=None if status is None else tuple(status), model_name=shared["model"], first_set=first,
             illegal=tuple(own.get("illegal", ())), reported=set_id in sets))
     return tuple(cores)
 
