@@ -5,7 +5,7 @@
 // table.config.
 // Error of the tip at the answered words: bounds.table.ik3, at L1 = L2 = 2^13 from a quarter of the reach on 2.09 LSB
 // at A = 18 and 1.55 at A = 24.
-// Latency and II: 21 + 23 PIPE.
+// Latency and II: 21 + 25 PIPE.
 // Status: unreachable (the nearest point is answered), singular (x = y = 0: j3 is held; z = 0 too: j1).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form, and an arc sine of their result. Model: table.ik3
 `default_nettype none

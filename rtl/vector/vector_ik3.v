@@ -5,7 +5,7 @@
 // Formats: in_* s(W-F).F; out_c*, out_n* cosine and sine of a joint, s2.U, rounded to nearest; cfg_q, cfg_r, cfg_e by
 // kernel_vector_solve.config.
 // Error of the tip, rounding included: bounds.vector.ik3, 1.04 LSB at L1 = L2 = 2^13 from a quarter of the reach on.
-// Latency and II: 19 + 21 PIPE.
+// Latency and II: 19 + 23 PIPE.
 // Status: unreachable (the nearest point is answered), singular (x = y = 0: c3, n3 are held; z = 0 too: c1, n1).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form. Model: vector.ik3
 `default_nettype none
