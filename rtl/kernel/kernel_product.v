@@ -20,12 +20,14 @@ module kernel_product #(
             assign out_product = in_left * in_right;
             assign out_settled = out_product;
             wire   unused = &{1'b0, clk};
-        end else if (MULTIPLY == 27) begin : g_whole
+        end
+        if (PIPE == 1 && MULTIPLY == 27) begin : g_whole
             reg signed [53:0] product;
             always @(posedge clk)
                 product <= in_left * in_right;
             assign out_product = product;
-        end else begin : g_parts
+        end
+        if (PIPE == 1 && MULTIPLY == 18) begin : g_parts
             wire signed [17:0] low1 = {1'b0, in_left[16:0]}, low2 = {1'b0, in_right[16:0]};
             wire signed [9:0]  high1 = in_left[26:17], high2 = in_right[26:17];
             reg  signed [19:0] high;
