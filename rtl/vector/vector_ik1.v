@@ -67,8 +67,8 @@ module vector_ik1 #(
         /* root    */ {ROOT | LEFT},
         /* x root  */ {LEFT | SECOND},
         /* y root  */ {9'd0},
-        /* x root  */ {COS},
-        /* y root  */ {SIN}};
+        /* c1      */ {COS},
+        /* n1      */ {SIN}};
     wire   to_left, to_right, second, add, read, to_slope, root, cosine, sine, idle;
     wire   accept = in_valid && in_ready;
     assign in_ready = idle && (!out_valid || out_ready);
