@@ -139,7 +139,7 @@ def test_a_core_with_codecs_has_the_words_of_the_core_alone(monkeypatch, tmp_pat
     monkeypatch.setattr(reach, "outside", outside)
     row = search.searched(Design("vector_ik1", "spread", designs.codecs()["vector", "spread"]), "cobra600")
     assert seen == [[values]] and row["picks"]["0.1 mm"]["bits"] == 24
-    assert row["picks"]["0.1 mm"]["parts"][0] == ["vector_ik1-W14F7U13PIPE0MULTIPLY18", 1]
+    assert row["picks"]["0.1 mm"]["parts"][0] == ["vector_ik1-W14F7U13", 1]
     assert [copies for _, copies in row["picks"]["0.1 mm"]["parts"]] == [1, 1]
 
 

@@ -322,12 +322,18 @@ def reported() -> tuple[Core, ...]:
     return tuple(core for core in all_cores() if core.reported)
 
 
+def label(params: dict[str, int]) -> str:
+    """The name of a set that cores.toml does not list; without PIPE = 0 and a MULTIPLY that then changes nothing."""
+    unnamed = () if params.get("PIPE") else (("PIPE", 0), ("MULTIPLY", 18))
+    return "".join(f"{key}{value}" for key, value in params.items() if (key, value) not in unnamed)
+
+
 def at(core: Core, params: dict[str, int]) -> Core:
     """`core` at another parameter set: every parameter, its MODE included where it has one."""
     *entry, own = next(one for one in _table() if one[3] == core.name and
                        ("MODE" not in params or params["MODE"] == MODES[one[4]["architecture"]]))
-    label = "".join(f"{key}{value}" for key, value in params.items())
-    return replace(expand(*entry, own | {"sets": {label: params}, "checks": {}}, core.sources)[0], first_set=False)
+    named = own | {"sets": {label(params): params}, "checks": {}}
+    return replace(expand(*entry, named, core.sources)[0], first_set=False)
 
 
 def find(name: str) -> Core:

@@ -31,7 +31,6 @@ FAR = 64  # the most that a parameter is moved to make another one legal
 GAP = 9  # from one legal value of a parameter to the next: MULTIPLY is 18 or 27
 KINDS = ("MODE", "PIPE")  # of building a core: each value has a first set, and sets of its own
 MOST = 24  # sets in a cover list
-GRADE = ("PIPE", "MULTIPLY")  # how a core is built for the clock and the chip: each listed pair is a grade
 
 
 def _python(text: str) -> str:
@@ -143,14 +142,12 @@ def cover(core: Core) -> list[Params]:
 
     One parameter at a time at both ends of its range; the switches of every arm, and all pairs of switches; the
     neighbours of the ends; then sets of values that none of these has, of all parameters at once: 2^k and one less
-    first, odd ones before even ones, each as far from all before it as there is. These have the listed grades in turn.
+    first, odd ones before even ones, each as far from all before it as there is.
     """
     box = ranges(core)
     toggles = [name for name, ends in box.items() if ends == (0, 1)]
     words = {name: ends for name, ends in box.items() if name not in toggles}
     listed_sets = [one.params for one in _sets(core)]
-    grades = [dict(one) for one in dict.fromkeys(
-        tuple((name, one[name]) for name in GRADE if name in one) for one in listed_sets)]
     found: list[Params] = []
 
     def add(fixed: Params) -> None:
@@ -170,10 +167,8 @@ def cover(core: Core) -> list[Params]:
             if low < value < high:
                 add({name: value})
     while len(found) < MOST:
-        fixed: Params = dict(grades[len(found) % len(grades)])
+        fixed: Params = {}
         for name, (low, high) in words.items():
-            if name in fixed:
-                continue
             seen = {one[name] for one in [*listed_sets, *found]}
             left = [value for value in range(low, high + 1) if value not in seen]
             left.sort(key=lambda value, seen=seen: (min(value & value + 1, value & value - 1) > 0, value % 2 == 0,
@@ -186,11 +181,6 @@ def cover(core: Core) -> list[Params]:
         if len(found) == before:
             break
     return found
-
-
-def label(params: Params) -> str:
-    """The name of a set that cores.toml does not list."""
-    return "".join(f"{key}{value}" for key, value in params.items())
 
 
 def verdict(core: Core, params: Params) -> str:
