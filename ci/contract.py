@@ -11,18 +11,13 @@ import json
 import re
 from pathlib import Path
 
-from quadrance.cores import Core, all_cores
+from quadrance.cores import Core
 
 from tb.lib import tools
 
 HERE = tools.ROOT / "tb" / "formal"
 CLOCKS = 6000  # of the random run
 WIDEST = 128  # bits of a register that may be control
-
-
-def cores() -> list[Core]:
-    """Every sequential core, its first parameter set; the skid buffer holds two samples and has a proof of its own."""
-    return [core for core in all_cores() if core.clocked and core.first_set and core.function != "skid_buffer"]
 
 
 def _read(core: Core) -> str:
@@ -145,7 +140,7 @@ def job(core: Core, work: Path) -> str:
     top = write(core, work)
     names = " ".join(source.name for source in core.sources)
     return "\n".join([
-        "[options]", "mode prove", "depth 2", "timeout 900", "[engines]", "smtbmc --stbv z3 -- --noincr",
+        "[options]", "mode prove", "depth 2", "[engines]", "smtbmc --stbv z3 -- --noincr",
         "[script]", "read_verilog -sv -formal -icells cut.v", "design -stash cut", f"read_verilog -defer {names}",
         "read -formal top.sv contract.sv", "hierarchy -check -top top", "proc", "flatten", "memory_collect",
         "opt_expr", "wreduce", "opt_clean", "techmap -autoproc -map %cut", "prep -flatten -top top",

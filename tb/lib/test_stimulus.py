@@ -44,7 +44,8 @@ def _few(core) -> float:
 
 def _alike(core) -> tuple:
     """Cores and sets that take the same words to the same results."""
-    return core.model_name, *((key, value) for key, value in core.params.items() if key not in ("R", "PRODUCTS"))
+    return core.model_name, *((key, value) for key, value in core.params.items()
+                              if key not in ("R", "PRODUCTS", "PIPE", "MULTIPLY"))
 
 
 OVERFLOWS = list({_alike(core): core for core in reversed(all_cores())
@@ -191,6 +192,6 @@ def test_a_limit_of_long_bits_is_reached(core):
 def test_a_bug_at_one_value_of_a_small_word_is_found(tmp_path):
     """cfg_e = 9 comes of a few pairs of links: no configuration that someone chose for its lengths had it."""
     core = find("vector_ik2")
-    broken = altered("vector_ik2", "kernel_vector_path", "s <= cfg_e", "s <= cfg_e == 9 ? 4'd8 : cfg_e", tmp_path)
+    broken = altered("vector_ik2", "kernel_vector_solve", "s <= cfg_e", "s <= cfg_e == 9 ? 4'd8 : cfg_e", tmp_path)
     with pytest.raises(AssertionError, match="'cfg_e': 9"):
         bulk_run(core, bulk_samples(core), SEED, built=broken)
