@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from quadrance import arms
 from quadrance.arm import switches
-from quadrance.cores import Core, at, find
+from quadrance.cores import Core, all_cores, at, find
 
 from ci import cover
 from tb.lib import legal, program
@@ -28,6 +28,18 @@ def test_a_list_has_ends_neighbours_an_odd_middle_and_all_pairs_of_switches():
             assert len({(each[one], each[other]) for each in [*sets, core.params]}) == 4
     for name in arms.known():
         assert any(switches(arms.load(name)).items() <= each.items() for each in [*sets, core.params])
+
+
+@pytest.mark.full
+def test_a_further_pipe_has_its_own_ends_and_a_third_of_the_sets():
+    core = find("vector_fk2-PIPE1")
+    sets = legal.cover(core)
+    assert len(sets) == legal.MOST // 3 and {one["PIPE"] for one in sets} == {1}
+    listed = [one.params for one in all_cores() if one.name == core.name and one.params["PIPE"] == 1]
+    for name, ends in legal.ranges(core).items():
+        assert set(ends) <= {one[name] for one in [*sets, *listed]}
+    names = [(one.name, one.set_id) for each in cover.cores() for one in (at(each, row) for row in legal.cover(each))]
+    assert len(names) == len(set(names))
 
 
 @pytest.mark.full
