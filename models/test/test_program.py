@@ -305,7 +305,7 @@ def test_an_order_that_the_rules_refuse_the_checker_refuses_too(path):
             if not unseen:
                 assert bool(bad) == bool(assembler.problems(moved)), (at, far, bad, assembler.problems(moved))
                 found[bool(bad)] += 1
-    assert min(found) > 10
+    assert min(found) > min(10, len(one.order) // 8)
 
 
 @pytest.mark.parametrize("pipe", [0, 1, 2])

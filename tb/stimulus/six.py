@@ -46,11 +46,12 @@ def _words(core: Core, arm: Six, rng: np.random.Generator) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Words of `arms`; then the extremes of every length."""
+    """Words of `arms`; then the extremes of every length and of every threshold."""
     found = [_words(core, arm, rng) for arm in arms(core)]
     for cfg in found[::2] if core.function == "rates6" else ():  # no threshold at all
         cfg |= {"cfg_radius": 0, "cfg_elbow": 0, "cfg_sine": 0}
-    lengths = {port.name: (port.low, port.high) for port in core.cfg if port.signed and port.width < 27}
+    lengths = {port.name: (port.low, port.high) for port in core.cfg
+               if port.signed and port.width < 27 or core.function == "rates6"}
     return found + [found[0] | {name: both[way] for name, both in lengths.items()} for way in (0, 1)]
 
 
