@@ -39,6 +39,8 @@ def test_what_fits_has_the_error_that_the_model_has(quadrance):
     fit = json.loads(quadrance(*_ask("fk2", mm=0.09, rate=1e6), "--json"))["fit"]
     assert {"table_fk2", "classic_fk2"} <= {one["core"] for one in fit}
     assert [one["share"] for one in fit] == sorted(one["share"] for one in fit)
+    slow = quadrance(*_ask("fk2", rate=5e6))
+    assert re.search("^not .*classic_fk2-iter: too slow: ", slow, re.M) and slow.startswith("core")
     arm = arms.load("cobra600")
     for one in fit:
         core = catalogue.find(one["core"], one["params"])
@@ -76,7 +78,7 @@ def test_a_clock_that_no_row_meets_names_the_nearest(quadrance):
     out, refusal = quadrance(*_ask("ik6", "kr6_r700", "vector:16", clock=500), code=2)
     best = max((row for row in COMMITTED["cores"] if row["core"] in ("vector_ik6", "vector_ik6_all")),
                key=lambda row: row["fmax_mhz"]["ecp5"])
-    assert f"nothing fits; {best['core']} -p PIPE={best['params']['PIPE']} is the nearest: does not meet the clock: " \
+    assert f"nothing fits; {best['core']}-PIPE{best['params']['PIPE']} is the nearest: does not meet the clock: " \
            f"{best['fmax_mhz']['ecp5']:g} of 500 MHz" in refusal
     assert out.count("does not meet the clock") >= 6
     clock = best["fmax_mhz"]["ecp5"] - 0.5

@@ -46,12 +46,13 @@ def successor(name: str) -> Core | None:
 
 
 def title(core: Core) -> str:
-    """Its name, with that of its mode where it has a MODE."""
-    return f"{core.name}-{core.architecture}" if "MODE" in core.params else core.name
+    """Its name, with that of its mode where it has a MODE, and with its PIPE where that is not 0."""
+    pipe = f"-PIPE{core.params['PIPE']}" if core.params.get("PIPE") else ""
+    return f"{core.name}-{core.architecture}" if "MODE" in core.params else f"{core.name}{pipe}"
 
 
 def find(name: str, params: dict[str, int] | None = None) -> Core:
-    """The core of that name, ``name-mode`` or ``name-set`` id, at other parameters where `params` names some.
+    """The core of that name, `title` or ``name-set`` id, at other parameters where `params` names some.
 
     Raises
     ------

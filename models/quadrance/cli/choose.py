@@ -265,12 +265,11 @@ def _groups(wish: Wish) -> Iterator[tuple[str, Core, list[Row]]]:
             group: dict[tuple, list[Row]] = {}
             for row in rows():
                 if row.core.name == core.name and built.items() <= row.core.params.items():
-                    ways = tuple(f"{key}{row.core.params[key]}" for key in ("MULTIPLY", "PRODUCTS")
+                    ways = tuple(f"{key}={row.core.params[key]}" for key in ("MULTIPLY", "PRODUCTS")
                                  if row.core.params.get(key) != core.params.get(key))
                     group.setdefault(ways, []).append(row)
-            pipe = f" PIPE={core.params['PIPE']}" if core.params.get("PIPE") else ""
             for ways, some in (group or {(): []}).items():
-                yield " ".join([f"{title(core)}{pipe}", *ways]), core, some
+                yield " ".join([title(core), *ways]), core, some
 
 
 def choose(wish: Wish) -> tuple[list[tuple[str, Answer]], dict[str, str], tuple[str, Answer] | None]:
@@ -337,9 +336,9 @@ def lines(entries: list[dict], out: dict[str, str], wish: Wish) -> list[str]:
     found: list[str] = []
     if entries:
         units = [unit for unit, _ in CHIPS[wish.chip].values()]
-        columns = [Column("core with its parameters", True), *map(Column, units), Column("share"),
-                   Column("clocks"), Column("ns"), Column("MHz"), Column("results/s"), Column("mm"),
-                   *([Column("degrees")] * any(one["error_degrees"] is not None for one in entries))]
+        columns = [Column("core with its parameters", True), *map(Column, units), Column("share", rank=4),
+                   Column("clocks", rank=3), Column("ns"), Column("MHz", rank=1), Column("results/s", rank=2),
+                   Column("mm"), *([Column("degrees", rank=5)] * (entries[0]["error_degrees"] is not None))]
         rows = [(one["instance"], *(f"{SIGN[one['area_is']]}{one['area'][unit]}" if unit == units[0] else
                                     one["area"][unit] for unit in units), f"{one['share']:.1%}", one["latency"],
                  f"{one['ns']:.0f}", f"{one['mhz']:g}", f"{one['results_per_second']:.3g}", f"{one['error_mm']:.3g}",
