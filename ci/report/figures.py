@@ -143,8 +143,7 @@ def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]], rows: l
             scale = LogNorm(SHADE, 10.0 ** max(math.ceil(math.log10(max(*found, SHADE))), 0))
             scales |= dict.fromkeys(group, scale)
             figure.colorbar(pyplot.cm.ScalarMappable(scale, "viridis"), shrink=0.5, extend="min",
-                            ax=grid[:, [FAMILIES.index(family) for family in group]],
-                            location="left" if len(group) > 1 else "right").ax.set_title("LSB")
+                            ax=grid[:, [FAMILIES.index(family) for family in group]]).ax.set_title("LSB")
     for axes, (function, what) in zip(grid, panels):
         for axis, family in zip(axes, FAMILIES):
             if (function, family) in maps:
