@@ -23,7 +23,7 @@ SDIST = "import sys; from setuptools import build_meta; build_meta.build_sdist(s
 def shipped(folder):
     """Files of a folder of packages that run without a checkout, by their path in it: no pages, pictures or caches."""
     return {path.relative_to(folder) for path in folder.rglob("*")
-            if path.is_file() and path.suffix not in (".md", ".png", ".pyc")}
+            if path.is_file() and path.suffix not in (".md", ".png", ".svg", ".pyc")}
 
 
 @pytest.fixture(scope="module")
