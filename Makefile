@@ -49,7 +49,7 @@ report: setup ## latency, area, clock and accuracy of every core on ARM (another
 	@$(PY) -m ci.report --arm "$(ARM)" $(if $(OUT),--out "$(OUT)") $(if $(FRESH),--fresh)
 
 accuracy: setup ## errors of one CORE on ARM, by its bit-true model, in seconds
-	@$(PY) -m ci.accuracy "$(ARM)" $(CORE)
+	@$(PY) -m quadrance accuracy $(CORE) --arm "$(ARM)"
 
 figures: setup ## the pictures of the papers from our models, and their claims beside ours
 	@$(PY) -m ci.figures

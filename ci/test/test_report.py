@@ -6,9 +6,7 @@ from dataclasses import replace
 
 import pytest
 from quadrance import cores
-from quadrance.cli.catalogue import Refused
 
-from ci import accuracy
 from ci.report import README, comparison, documents, figures, measure, run, tables
 
 FRONT = """# Title
@@ -184,10 +182,3 @@ def test_where_the_report_of_another_arm_goes(tmp_path):
     for arm, out in (("cobra600", str(tmp_path)), ("ur5", str(run.REPORTS))):
         with pytest.raises(ValueError, match="OUT="):
             run.folder_of(arm, out)
-
-
-def test_the_accuracy_of_one_core():
-    lines = accuracy.lines("cobra600", "vector_fk1")
-    assert lines[0].startswith("vector_fk1-U16 on Omron") and len(lines) == 5
-    with pytest.raises(Refused, match="is a part"):
-        accuracy.lines("cobra600", "isqrt")

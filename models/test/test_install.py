@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -69,4 +70,6 @@ def test_the_package_has_the_figures_and_the_arms(installed):
     assert figures["ecp5"]["lut"] == area
     assert ".cfg_l1(16'd8320)" in installed("instance", "rational_ik2", "--arm", "cobra600")
     assert "files written to hw" in installed("registers", "table_ik2", "--arm", "cobra600", "--out", "hw")
+    assert re.search("^table_fk1 ", installed("choose", "--function", "fk1", "--arm", "cobra600", "--word", "angle:18"),
+                     re.M)
     assert "did you mean rational_ik2" in installed("show", "rational_ik22", code=2)

@@ -46,12 +46,13 @@ def successor(name: str) -> Core | None:
 
 
 def title(core: Core) -> str:
-    """Its name, with that of its mode where it has a MODE."""
-    return f"{core.name}-{core.architecture}" if "MODE" in core.params else core.name
+    """Its name, with that of its mode where it has a MODE, and with its PIPE where that is not 0."""
+    pipe = f"-PIPE{core.params['PIPE']}" if core.params.get("PIPE") else ""
+    return f"{core.name}-{core.architecture}" if "MODE" in core.params else f"{core.name}{pipe}"
 
 
 def find(name: str, params: dict[str, int] | None = None) -> Core:
-    """The core of that name, ``name-mode`` or ``name-set`` id, at other parameters where `params` names some.
+    """The core of that name, `title` or ``name-set`` id, at other parameters where `params` names some.
 
     Raises
     ------
@@ -114,7 +115,7 @@ def report() -> dict:
 def figures(core: Core) -> dict | None:
     """Measured figures of a core: area by device, clock and latency on ECP5, errors; None where there is no row."""
     for row in report().get("cores", ()):
-        if (row["core"], row["params"]) == (core.name, core.params):
+        if (row["core"], cores.label(row["params"])) == (core.name, cores.label(core.params)):
             area = row["area"]
             ecp5 = dict(zip(("lut", "ff", "mult18x18", "ebr", "lutram"),
                             (area["ecp5"][key] for key in ("lut", "ff", "dsp", "mem", "lutram"))))
@@ -126,6 +127,13 @@ def figures(core: Core) -> dict | None:
                     "error_lsb": (row["total_lsb"] if row["total_lsb"] is not None else
                                   (row["error_lsb"] or {}).get("max")), "arm": report()["arm"]}
     return None
+
+
+def functions(name: str) -> list[str]:
+    """The functions that a user means by a name: of real arms too, of six axes all branches and other joint words."""
+    known = [core.function for core in cores.all_cores()]
+    choose("function", name, known)
+    return [one for one in dict.fromkeys(known) if re.fullmatch(f"(arm_)?{name}(_all|_of_angles|_to_angles)?", one)]
 
 
 def kinds(ports: Iterable[Port]) -> list[str]:
@@ -147,12 +155,11 @@ def rows(family: str | None = None, function: str | None = None, word: str | Non
     listed = cores.all_cores()
     if family is not None:
         choose("family", family, (core.family for core in listed))
-    if function is not None:
-        choose("function", function, (core.function for core in listed))
+    wanted = [core.function for core in listed] if function is None else functions(function)
     if word is not None:
         choose("joint word", word, cores.TYPES)
     found = [row(core) for core in listed
-             if (every or core.first_set) and family in (None, core.family) and function in (None, core.function)
+             if (every or core.first_set) and family in (None, core.family) and core.function in wanted
              and (word is None or word in kinds([*core.inputs, *core.outputs]))]
     if not found:
         raise Refused("no core has this family, function and joint word together; leave one of them out")

@@ -8,7 +8,7 @@ from dataclasses import asdict
 from quadrance import arms
 from quadrance.arms import REACH, Arm, ArmError
 from quadrance.cli.around import PLANE
-from quadrance.cli.catalogue import Refused, choose
+from quadrance.cli.catalogue import Refused, choose, find
 from quadrance.cli.verilog import config, fitted, takes_an_arm
 from quadrance.cores import all_cores
 
@@ -59,6 +59,21 @@ def functions(arm: Arm) -> tuple[list[str], dict[str, list[str]]]:
             if reason.partition(":")[0] not in STRUCTURE:
                 refused.setdefault(reason, []).append(function)
     return found, refused
+
+
+def served(rows: list[dict], arm: Arm) -> tuple[list[dict], dict[str, list[str]]]:
+    """Of lines of the table of cores those that the arm can use, and the names of the others by the reason."""
+    kept, refused = [], {}
+    for row in rows:
+        try:
+            config(fitted(find(row["id"]), arm, {}), arm)
+            kept.append(row)
+        except Refused as error:
+            reason = str(error).partition(f"{arm.id}: ")[2] or str(error).partition(": ")[2]
+            refused.setdefault(reason, []).append(row["title"])
+    if not kept:
+        raise Refused(f"none of these cores serves {arm.id}: {'; '.join(refused)}")
+    return kept, refused
 
 
 def check(arm: Arm) -> dict:
