@@ -16,7 +16,7 @@ from quadrance.cores import Core
 from tb.lib import tools
 
 HERE = tools.ROOT / "tb" / "formal"
-CLOCKS = 6000  # of the random run
+CLOCKS = 6000  # of the random run; more where samples meet inside in many ways
 WIDEST = 128  # bits of a register that may be control
 
 
@@ -77,11 +77,12 @@ def observed(core: Core, names: dict[str, int], work: Path) -> dict[str, dict[in
     # drawn anew where no sample is inside: a register that only copies its configuration is not control
     idle = "        if (age == 0 && !(in_valid && in_ready)) begin\n" + fixed.replace(" = ", " <= ") + "        end\n"
     shown = ["age", *(f"dut.{name}" for name in names)]
+    clocks = CLOCKS * (4 if core.latency > core.ii > 1 else 1)
     (work / "observe.v").write_text(
         f"module observe;\n    reg clk = 0;\n{wires}    {_instance(core)}\n"
         + AGE.format(latency=core.latency)
         + f"    initial begin\n        rst = 1; in_valid = 0; out_ready = 0;\n{fixed}"
-        f"        repeat ({2 * CLOCKS}) #1 clk = ~clk;\n        $finish;\n    end\n"
+        f"        repeat ({2 * clocks}) #1 clk = ~clk;\n        $finish;\n    end\n"
         "    always @(posedge clk) begin\n"
         f"        if (!rst) $display(\"{' '.join(['%b'] * len(shown))}\", {', '.join(shown)});\n{draw}"
         f"{idle}"
