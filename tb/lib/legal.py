@@ -30,7 +30,7 @@ UNLIMITED = 150  # no rule has a number as large
 FAR = 64  # the most that a parameter is moved to make another one legal
 GAP = 9  # from one legal value of a parameter to the next: MULTIPLY is 18 or 27
 KINDS = ("MODE", "PIPE")  # of building a core: each value has a first set, and sets of its own
-MOST = 24  # sets in a cover list; a third of them for each further PIPE
+MOST = 24  # sets in a cover list; a third of them for a further PIPE whose registers follow no width
 
 
 def _python(text: str) -> str:
@@ -144,7 +144,7 @@ def cover(core: Core) -> list[Params]:
     neighbours of the ends; then sets of values that none of these has, of all parameters at once: 2^k and one less
     first, odd ones before even ones, each as far from all before it as there is.
     """
-    most = MOST // 3 if core.params.get("PIPE") else MOST
+    most = MOST // 3 if core.params.get("PIPE") and "MULTIPLY" not in core.params else MOST
     box = ranges(core)
     toggles = [name for name, ends in box.items() if ends == (0, 1)]
     words = {name: ends for name, ends in box.items() if name not in toggles}

@@ -115,7 +115,7 @@ def report() -> dict:
 def figures(core: Core) -> dict | None:
     """Measured figures of a core: area by device, clock and latency on ECP5, errors; None where there is no row."""
     for row in report().get("cores", ()):
-        if (row["core"], cores.label(row["params"])) == (core.name, cores.label(core.params)):
+        if (row["core"], row["params"]) == (core.name, core.params):
             area = row["area"]
             ecp5 = dict(zip(("lut", "ff", "mult18x18", "ebr", "lutram"),
                             (area["ecp5"][key] for key in ("lut", "ff", "dsp", "mem", "lutram"))))

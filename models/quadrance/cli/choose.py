@@ -85,20 +85,17 @@ class Answer:
 
 @cache
 def rows() -> tuple[Row, ...]:
-    """Every measured set of a core of an arm; a parameter that a row is older than has the value that changes nothing.
-    """
+    """Every measured set of a core of an arm."""
     listed = {}
     for core in cores.all_cores():
         listed.setdefault(core.name, core)
     found = []
     for row in [*report().get("cores", ()), *report().get("verdict", {}).get("parts", {}).values()]:
         core = listed.get(row["core"])
-        if core is None or not verilog.takes_an_arm(core) or not set(row["params"]) <= set(core.params):
+        if core is None or not verilog.takes_an_arm(core) or set(row["params"]) != set(core.params):
             continue
-        params = {key: row["params"].get(key, {"PIPE": 0, "MULTIPLY": 18}.get(key, value))
-                  for key, value in core.params.items()}
-        clock = row["fmax_mhz"]
-        found.append(Row(cores.at(core, params), row["area"], clock["ecp5"] if isinstance(clock, dict) else clock))
+        mhz = row["fmax_mhz"]
+        found.append(Row(cores.at(core, row["params"]), row["area"], mhz["ecp5"] if isinstance(mhz, dict) else mhz))
     return tuple({(row.core.name, *row.core.params.items()): row for row in found[::-1]}.values())[::-1]
 
 
