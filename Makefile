@@ -39,7 +39,7 @@ $(VENV)/ready: requirements.lock pyproject.toml ci/setup.sh
 lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pages and reports complete; CORE=name: one core
 	@$(PY) -m ci.lint $(if $(filter file,$(origin CORE)),,--core $(CORE))
 
-test: setup ## every bench, every bulk run in Verilator and every model test; CORE=name SIM=icarus|verilator: those of them
+test: setup ## benches and bulk runs of every core, all model tests; CORE=name: all sets of that core; SIM=icarus|verilator: those of them
 	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(PATHS)
 
 smoke: setup ## the first parameter set of every core: cocotb bench under Icarus, bulk run
@@ -72,7 +72,7 @@ netlist: setup ## every core's bench on its iCE40 and Cyclone V netlist
 coverage: setup ## lines and bits of every core that its benches reach
 	@$(PY) -m ci.coverage
 
-cover: setup ## every core at the ends of its legal parameters and at some between; CORE=name; FRESH=1 runs all again
+cover: setup ## every core at its further sets, the ends of its legal parameters and some between; CORE=name; FRESH=1 runs all again
 	@$(PY) -m ci.cover $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(FRESH),--fresh)
 
 cover-check: setup ## fails where a verdict of make cover is missing or stale, and runs 20 sets drawn by the commit

@@ -1,4 +1,4 @@
-"""`make cover`: every core at parameters that no list has: ends of ranges, their neighbours, pairs of switches, arms.
+"""`make cover`: every core at further parameters: listed sets, ends of ranges, their neighbours, switches, arms.
 
     python -m ci.cover                 the sets whose verdict no longer follows from their sources
     python -m ci.cover --core arm_ik3  those of one core
@@ -7,8 +7,9 @@
 
 `tb/lib/legal.py` makes the list. A set passes where Verilator has no warning of it, and the core equals its bit-true
 model at the full rate and under stalls, on every corner and some 500 random words, with the latency and the interval
-of rtl/cores.toml. reports/cover.json holds the digest of what each verdict follows from: sources, model, samples,
-harness and tools, but no comment. It is written as the run goes: one that is cut goes on where it stopped.
+of rtl/cores.toml. A set of rtl/cores.toml beside a core's first ones gets the whole bulk run. reports/cover.json holds
+the digest of what each verdict follows from: sources, model, samples, harness and tools, but no comment. It is written
+as the run goes: one that is cut goes on where it stopped.
 """
 
 from __future__ import annotations
@@ -31,13 +32,14 @@ import numpy as np
 from quadrance.cores import Core, all_cores, at
 
 from ci import cache as store
-from tb.lib import bulk, legal, program, stimulus, tools
+from tb.lib import bulk, legal, program, stimulus, suite, tools
 from tb.lib.simulate import incomplete
 
 STORE = tools.ROOT / "reports" / "cover.json"
 HARNESS = ("tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/stimulus.py")  # and `run`
 LIST = {"models/quadrance/cores.py", "tb/lib/tools.py"}  # read lists and start tools: no verdict follows from them
 TOOLS = ("verilator", "numpy")
+SUITE = tools.ROOT / "tb/lib/suite.py"
 LABEL = "-cover"
 CONFIGS = 3  # of those of the bulk run, others for every set
 SAMPLES, CLOCKS = 500, 200_000  # random words of a set, fewer of a core of many clocks
@@ -75,11 +77,27 @@ def run(core: Core) -> None:
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def verdict(name: str, params: legal.Params) -> str:
-    """Nothing where core `name` passes at `params`, else the reason."""
+def listed(name: str) -> dict[str, Core]:
+    """The sets of rtl/cores.toml of which `make test` has no bulk run."""
+    return {core.set_id: core for core in all_cores() if core.name == name and not core.first_set}
+
+
+def _whole(core: Core) -> None:
+    """The bulk run of one listed set."""
+    try:
+        suite.bulk_run(core, suite.bulk_samples(core), int(store.digest(core.id)[:8], 16), label=LABEL)
+    finally:
+        shutil.rmtree(program.build(core, LABEL).parent, ignore_errors=True)
+
+
+def verdict(name: str, label: str, params: legal.Params) -> str:
+    """Nothing where core `name` passes at the set of that label and these parameters, else the reason."""
     program.BENCH = False
     try:
-        run(at(_core(name), params))
+        if own := listed(name).get(label):
+            _whole(own)
+        else:
+            run(at(_core(name), params))
     except AssertionError as error:
         return str(error)
     except Exception as error:  # a model or stimulus that cannot take these parameters has failed them too
@@ -112,6 +130,10 @@ def wanted(chosen: Iterable[Core]) -> dict[tuple[str, str], tuple[legal.Params, 
         for params in legal.cover(core):
             one = at(core, params)
             found[core.name, one.set_id] = params, store.digest([follows, params, one.latency, one.ii])[:12]
+        for one in legal.sets(core):
+            if not one.first_set:
+                parts = [follows, one.params, one.latency, one.ii, store.meaning(SUITE)]
+                found[core.name, one.set_id] = one.params, store.digest(parts)[:12]
     return found
 
 
@@ -151,7 +173,7 @@ def check(sets: dict[tuple[str, str], tuple[legal.Params, str]]) -> list[str]:
     names = sorted(sets)
     drawn = [names[i] for i in rng.permutation(len(names))[:DRAWN]]
     with ProcessPoolExecutor(os.cpu_count()) as pool:
-        said = pool.map(verdict, [name for name, _ in drawn], [sets[one][0] for one in drawn])
+        said = pool.map(verdict, *zip(*drawn), [sets[one][0] for one in drawn])
         return [f"{name}-{label}: {text}" for (name, label), text in zip(drawn, said) if text]
 
 
@@ -167,7 +189,7 @@ def cover(sets: dict[tuple[str, str], tuple[legal.Params, str]], every: bool) ->
     print(f"{len(sets) - len(jobs)} of {len(sets)} sets stand from before (FRESH=1 runs them again)", flush=True)
     wrong = []
     with ProcessPoolExecutor(os.cpu_count()) as pool:
-        asked = {pool.submit(verdict, name, sets[name, label][0]): (name, label) for name, label in jobs}
+        asked = {pool.submit(verdict, name, label, sets[name, label][0]): (name, label) for name, label in jobs}
         try:
             for count, job in enumerate(as_completed(asked), 1):
                 (name, label), said = asked[job], job.result()

@@ -148,7 +148,7 @@ def cover(core: Core) -> list[Params]:
     box = ranges(core)
     toggles = [name for name, ends in box.items() if ends == (0, 1)]
     words = {name: ends for name, ends in box.items() if name not in toggles}
-    listed_sets = [one.params for one in _sets(core)]
+    listed_sets = [one.params for one in sets(core)]
     found: list[Params] = []
 
     def add(fixed: Params) -> None:
@@ -203,7 +203,7 @@ def legal(core: Core, count: int, seed: int, tries: int = 400) -> list[Params]:
     """
     rng, box, rule = np.random.default_rng([seed, *core.name.encode()]), ranges(core), rule_of(core)
     found: list[Params] = []
-    seen = {tuple(one.params.items()) for one in _sets(core)}
+    seen = {tuple(one.params.items()) for one in sets(core)}
     for _ in range(tries):
         params = {name: int(rng.integers(low, high, endpoint=True)) for name, (low, high) in box.items()}
         if tuple(params.items()) in seen or rule.broken(params):
@@ -217,7 +217,7 @@ def legal(core: Core, count: int, seed: int, tries: int = 400) -> list[Params]:
     return found
 
 
-def _sets(core: Core) -> list[Core]:
+def sets(core: Core) -> list[Core]:
     """The listed sets of the core, of its own mode and PIPE."""
     return [one for one in all_cores() if (one.name, one.architecture) == (core.name, core.architecture)
             and one.params.get("PIPE") == core.params.get("PIPE")]

@@ -194,7 +194,8 @@ def benches():
     usable = simulators()
     cores = all_cores()
     ids = [core.id for core in cores]
-    smoke = [pytest.param(core, id=core.id, marks=[pytest.mark.smoke] * core.first_set) for core in cores]
+    bulk_sets = [pytest.param(core, id=core.id, marks=pytest.mark.smoke if core.first_set else pytest.mark.further)
+                 for core in cores]
     benches = [pytest.param(simulator, core, id=f"{simulator}-{core.id}", marks=_marks(core, simulator, usable))
                for simulator in usable for core in cores]
 
@@ -204,7 +205,7 @@ def benches():
         simulate(core, simulator, tests=AGAIN if again else None, seed=SEED)
 
     @pytest.mark.full
-    @pytest.mark.parametrize("core", smoke)
+    @pytest.mark.parametrize("core", bulk_sets)
     def bulk_bench(core: Core) -> None:
         with repeated(f"make test CORE={core.id} SEED={SEED}"):
             assert bulk_run(core, bulk_samples(core), SEED) > 0
