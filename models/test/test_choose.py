@@ -81,7 +81,7 @@ def test_a_clock_that_no_row_meets_names_the_nearest(quadrance):
     assert f"nothing fits; {best['core']}-PIPE{best['params']['PIPE']} is the nearest: does not meet the clock: " \
            f"{best['fmax_mhz']['ecp5']:g} of 500 MHz" in refusal
     assert out.count("does not meet the clock") >= 6
-    clock = best["fmax_mhz"]["ecp5"] - 0.5
+    clock = best["fmax_mhz"]["ecp5"]
     fit = json.loads(quadrance(*_ask("ik6", "kr6_r700", "vector:16", clock=clock), "--json"))["fit"]
     assert [(one["core"], one["params"]["PIPE"]) for one in fit][0] == (best["core"], best["params"]["PIPE"])
     assert fit[0]["results_per_second"] == round(clock * 1e6 / fit[0]["ii"])
@@ -107,6 +107,13 @@ def test_an_arm_that_no_core_serves(quadrance):
     out, refusal = quadrance(*_ask("ik6", "ur5"), code=2)
     assert "no core of ik6 with angle:18 serves ur5" in refusal
     assert re.search(r"^not vector_ik6, .*table_ik6.*: wrist.spherical: is false", out, re.M)
+
+
+def test_a_robot_of_three_parallel_axes_gets_its_core(quadrance):
+    fit = json.loads(quadrance(*_ask("ur_ik", "ur5e", "vector:16", mm=0.1), "--json"))["fit"]
+    assert {one["core"] for one in fit} == {"vector_ur_ik", "vector_ur_ik_all"}
+    out, refusal = quadrance(*_ask("ur_ik", "kr6_r700", "vector:16", mm=0.1), code=2)
+    assert "no core of ur_ik with vector:16 serves kr6_r700" in refusal and "parallel = true" in out
 
 
 def test_an_area_is_measured_or_said_to_be_an_estimate(quadrance):

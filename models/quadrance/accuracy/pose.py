@@ -1,4 +1,4 @@
-"""Total errors of the cores that have a whole arm inside: those of rtl/arm (three joints) and of rtl/six.
+"""Total errors of the cores that have a whole arm inside: those of rtl/arm (three joints), of rtl/six and of rtl/ur.
 
 As in `tip`, with words and arithmetic together: of a forward core the distance from the answered tip to the float64 tip
 of the unrounded joints; of an inverse one from the float64 tip of the answered words to the unrounded tip. Six axes
@@ -6,7 +6,9 @@ have the angle between the two orientations too. The arm is the exact one, and t
 wrist turn all round.
 
 Joint 1 of six axes has no direction where the wrist's centre is in axis 1, and little of one beside it. So the poses of
-an inverse core that are nearer to the axis than `singular.axis` of the arm file have a figure of their own.
+an inverse core that are nearer to the axis than `singular.axis` of the arm file have a figure of their own. Where axes
+2, 3 and 4 are parallel, the distance is that in the arm's plane, which passes beside axis 1; a pose that such an arm
+does not reach with the joint 6 that the core holds has no error.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quadrance import codecs, six, truth_arm, truth_six
+from quadrance import codecs, six, truth_arm, truth_six, truth_ur
 from quadrance.accuracy.arm import config
 from quadrance.accuracy.of_core import modelled
 from quadrance.arms import Arm
@@ -24,7 +26,8 @@ from quadrance.cores import Core, Joint, joints
 from quadrance.fixed import Ints, to_fixed, to_float
 from quadrance.truth import Floats
 
-FUNCTIONS = {"arm_fk3": 3, "arm_ik3": 3, "fk6": 6, "fk6_of_angles": 6, "ik6": 6, "ik6_all": 6, "ik6_to_angles": 6}
+FUNCTIONS = {"arm_fk3": 3, "arm_ik3": 3, "fk6": 6, "fk6_of_angles": 6, "ik6": 6, "ik6_all": 6, "ik6_to_angles": 6,
+             "ur_fk": 6, "ur_ik": 6, "ur_ik_all": 6}
 AT_ONCE = 8192  # samples: a model of six axes holds all its words
 
 
@@ -115,29 +118,51 @@ def _three(core: Core, arm: Arm, theta: Floats) -> Errors:
 
 def _six(core: Core, arm: Arm, theta: Floats) -> Errors:
     """Errors of the cores of six axes."""
-    parameters, cfg = truth_six.Six(*(length / arm.mm_per_unit for length in arm.six.values())), config(core, arm)
+    cfg, lengths = config(core, arm), arm.ur if core.family == "ur" else arm.six
+    parameters = (truth_ur.Ur if core.family == "ur" else truth_six.Six)(
+        **{name: length / arm.mm_per_unit for name, length in lengths.items()})
     shoulder, elbow, yaw = theta[:, :3].T
-    q = np.stack([yaw, math.pi / 2 - shoulder, -elbow - parameters.psi, *theta[:, 3:].T], axis=-1)
-    rotation, tip = truth_six.fk6(q, parameters)
+    if core.family == "ur":
+        forward, branch_of, in_plane = truth_ur.fk, _branch_ur, _in_plane
+        q = np.stack([yaw, shoulder + math.pi, elbow, *theta[:, 3:].T], axis=-1)
+    else:
+        forward, branch_of, in_plane = truth_six.fk6, _branch, _from_axis
+        q = np.stack([yaw, math.pi / 2 - shoulder, -elbow - parameters.psi, *theta[:, 3:].T], axis=-1)
+    rotation, tip = forward(q, parameters)
     scale = 2.0 ** core.params["U"]
-    if core.function.startswith("fk6"):
+    if core.function.startswith(("fk6", "ur_fk")):
         words = modelled(core, _encoded(core, q), cfg)
         matrix = np.stack([words[f"out_r{axis}"] for axis in six.AXES], axis=-1).reshape(-1, 3, 3) / scale
         found, beside = [(matrix, _place(core, words), np.full(len(q), True))], np.full(len(q), False)
     else:
         words = _target(core, tip) | dict(zip((f"in_r{axis}" for axis in six.AXES),
                                               to_fixed(rotation, core.params["U"]).reshape(-1, 9).T))
-        every, found = core.function == "ik6_all", []
-        answer = modelled(core, words if every else words | {"in_branch": _branch(q, parameters)}, cfg)
+        every, found = core.function.endswith("_all"), []
+        answer = modelled(core, words if every else words | {"in_branch": branch_of(q, parameters)}, cfg)
         for branch in range(8 if every else 1):
             ports = [joint for joint in joints(core.outputs) if not every or joint[0].name.endswith(str(branch))]
-            kept = answer["out_far"] >> branch & 1 == 0 if every else np.full(len(q), True)
-            found.append((*truth_six.fk6(_decoded(ports, answer), parameters), kept))
-        centre = tip - parameters.c4 * rotation[..., 2]
-        beside = np.hypot(centre[:, 0], centre[:, 1]) * arm.mm_per_unit < (arm.singular[1] or 0)
+            kept = answer["out_far"] >> branch & 1 == 0 if every else ~_held_out_of_reach(core, answer)
+            found.append((*forward(_decoded(ports, answer), parameters), kept))
+        beside = in_plane(rotation, tip, parameters) * arm.mm_per_unit < (arm.singular[1] or 0)
     mm = np.concatenate([np.linalg.norm(place - tip, axis=-1)[kept] for _, place, kept in found])
     turned = np.concatenate([truth_six.turned(matrix, rotation)[kept] for matrix, _, kept in found])
     return mm * arm.mm_per_unit, np.degrees(turned), np.concatenate([beside[kept] for *_, kept in found])
+
+
+def _held_out_of_reach(core: Core, answer: dict[str, Ints]) -> np.ndarray:
+    """Where joint 6 of a UR has no direction, and the one that it holds leaves joints 2 to 4 without an answer."""
+    return (core.family == "ur") & (answer["out_status"] & 3 == 3)
+
+
+def _from_axis(rotation: Floats, tip: Floats, arm: truth_six.Six) -> Floats:
+    """Distance of the wrist's centre from axis 1."""
+    return np.hypot(*np.moveaxis(tip - arm.c4 * rotation[..., 2], -1, 0)[:2])
+
+
+def _in_plane(rotation: Floats, tip: Floats, arm: truth_ur.Ur) -> Floats:
+    """The same in the plane of the links of a UR: of the point where axes 5 and 6 meet."""
+    px, py, _ = np.moveaxis(tip - arm.d6 * rotation[..., 2], -1, 0)
+    return np.sqrt(np.maximum(px * px + py * py - arm.d4**2, 0))
 
 
 def _branch(q: Floats, arm: truth_six.Six) -> Ints:
@@ -146,3 +171,10 @@ def _branch(q: Floats, arm: truth_six.Six) -> Ints:
     x1 = arm.a1 + arm.c2 * np.sin(q[:, 1]) + arm.a2 * np.cos(fore) + arm.c3 * np.sin(fore)
     return ((x1 < 0) * truth_six.BACK + (np.sin(q[:, 2] + arm.psi) < 0) * truth_six.DOWN
             + (np.sin(q[:, 4]) < 0) * truth_six.FLIP)
+
+
+def _branch_ur(q: Floats, arm: truth_ur.Ur) -> Ints:
+    """The branch of vector_ur_ik that the joints are on."""
+    fore = q[:, 1] + q[:, 2]
+    x1 = arm.d5 * np.sin(fore + q[:, 3]) - arm.l2 * np.cos(q[:, 1]) - arm.l3 * np.cos(fore)
+    return (x1 < 0) * truth_ur.BACK + (np.sin(q[:, 2]) < 0) * truth_ur.DOWN + (np.sin(q[:, 4]) < 0) * truth_ur.FLIP

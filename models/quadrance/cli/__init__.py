@@ -415,7 +415,7 @@ def parser() -> Parser:
     sub.add_argument("--arm", help="name of an arm, or its TOML file: the cores that it can use")
     sub.add_argument("--all", action="store_true", help="every parameter set, not the first of each core alone")
     sub = command("choose", _choose, "the cores that serve an arm as asked, the best first, and why not the others")
-    sub.add_argument("--function", required=True, help="fk1 to ik3, fk6, ik6")
+    sub.add_argument("--function", required=True, help="fk1 to ik3, fk6, ik6, ur_ik")
     sub.add_argument("--arm", required=True, help="name of an arm, or its TOML file")
     sub.add_argument("--word", required=True, help="the joint word: angle:18, vector:16, spread:24")
     sub.add_argument("--mm", help="greatest error at the tip, rounding of all words included")

@@ -8,7 +8,7 @@ from quadrance.arms import Arm
 from quadrance.cli.catalogue import Refused, timing
 from quadrance.cores import Core
 
-SERVED = (*accuracy.JOINTS, "arm_fk3", "arm_ik3", "fk6", "ik6")  # functions that have an error in mm
+SERVED = (*accuracy.JOINTS, "arm_fk3", "arm_ik3", "fk6", "ik6", "ur_fk", "ur_ik")  # functions that have an error in mm
 
 
 def measured(core: Core, arm: Arm) -> dict:
@@ -39,7 +39,8 @@ def lines(core: Core, arm: Arm, about: dict) -> list[str]:
         if about.get(f"{key}_lsb") is not None:
             found.append(both(what, about[f"{key}_lsb"], about[f"{key}_mm"]))
     if (mm := about.get("beside_axis_mm")) is not None:
-        found.append(both(f"wrist within {arm.singular[1]:g} mm of axis 1, worst", mm / scale, mm))
+        where = f"wrist within {arm.singular[1]:g} mm of axis 1{' in the plane' * core.function.startswith('ur_')}"
+        found.append(both(f"{where}, worst", mm / scale, mm))
     if about.get("total_degrees") is not None:
         found.append(f"  {'orientation, worst':44s} {about['total_degrees']:9.4f} degrees")
     return found
