@@ -39,10 +39,10 @@ module engine_datapath #(
 
     localparam SHARED = CONTEXTS > 1 ? 1 : 0;
     localparam N = 6 + SHARED * B;           // bits of a register's address
-    localparam [46:0] NOTHING = 47'd0 | {46'd0, SHARED[0]} << 38 | {46'd0, SHARED[0]} << 34;  // word = A * 0
+    localparam [46:0] NOTHING = SHARED != 0 ? 47'h44_0000_0000 : 47'd0;  // word = A * 0
     wire [N-1:0] read1, read2, read3, read4, write;
     generate
-        if (SHARED) begin : g_contexts
+        if (SHARED != 0) begin : g_contexts
             assign {read1, read2} = {in_context, in_op[44:39], in_context, in_op[37:32]};
             assign {read3, read4} = {in_context, in_op[31:26], in_context, in_op[25:20]};
             assign write          = {in_context, dest};
@@ -62,36 +62,14 @@ module engine_datapath #(
     wire [5:0]  dest = op[14:9];
     wire        low = op[15] && ROOTS != 0, mid = op[16] && ROOTS != 0, keep = op[17], subtract = op[18];
 
-    // Register file; no line reads a register in the clock in which it is written
-    (* no_rw_check *) reg [26:0] file_a[0:(1<<N)-1];
-    (* no_rw_check *) reg [26:0] file_b[0:(1<<N)-1];
-    (* no_rw_check *) reg [26:0] file_c[0:(1<<N)-1];
-    (* no_rw_check *) reg [26:0] file_d[0:(1<<N)-1];
-    reg  [26:0] read_a, read_b, read_c, read_d;
-    integer     k;
-    initial
-        for (k = 0; k < SHARED << N; k = k + 1) begin
-            file_a[k] = 27'd0;
-            file_b[k] = 27'd0;
-            file_c[k] = 27'd0;
-            file_d[k] = 27'd0;
-        end
+    wire [26:0]     read_a, read_b, read_c, read_d;
     wire [26:0]     word;
     reg  [PIPE:0]   skips;  // as ops
     wire            skip = skips[0];  // the register keeps its word
     wire [PIPE+1:0] skip_queue;
-    always @(posedge clk) begin
-        read_a <= file_a[read1];
-        read_b <= file_b[read2];
-        read_c <= file_c[read3];
-        read_d <= file_d[read4];
-        if (!skip && (!SHARED || dest != 6'd0)) begin
-            file_a[write] <= word;
-            file_b[write] <= word;
-            file_c[write] <= word;
-            file_d[write] <= word;
-        end
-    end
+    engine_file #(.N(N), .CLEAR(SHARED)) file (.clk(clk), .in_a(read1), .in_b(read2), .in_c(read3), .in_d(read4),
+        .in_write(!skip && (SHARED == 0 || dest != 6'd0)), .in_at(write), .in_word(word), .out_a(read_a),
+        .out_b(read_b), .out_c(read_c), .out_d(read_d));
 
     // Operands: A is a register, PORT, LAST or the table's W; B a register, the table's SLOPE or its complement, a
     // power of two, 0 or +-1
@@ -159,30 +137,9 @@ module engine_datapath #(
     wire [31:0]        sum;
     wire               outside, minus1;  // a LOW product is beyond +-1, below 0
     wire [19:0]        argument;        // of a root
+    engine_products #(.PIPE(PIPE)) products (.clk(clk), .in_a(a), .in_b(b), .in_c(c), .in_d(d), .out_ab(product1),
+        .out_cd(product2));
     generate
-        if (PIPE == 0) begin : g_product
-            assign product1 = $signed(a) * $signed(b);
-            assign product2 = $signed(c) * $signed(d);
-        end else if (PIPE == 1) begin : g_registered
-            reg signed [53:0] p1, p2;
-            assign {product1, product2} = {p1, p2};
-            always @(posedge clk) begin
-                p1 <= $signed(a) * $signed(b);
-                p2 <= $signed(c) * $signed(d);
-            end
-        end else begin : g_partial
-            reg signed [44:0] low1, low2;
-            reg signed [36:0] high1, high2;
-            wire       [36:0] top1 = high1 + {{9{low1[44]}}, low1[44:17]}, top2 = high2 + {{9{low2[44]}}, low2[44:17]};
-            assign product1 = {top1, low1[16:0]};
-            assign product2 = {top2, low2[16:0]};
-            always @(posedge clk) begin
-                low1  <= $signed(a) * $signed({1'b0, b[16:0]});
-                high1 <= $signed(a) * $signed(b[26:17]);
-                low2  <= $signed(c) * $signed({1'b0, d[16:0]});
-                high2 <= $signed(c) * $signed(d[26:17]);
-            end
-        end
         if (PIPE < 2) begin : g_three
             assign sum      = product1[53:22] + (product2[53:22] ^ {32{subtract}}) + kept;
             assign word     = low ? product1[26:0] : mid ? product1[38:12] : sum[29:3];
@@ -244,7 +201,7 @@ module engine_datapath #(
                 if (clear)
                     {unknown, one, sign} <= 3'd0;
             end
-            if (SHARED) begin : g_forgets
+            if (SHARED != 0) begin : g_forgets
                 assign first = {3{in_forget}};
             end else begin : g_knows
                 reg [3:1] never;

@@ -51,34 +51,34 @@ module kinematics_engine #(
     wire                done;
     assign              in_ready = !sweep && !busy && (!out_valid || out_ready);
 
-    // Program memory: {sealed, header, 48 bits}. A program is played from a sealed header to its last line; a run that
-    // meets another header ends there
-    (* no_rw_check *) reg [49:0] lines[0:(1<<N)-1];
-    reg  [49:0]         line;
-    wire                head = line[48], sealed = line[49];
-    wire                begins = kind[2:1] == 2'd2;  // LOAD or SEAL
-    wire                good = lap && kind == SEAL && !bad && crc == 16'd0;
-    always @(posedge clk) begin
-        line <= lines[at];
-        if (sweep || begun && kind[2] && !bad || good)
-            lines[at] <= {lap, begins, data};
-    end
-    assign {out_version, out_crc} = line[47:0];
-
-    // A load: LOAD, LINE ..., SEAL, without another command between them. The CRC, x^16 + x^12 + x^5 + 1, is of lines
-    // and header as they stand in memory, the highest bit first; with its own CRC at the end the header leaves 0
     reg                 loading;
     reg  [15:0]         crc;
     reg  [5:0]          count;
     reg                 lap, stored;  // the CRC is complete; one clock later
+
+    // Program memory: {sealed, header, 48 bits}. A program is played from a sealed header to its last line; a run that
+    // meets another header ends there
+    wire [49:0]         line;
+    wire                head = line[48], sealed = line[49];
+    wire                begins = kind[2:1] == 2'd2;  // LOAD or SEAL
+    wire                good = lap && kind == SEAL && !bad && crc == 16'd0;
+    engine_lines #(.N(N)) memory (.clk(clk), .in_at(at), .in_store(sweep || begun && kind[2] && !bad || good),
+        .in_line({lap, begins, data}), .out_line(line));
+    assign {out_version, out_crc} = line[47:0];
+
+    // A load: LOAD, LINE ..., SEAL, without another command between them. The CRC, x^16 + x^12 + x^5 + 1, is of lines
+    // and header as they stand in memory, the highest bit first; with its own CRC at the end the header leaves 0
     wire [63:0]         bits = {16'd0, line[47:0]};
     wire                fed = bits[~count];
     wire                next = in_kind[2:1] == 2'd3;  // LINE
     wire                last = loading && kind[1] && data[47];  // the command before was the last line of a load
     always @(posedge clk) begin
-        count <= busy && kind[2] ? count ^ {&count[4:0], &count[3:0], &count[2:0], &count[1:0], count[0], 1'b1} : 6'd0;
-        lap   <= !rst && count == 6'd63;
+        lap    <= !rst && count == 6'd63;
         stored <= !rst && lap;
+        if (rst || !busy || !kind[2])
+            count <= 6'd0;
+        else
+            count <= count ^ {&count[4:0], &count[3:0], &count[2:0], &count[1:0], count[0], 1'b1};
         if (kind == LOAD)
             crc <= 16'd0;
         else if (count[5:4] != 2'd0)
@@ -96,7 +96,7 @@ module kinematics_engine #(
     wire                  fault = entered && !sealed || live && head;
     wire                  start = entered && sealed;
     always @(posedge clk) begin
-        entered <= begun && kind == RUN;
+        entered <= !rst && begun && kind == RUN;
         live    <= !rst && (start || live && !ends);
         tail    <= rst ? {3+PIPE{1'b0}} : {tail[1+PIPE:0], live && ends};
         if (rst)
