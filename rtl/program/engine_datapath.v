@@ -32,7 +32,8 @@ module engine_datapath #(
     output wire [3:0]   out_status
 );
     generate
-        if (PIPE < 0 || PIPE > 2 || CONTEXTS < 1 || CONTEXTS > 8 || CONTEXTS != 1 && CONTEXTS != 1 << B) begin : g_illegal
+        if (PIPE < 0 || PIPE > 2 || CONTEXTS < 1 || CONTEXTS > 8 || CONTEXTS != 1 && CONTEXTS != 1 << B)
+        begin : g_illegal
             engine_datapath_needs_PIPE_from_0_to_2_and_CONTEXTS_of_1_2_4_or_8_and_its_B rule ();
         end
     endgenerate
@@ -187,7 +188,8 @@ module engine_datapath #(
                 if (act[4])
                     {unknown, one} <= {empty, low && power[0]};
                 if (act[5])
-                    held <= SHARED != 0 ? {2'd0, held[1] || none} : op[12] ? {none, held[2:1]} : op[11] ? {held[3], none, held[1]} : {held[3:2], none};
+                    held <= SHARED != 0 ? {2'd0, held[1] || none} : op[12] ? {none, held[2:1]}
+                            : op[11] ? {held[3], none, held[1]} : {held[3:2], none};
                 if (act[6]) begin
                     long <= low ? long || wide : !sum[31] && sum[30:29] != 2'd0;
                     sign <= low && minus1 && !long;
@@ -239,7 +241,7 @@ module engine_datapath #(
         written  <= skip ? 6'd0 : dest;
     end
     assign out_read = read_a;
-    wire unused = &{1'b0, in_start, in_live, in_context, in_forget, clear, in_signs, act, fold, low, mid, subtract, outside, minus1, argument, chosen, queue,
-        skip_queue};
+    wire unused = &{1'b0, in_start, in_live, in_context, in_forget, clear, in_signs, act, fold, low, mid, subtract,
+        outside, minus1, argument, chosen, queue, skip_queue};
 endmodule
 `default_nettype wire

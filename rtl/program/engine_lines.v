@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Program memory of kinematics_engine: 2^N lines of {sealed, header, 48 bits}, one address.
-//   out_line = the line at in_at, one clock later, undefined behind a clock with in_store; in_store writes in_line there
+//   out_line = the line at in_at, one clock later; in_store writes in_line there
+// A line that is read in the clock in which it is written is undefined in a memory block.
 // Latency 1. Model: none, it holds lines.
 `default_nettype none
 module engine_lines #(

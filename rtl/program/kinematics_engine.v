@@ -3,8 +3,8 @@
 //   in_kind 0 WRITE a word, 1 READ a register, 2 RUN, 3 INFO, 4 LOAD, 5 LINE, 6 SEAL: rtl/program/README.md
 // Formats: words s2.25; a line is {last, in_op of product_engine}; a program is a header and lines. Every command has
 // one result. out_word: register in_at of in_context, 0 before its first run (LINE: another one). out_version, out_crc:
-// of the header at in_at; for INFO. out_refused: nothing was done. Latency: 2; LOAD, LINE, SEAL 65; RUN 5 + PIPE more
-// than lines are played. After a reset no program is loaded and no context has run; that takes 2^N clocks.
+// of the header at in_at; for INFO. out_refused: nothing was done. Latency: 2; LOAD, LINE, SEAL 67; RUN 6 + PIPE more
+// than lines are played, or 3. After a reset no program is loaded and no context has run; that takes 2^N clocks.
 // Status of RUN: unreachable, singular, no rotation (bit 3: a check of the program failed).
 // Model: kinematics_engine.kinematics_engine
 `default_nettype none
@@ -54,6 +54,7 @@ module kinematics_engine #(
     reg                 loading;
     reg  [15:0]         crc;
     reg  [5:0]          count;
+    reg                 match;        // the last 16 bits were those of the CRC
     reg                 lap, stored;  // the CRC is complete; one clock later
 
     // Program memory: {sealed, header, 48 bits}. A program is played from a sealed header to its last line; a run that
@@ -61,15 +62,15 @@ module kinematics_engine #(
     wire [49:0]         line;
     wire                head = line[48], sealed = line[49];
     wire                begins = kind[2:1] == 2'd2;  // LOAD or SEAL
-    wire                good = lap && kind == SEAL && !bad && crc == 16'd0;
+    wire                good = lap && kind == SEAL && !bad && match;
     engine_lines #(.N(N)) memory (.clk(clk), .in_at(at), .in_store(sweep || begun && kind[2] && !bad || good),
         .in_line({lap, begins, data}), .out_line(line));
     assign {out_version, out_crc} = line[47:0];
 
     // A load: LOAD, LINE ..., SEAL, without another command between them. The CRC, x^16 + x^12 + x^5 + 1, is of lines
-    // and header as they stand in memory, the highest bit first; with its own CRC at the end the header leaves 0
+    // and header as they stand in memory, the highest bit first; the last 16 bits of the header are that of all before
     wire [63:0]         bits = {16'd0, line[47:0]};
-    wire                fed = bits[~count];
+    wire                odd = crc[15] ^ bits[~count];
     wire                next = in_kind[2:1] == 2'd3;  // LINE
     wire                last = loading && kind[1] && data[47];  // the command before was the last line of a load
     always @(posedge clk) begin
@@ -82,7 +83,8 @@ module kinematics_engine #(
         if (kind == LOAD)
             crc <= 16'd0;
         else if (count[5:4] != 2'd0)
-            crc <= {crc[14:0], 1'b0} ^ ({16{crc[15] ^ fed}} & 16'h1021);
+            crc <= {crc[14:0], 1'b0} ^ ({16{odd}} & 16'h1021);
+        match <= count[5:4] != 2'd3 || match && !odd;
         if (take)
             loading <= in_kind == LOAD || next && loading;
     end

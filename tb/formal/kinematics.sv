@@ -33,6 +33,7 @@ module kinematics_engine_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
     (* hierconn *) wire [2+PIPE:0] \dut.engine.flight ;
     (* hierconn *) wire [$clog2(CONTEXTS)+5:0] \dut.engine.asked ;
     (* hierconn *) wire \dut.memory.mixed ;
+    (* hierconn *) wire [49:0] \dut.memory.was ;
     (* hierconn *) wire [N-1:0] \dut.memory.asked ;
     (* hierconn *) wire [49:0] \dut.memory.kept ;
     (* hierconn *) wire [49:0] \dut.memory.in_line ;
@@ -91,8 +92,9 @@ module kinematics_engine_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
         if (\dut.begun && inside && kind == 2) assert (at == start);
         if (\dut.entered ) assert (age == 1 && \dut.memory.asked == start && at == start + 1'b1);
         if (\dut.live ) assert (\dut.memory.asked == start + played[N-1:0] && at == start + played[N-1:0] + 1'b1);
-        if (\dut.live ) assert (played >= 1);
-        if (\dut.live && start == spot) assert (played <= (1 << N) && kept[48]);
+        if (\dut.live && start == spot) assert (played >= 1 && played <= (1 << N) && kept[48]);
+        if (!\dut.memory.mixed ) assert (\dut.memory.was == kept);
+        if (\dut.entered || \dut.live ) assert (!\dut.memory.mixed );
         // nothing but LOAD, LINE and SEAL changes a line, and only headers are sealed
         if (\dut.memory.in_store && !\dut.sweep ) assert (\dut.busy && kind[2]);
         if (\dut.memory.in_store && \dut.memory.in_line [49]) assert (kind == 5 && \dut.memory.in_line [48]);
@@ -101,7 +103,8 @@ module kinematics_engine_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
     end
 endmodule
 
-// What the contract does not depend on: lines of any value, but that the line at one place, any, is what was stored there.
+// What the contract does not depend on: lines of any value. But the line at one place, any one, is what was stored
+// there.
 module engine_lines #(parameter N = 10) (
     input clk, input [N-1:0] in_at, input in_store, input [49:0] in_line, output [49:0] out_line
 );
