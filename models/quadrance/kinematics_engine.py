@@ -92,7 +92,6 @@ def play(p: Params, program: list[int], registers: list[int], ports: list[int], 
     idle = (NOTHING, (0, 0, 0, 0), False)
     for clock in range(len(ops) + late + 2):
         # the line that computes
-        at = clock - late
         op, (a, b, c, d), skip = waiting.pop() if len(waiting) == 1 + pipe else idle
         first, second = _signed(a) * _signed(b), _signed(c) * _signed(d)
         low, mid = op["align"] & 1, op["align"] >> 1
@@ -114,11 +113,11 @@ def play(p: Params, program: list[int], registers: list[int], ports: list[int], 
             read = tuple(registers[name] for name in names)
             newer = tuple(pipe == 2 and not skip and name == op["dest"] for name in names)
         _acted(p, unit, op["act"], low, mid, first, total, word, last_word, wrist, slack)
-        if not skip and op["dest"]:
+        if not skip:
             registers[op["dest"]] = word
         kept = total if op["keep"] else 4
         last_word = word
-        assert at < len(ops) + 2
+    registers[0] = 0  # lines that do nothing follow
     return unit.status
 
 

@@ -5,7 +5,7 @@
 // A line reads in one clock, selects its operands in the next, multiplies in PIPE more and computes in the next.
 // With several contexts: a line without in_live does nothing; in_start clears what a line could find of an earlier
 // program, but for the registers of in_context; with in_forget no direction is held; in_run is 1. in_context and
-// in_forget stay until the last line has computed. Register 0 is 0. out_read: the register of A, one clock after its
+// in_forget stay until the last line has computed. Register 0 is 0 between programs. out_read: the register of A, one clock after its
 // line. The file is stored four times, for four reads a clock. Models: product_engine.dot, .unit, .root
 `default_nettype none
 module engine_datapath #(
@@ -41,16 +41,6 @@ module engine_datapath #(
     localparam SHARED = CONTEXTS > 1 ? 1 : 0;
     localparam N = 6 + SHARED * B;           // bits of a register's address
     localparam [46:0] NOTHING = SHARED != 0 ? 47'h44_0000_0000 : 47'd0;  // word = A * 0
-    wire [N-1:0] read1, read2, read3, read4, write;
-    generate
-        if (SHARED != 0) begin : g_contexts
-            assign {read1, read2} = {in_context, in_op[44:39], in_context, in_op[37:32]};
-            assign {read3, read4} = {in_context, in_op[31:26], in_context, in_op[25:20]};
-            assign write          = {in_context, dest};
-        end else begin : g_context
-            assign {read1, read2, read3, read4, write} = {in_op[44:39], in_op[37:20], dest};
-        end
-    endgenerate
 
     reg  [46:0]         chosen;  // the line whose operands are selected
     reg  [19*PIPE+18:0] ops;     // fields of the lines whose operands were selected, 19 bits each, the oldest lowest
@@ -63,13 +53,23 @@ module engine_datapath #(
     wire [5:0]  dest = op[14:9];
     wire        low = op[15] && ROOTS != 0, mid = op[16] && ROOTS != 0, keep = op[17], subtract = op[18];
 
+    wire [N-1:0] read1, read2, read3, read4, write;
+    generate
+        if (SHARED != 0) begin : g_contexts
+            assign {read1, read2} = {in_context, in_op[44:39], in_context, in_op[37:32]};
+            assign {read3, read4} = {in_context, in_op[31:26], in_context, in_op[25:20]};
+            assign write          = {in_context, dest};
+        end else begin : g_context
+            assign {read1, read2, read3, read4, write} = {in_op[44:39], in_op[37:20], dest};
+        end
+    endgenerate
     wire [26:0]     read_a, read_b, read_c, read_d;
     wire [26:0]     word;
     reg  [PIPE:0]   skips;  // as ops
     wire            skip = skips[0];  // the register keeps its word
     wire [PIPE+1:0] skip_queue;
     engine_file #(.N(N), .CLEAR(SHARED)) file (.clk(clk), .in_a(read1), .in_b(read2), .in_c(read3), .in_d(read4),
-        .in_write(!skip && (SHARED == 0 || dest != 6'd0)), .in_at(write), .in_word(word), .out_a(read_a),
+        .in_write(!skip), .in_at(write), .in_word(word), .out_a(read_a),
         .out_b(read_b), .out_c(read_c), .out_d(read_d));
 
     // Operands: A is a register, PORT, LAST or the table's W; B a register, the table's SLOPE or its complement, a
@@ -206,13 +206,13 @@ module engine_datapath #(
             if (SHARED != 0) begin : g_forgets
                 assign first = {3{in_forget}};
             end else begin : g_knows
-                reg [3:1] never;
-                assign first = never;
+                reg [3:1] undefined;
+                assign first = undefined;
                 always @(posedge clk)
                     if (rst)
-                        never <= 3'b111;
+                        undefined <= 3'b111;
                     else if (act[5] && !none && op[9])
-                        never <= never & {!op[12], !op[11] || op[12], op[11] || op[12]};
+                        undefined <= undefined & {!op[12], !op[11] || op[12], op[11] || op[12]};
             end
             if (PIPE == 0) begin : g_asked
                 reg        read;

@@ -31,7 +31,7 @@ module kinematics_engine #(
     output wire [3:0]                  out_status
 );
     generate
-        if (N < 6 || N > 12 || CONTEXTS < 2 || CONTEXTS > 8 || CONTEXTS & CONTEXTS - 1 || U < 8 || U > 18 || PIPE < 0
+        if (N < 6 || N > 12 || CONTEXTS != 2 && CONTEXTS != 4 && CONTEXTS != 8 || U < 8 || U > 18 || PIPE < 0
             || PIPE > 2) begin : g_illegal
             kinematics_engine_needs_N_from_6_to_12_and_CONTEXTS_of_2_4_or_8_and_U_from_8_to_18_and_PIPE_from_0_to_2
                 rule ();
@@ -79,7 +79,7 @@ module kinematics_engine #(
         if (rst || !busy || !kind[2])
             count <= 6'd0;
         else
-            count <= count ^ {&count[4:0], &count[3:0], &count[2:0], &count[1:0], count[0], 1'b1};
+            count <= count + 6'd1;
         if (kind == LOAD)
             crc <= 16'd0;
         else if (count[5:4] != 2'd0)
@@ -132,8 +132,11 @@ module kinematics_engine #(
             kind <= 3'd0;
         else if (take)
             kind <= in_kind;
-        if (take) begin
+        if (rst)
+            bank <= {B{1'b0}};
+        else if (take)
             bank <= in_context;
+        if (take) begin
             bad     <= next && !loading || in_kind == SEAL && !last;
         end else if (fault || lap && kind == SEAL && !good)
             bad     <= 1'b1;
