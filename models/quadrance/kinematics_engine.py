@@ -12,8 +12,21 @@ import numpy as np
 
 from quadrance.arith import root_slopes
 from quadrance.fixed import Ints
-from quadrance.program.product_engine import (ABOVE, CHECK, CLAMP, FAR, FOLD, HOLD, LAST, LOW, MID, MORE, PORT, REGISTER,
-                                              ROOT, WRIST, fields)
+from quadrance.program.product_engine import (
+    ABOVE,
+    CHECK,
+    CLAMP,
+    FAR,
+    FOLD,
+    HOLD,
+    LAST,
+    MORE,
+    PORT,
+    REGISTER,
+    ROOT,
+    WRIST,
+    fields,
+)
 
 Params = dict[str, int]
 WRITE, READ, RUN, INFO, LOAD, SEAL, LINE = range(7)  # in_kind; 7 is LINE as well
@@ -37,7 +50,7 @@ def crc16(crc: int, word: int, bits: int = 48) -> int:
 
 @dataclass
 class _Unit:
-    """The root unit and the flags: seen magnitudes, factors of the root, what ROOT, FAR, ABOVE, HOLD and CHECK found."""
+    """The root unit and the flags: seen magnitudes, factors of the root, what the acts of lines have found."""
 
     seen: int = 0
     w: int = 0
@@ -121,8 +134,8 @@ def play(p: Params, program: list[int], registers: list[int], ports: list[int], 
     return unit.status
 
 
-def _chosen(op: dict[str, int], read: tuple[int, ...], newer: tuple[bool, ...], before: int, ports: list[int], word: int,
-            unit: _Unit, signs: int, forget: bool) -> tuple[dict[str, int], tuple[int, int, int, int], bool]:
+def _chosen(op: dict[str, int], read: tuple[int, ...], newer: tuple[bool, ...], before: int, ports: list[int],
+            word: int, unit: _Unit, signs: int, forget: bool) -> tuple[dict[str, int], tuple[int, int, int, int], bool]:
     """The operands of a line in the clock after it has read, and whether its register keeps its word."""
     registers = [before if new else value for value, new in zip(read, newer)]
     a = {REGISTER: registers[0], PORT: ports[op["a"]], LAST: word}.get(op["from"], unit.w)
@@ -135,8 +148,8 @@ def _chosen(op: dict[str, int], read: tuple[int, ...], newer: tuple[bool, ...], 
             b = 0
         else:
             turned = (kind >> 3 & 3 and signs >> (kind >> 3 & 3) - 1 & 1) ^ unit.one
-            b = (unit.slope ^ -turned & (1 << N) - 1, unit.power, unit.four, unit.four and 2 << unit.four.bit_length() // 2
-                 )[kind & 3]
+            twice = unit.four and 2 << unit.four.bit_length() // 2
+            b = (unit.slope ^ -turned & (1 << N) - 1, unit.power, unit.four, twice)[kind & 3]
     c, d = (registers[2], registers[3]) if op["add"] else (0, 0)
     bound, lost = op["act"] & CLAMP and unit.long, op["act"] & HOLD and unit.none
     if bound or lost and forget:

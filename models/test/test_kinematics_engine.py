@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from quadrance.cores import ROOT, RTL
 from quadrance.fixed import wrap
-from quadrance.kinematics_engine import ENDS, INFO, LINE, LOAD, READ, RUN, SEAL, WRITE, crc16, kinematics_engine
+from quadrance.kinematics_engine import ENDS, INFO, LINE, READ, RUN, SEAL, WRITE, crc16, kinematics_engine
 from quadrance.product_engine import ONE
 from quadrance.program import assembler, image, meaning, parser
 from quadrance.program.language import Wrong

@@ -5,8 +5,8 @@
 // A line reads in one clock, selects its operands in the next, multiplies in PIPE more and computes in the next.
 // With several contexts: a line without in_live does nothing; in_start clears what a line could find of an earlier
 // program, but for the registers of in_context; with in_forget no direction is held; in_run is 1. in_context and
-// in_forget stay until the last line has computed. Register 0 is 0 between programs. out_read: the register of A, one clock after its
-// line. The file is stored four times, for four reads a clock. Models: product_engine.dot, .unit, .root
+// in_forget stay until the last line has computed. Register 0 is 0 between programs. out_read: the register of A, one
+// clock after its line. The file is stored four times, for four reads a clock. Models: product_engine.dot, .unit, .root
 `default_nettype none
 module engine_datapath #(
     parameter PIPE = 0,      // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 27 x 17 bits too
@@ -40,7 +40,7 @@ module engine_datapath #(
 
     localparam SHARED = CONTEXTS > 1 ? 1 : 0;
     localparam N = 6 + SHARED * B;           // bits of a register's address
-    localparam [46:0] NOTHING = SHARED != 0 ? 47'h44_0000_0000 : 47'd0;  // word = A * 0
+    localparam [46:0] NOTHING = SHARED != 0 ? 47'h2044_0000_0000 : 47'd0;  // word = PORT * 0
 
     reg  [46:0]         chosen;  // the line whose operands are selected
     reg  [19*PIPE+18:0] ops;     // fields of the lines whose operands were selected, 19 bits each, the oldest lowest

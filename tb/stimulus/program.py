@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from quadrance.cores import RTL, Core
-from quadrance.fixed import Ints
-from quadrance.kinematics_engine import ENDS, FORGET, INFO, LINE, LOAD, READ, RUN, SEAL, WRITE
+from quadrance.kinematics_engine import ENDS, INFO, LINE, LOAD, READ, RUN, SEAL, WRITE
 from quadrance.program import assembler, image, product_engine
 
 from tb.lib.stimulus import Vectors

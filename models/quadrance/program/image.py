@@ -1,4 +1,4 @@
-"""This module makes the image of an assembled program: what a user loads into kinematics_engine, and where its words go.
+"""This module makes the image of an assembled program: what a user loads into kinematics_engine, and a map of words.
 
 An image is a dictionary for a JSON file. `load`, `inputs`, `run` and `outputs` turn it and values into commands.
 """
@@ -10,11 +10,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from quadrance.fixed import Ints, ints, wrap
-from quadrance.kinematics_engine import ENDS, FORGET, LINE, LOAD, N, READ, RUN, SEAL, WRITE
+from quadrance.fixed import Ints, ints
+from quadrance.kinematics_engine import ENDS, FORGET, LINE, LOAD, READ, RUN, SEAL, WRITE, N
+from quadrance.product_engine import ONE as WORD_OF_ONE
 from quadrance.program.assembler import Assembled
 from quadrance.program.language import ONE, Wrong
-from quadrance.product_engine import ONE as WORD_OF_ONE
 
 Command = tuple[int, int, int, int]  # in_kind, in_context, in_at, in_data
 VERSIONS = 1 << 32
@@ -43,8 +43,8 @@ def image(one: Assembled, start: int = 0, version: int = 0) -> dict:
         raise Wrong(f"{program.path.name}: its results are emitted, and kinematics_engine has them in registers: out, "
                     "not emit")
     if not 0 <= version < VERSIONS or start < 0:
-        raise Wrong(f"{program.path.name}: version {version} and start {start}: a version is from 0 to 2^32 - 1, a start "
-                    "from 0")
+        raise Wrong(f"{program.path.name}: version {version} and start {start}: a version is from 0 to 2^32 - 1, and a "
+                    "start is from 0")
     lines = [*one.words[:-1], one.words[-1] | ENDS]
     check = binascii.crc_hqx(version.to_bytes(4, "big"), crc(lines))
     used = {name for line in one.lines for name in (line.a, line.b, *(line.cd or ()))}
@@ -90,8 +90,3 @@ def columns(commands: Sequence[Command]) -> dict[str, Ints]:
     """Commands as the ports of kinematics_engine."""
     names = ("in_kind", "in_context", "in_at", "in_data")
     return {name: ints(np.array(column)) for name, column in zip(names, zip(*commands))}
-
-
-def signed(words: Ints) -> Ints:
-    """Words of in_data as numbers."""
-    return wrap(ints(words), N)
