@@ -65,7 +65,7 @@ def fuzz(core: Core, rng: np.random.Generator, programs: int) -> list[Command]:
 def wrong(core: Core, rng: np.random.Generator) -> list[Command]:
     """Loads that must be refused, programs that meet one another, runs of nothing."""
     end = (1 << core.params["N"]) - 1
-    one, two = sealed(wild(rng, 6), 7), sealed(wild(rng, 5), 1 << 31)
+    one, two = sealed(wild(rng, 6), 7), sealed(wild(rng, 5), 9)
     whole, header = image.load(one, 20), int(one["header"], 16)
     look, play = (INFO, 0, 20, 0), (RUN, 1, 20, 0)
     cut = [whole[0], *whole[1:4], whole[-1]]                    # lines are missing
