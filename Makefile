@@ -39,7 +39,7 @@ $(VENV)/ready: requirements.lock pyproject.toml ci/setup.sh
 lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pages and reports complete; CORE=name: one core
 	@$(PY) -m ci.lint $(if $(filter file,$(origin CORE)),,--core $(CORE))
 
-test: setup ## every bench in both simulators and every model test; CORE=name SIM=icarus|verilator: those of them
+test: setup ## every bench, every bulk run in Verilator and every model test; CORE=name SIM=icarus|verilator: those of them
 	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(PATHS)
 
 smoke: setup ## the first parameter set of every core: cocotb bench under Icarus, bulk run

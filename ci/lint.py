@@ -34,7 +34,7 @@ import pyslang
 from pyslang import TextDiagnosticClient
 from pyslang.ast import Compilation, InstanceSymbol
 from pyslang.driver import Driver
-from quadrance.cli import axis, catalogue
+from quadrance.cli import axis, catalogue, registers
 from quadrance.cores import ROOT, RTL, Core, Port, all_cores
 from quadrance.program import table as program_table
 from rich.console import Console
@@ -84,10 +84,11 @@ def _elaborated(core: Core, params: dict[str, int]) -> tuple[Driver, Compilation
 def slang(core: Core, params: dict[str, int]) -> tuple[int, str]:
     """slang's complaints about one parameter set."""
     found = _elaborated(core, params)
-    return _complaints(*found) if found else (1, "sources or parameters are not accepted")
+    return complaints(*found) if found else (1, "sources or parameters are not accepted")
 
 
-def _complaints(driver: Driver, compilation: Compilation) -> tuple[int, str]:
+def complaints(driver: Driver, compilation: Compilation) -> tuple[int, str]:
+    """Number of errors, and what slang says."""
     engine, client = driver.diagEngine, TextDiagnosticClient()
     engine.clearClients()
     engine.addClient(client)
@@ -213,6 +214,24 @@ def check_wrapper(core: Core) -> list[str]:
             for code, text in [tool(top, core.params)] if code or text]
 
 
+FACED = ("table_ik2", "axil", False), ("arm_ik3", "wishbone", True)  # a face and a link each
+
+
+def check_registers(core: Core, bus: str, core_clock: bool) -> list[str]:
+    """The module that `quadrance registers` writes around a core, and the handwritten ones in it."""
+    path = tools.BUILD / "registers" / f"{registers.top(core, bus)}.v"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(registers.wrapper(core, bus, core_clock))
+    top = replace(core, name=path.stem, sources=(path, *registers.sources(bus, core_clock), *core.sources))
+    wrong = [f"{path.stem}: {tool.__name__}: {text or code}"
+             for tool in ((verilator, icarus, slang, yosys) if available("icarus") else (verilator, slang, yosys))
+             for code, text in [tool(top, {})] if code or text]
+    control = replace(core, name="register_control", sources=(RTL / "bus" / "register_control.v",))
+    if "_needs_" not in slang(control, {"CFG": 65})[1]:
+        wrong.append("register_control: slang accepts 65 words or does not name the rule")
+    return wrong
+
+
 def check_file(path: Path) -> list[str]:
     """Shape of one Verilog file: licence, header, one module of the file's name, net types."""
     text, name = path.read_text(), path.relative_to(ROOT)
@@ -253,6 +272,7 @@ def check_list(cores: tuple[Core, ...]) -> list[str]:
     """The list reaches every file, and every set has a row in the report."""
     wrong = []
     listed = {source for core in cores for source in core.sources}
+    listed |= {path for _, bus, core_clock in FACED for path in registers.sources(bus, core_clock)}
     for path in sorted(RTL.rglob("*.v")):
         if path not in listed:
             wrong.append(f"{path.relative_to(ROOT)}: no entry of rtl/cores.toml reaches it")
@@ -338,6 +358,8 @@ def main() -> int:
     if not named:
         wrapped = {core.family: core for core in reversed(cores) if core.clocked}  # the first core of each family
         jobs |= {functools.partial(check_wrapper, core): f"axis_{core.name}" for core in wrapped.values()}
+        jobs |= {functools.partial(check_registers, catalogue.find(name), bus, core_clock): f"{bus}_{name}"
+                 for name, bus, core_clock in FACED}
     try:
         wrong = list(_progress(jobs))
     except KeyboardInterrupt:

@@ -37,7 +37,6 @@ class Played:
     at: int
     player: str
     words: tuple[int, ...]
-    again: int | None = None
     pipe: int = 0
 
 
@@ -74,10 +73,9 @@ def played(core: Core) -> list[Played]:
         name, body = one.definition.name, one.body
         if name in PLAYERS:
             lines, bits, table = (int(body.find(key).value.value) for key in ("LINES", "BITS", "TABLE"))
-            again = int(body.find("AGAIN").value.value) if name == "engine_program" else lines
             path = Path(compilation.sourceManager.getFileName(one.location)).resolve()
             found.append(Played(path.stem, path, compilation.sourceManager.getLineNumber(one.location), name,
-                                _cut(table, lines, bits), None if again == lines else again, pipe))
+                                _cut(table, lines, bits), pipe))
         elif name.endswith("_program") and "reg " in re.sub(r"output\s+reg", "", sources[name].read_text()):
             table, bits = body.find("LINES"), body.find("out_op").type.bitWidth
             lines = table.type.bitWidth // bits
@@ -178,8 +176,7 @@ def product(results: Iterable[int], roots: bool = True) -> Callable[[Played, str
         names = [{key: row.cells[at] for key, at in cells.items()} for row in lines]
         words = [assembled(text, word) for word in one.words]
         return [*mislabelled(text, ((row, row.cells[cells["dest"]]) for row in lines), _registers(text)),
-                *product_engine.check(words, one.again, [row.label for row in lines], names, frozenset(results), roots,
-                                      one.pipe)]
+                *product_engine.check(words, [row.label for row in lines], names, frozenset(results), roots, one.pipe)]
 
     return read
 

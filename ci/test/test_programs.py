@@ -236,12 +236,6 @@ def test_faults_of_a_first_line_and_of_acts(name, word, says):
     assert says in said([word, IDLE, IDLE])
 
 
-def test_a_loop_is_followed_round():
-    words = [word(dest=1), IDLE, IDLE, word(reg(1), dest=4), word(dest=1)]
-    assert said(words[:4], again=3) == ""
-    assert "is read while" in said(words, again=3)
-
-
 def test_an_engine_without_roots_has_none():
     assert "no root unit" in said([word(dest=4, act=product_engine.FOLD)], roots=False)
 

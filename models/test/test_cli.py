@@ -135,6 +135,39 @@ def test_an_instance_without_an_arm_leaves_its_words_to_signals(quadrance):
     assert "12 bits end at 4095" in quadrance("instance", "vector_fk1", "-p", "W=12", "--arm", "cobra600", code=2)
 
 
+def test_an_instance_in_every_format(quadrance, tmp_path):
+    """VHDL has each port with its width, and the words of JSON; C has the words, and compiles."""
+    for name, arm in (("table_ik2", "cobra600"), ("arm_ik3", "ur5"), ("engine_quaternion_dls", None)):
+        more = ["--arm", arm] if arm else []
+        about = json.loads(quadrance("instance", name, *more, "--format", "json"))
+        core = catalogue.find(about["core"].partition("-")[0], about["params"])
+        text = quadrance("instance", name, *more, "--format", "vhdl")
+        ports = dict(re.findall(r"^    (\w+) : (?:in|out) (std_logic(?:_vector\(\d+ downto 0\))?)\)?;$", text, re.M))
+        mapped = dict(re.findall(r"^    (\w+) => (.*?)(?:,|\);?)$", text, re.M))
+        data = (*core.cfg, *core.inputs, *core.outputs)
+        assert ports.keys() - {port.name for port in data} == {"clk", "rst", "in_valid", "in_ready", "out_valid",
+                                                               "out_ready"}
+        for port in data:
+            assert ports[port.name] in ((f"std_logic_vector({port.width - 1} downto 0)",) if port.width > 1 else
+                                        ("std_logic", "std_logic_vector(0 downto 0)"))
+        for port in core.cfg if arm else ():
+            bits = mapped[port.name].strip("'\"")
+            assert len(bits) == port.width
+            value = int(bits, 2)
+            assert (value - (1 << port.width) if port.signed and value >> port.width - 1 else value) == \
+                about["cfg"][port.name]
+        assert {key: mapped[key] for key in core.params} == {key: str(value) for key, value in core.params.items()}
+    text = quadrance("instance", "table_ik2", "--arm", "cobra600", "--format", "c")
+    (tmp_path / "words.c").write_text(f"#include <stdint.h>\n{text}\nint64_t q = TABLE_IK2_CFG_Q;\n"
+                                      "char a[TABLE_IK2_CFG_Q == -118783999 ? 1 : -1];\n")
+    subprocess.run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-c", "words.c"], cwd=tmp_path,
+                   check=True)
+    for wrong, said in ((["--format", "ada"], "no format 'ada'; there are verilog, vhdl, c, json"),
+                        (["--format", "c"], "give --arm"), (["--format", "vhdl", "--name", "signal"], "no name"),
+                        (["--format", "vhdl", "--name", "u__a"], "no name")):
+        assert said in quadrance("instance", "table_ik2", *wrong, code=2)
+
+
 def test_literals_have_the_size_and_the_sign_of_their_port():
     port = cores.Port("cfg_q", 4, True)
     assert [verilog.literal(port, value) for value in (-8, -7, 7)] == ["4'sh8", "-4'sd7", "4'sd7"]

@@ -68,4 +68,5 @@ def test_the_package_has_the_figures_and_the_arms(installed):
                 if (row["core"], row["set"]) == ("rational_ik2", "S24"))
     assert figures["ecp5"]["lut"] == area
     assert ".cfg_l1(16'd8320)" in installed("instance", "rational_ik2", "--arm", "cobra600")
+    assert "files written to hw" in installed("registers", "table_ik2", "--arm", "cobra600", "--out", "hw")
     assert "did you mean rational_ik2" in installed("show", "rational_ik22", code=2)

@@ -105,11 +105,16 @@ module engine_datapath #(
             endcase
     end
 
-    // The output of a memory is late: it passes one gate
+    // The output of a memory is late: where clocks are short it passes one gate
     reg  [26:0] a, b, c, d;
     always @(posedge clk) begin
-        a <= read_a & {27{file1 && !newer[3]}} | (file1 ? out_word & {27{newer[3]}} : other1);
-        b <= read_b & {27{file2 && !newer[2]}} | (file2 ? out_word & {27{newer[2]}} : other2);
+        if (PIPE < 2) begin
+            a <= file1 ? read_a : other1;
+            b <= file2 ? read_b : other2;
+        end else begin
+            a <= read_a & {27{file1 && !newer[3]}} | (file1 ? out_word & {27{newer[3]}} : other1);
+            b <= read_b & {27{file2 && !newer[2]}} | (file2 ? out_word & {27{newer[2]}} : other2);
+        end
         c <= chosen[19] ? newer[1] ? out_word : read_c : 27'd0;  // 0: a single product
         d <= chosen[19] ? newer[0] ? out_word : read_d : 27'd0;
         if (bound || lost && never) begin  // +-1 times 1 out of reach; (1, 0) for a direction that was never defined

@@ -3,9 +3,9 @@
 //   out_word, out_dest: a word and its register; the cosine of joint j has number 2j, its sine 2j + 1. The words of a
 //   joint come before those of the next one, in the order 1, 3, 2, 4, 5, 6. A held joint gives none
 // Formats: those of six_pose; in_signs is in_branch of vector_ik6; out_word s2.25. Error: bounds.six.
-// Latency: out_done is high in the 92nd clock after in_start, together with the last word, n6 or c6, and out_status is
-// valid from then on, as in vector_ik6. A user raises in_start only when out_idle is high; in a clock with rst it is
-// ignored. Model: six.ik6
+// Latency: out_done is high in the 92nd clock after in_start (PIPE 1: 112th, 2: 126th), together with the last word,
+// n6 or c6, and out_status is valid from then on, as in vector_ik6. A user raises in_start only when out_idle is high;
+// in a clock with rst it is ignored. Model: six.ik6
 `default_nettype none
 module six_inverse_path #(
     parameter W = 16,   // bits of a coordinate, 4 to 16 (default 16)
@@ -39,16 +39,20 @@ module six_inverse_path #(
     wire [26:0] port;
     reg  [2:0]  signs;
     generate
-        if (PIPE == 0) begin : g_program
-            vector_ik6_program control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
-                .out_done(out_done), .out_op(op));
-        end else if (PIPE == 1) begin : g_program
-            vector_ik6_program_1 control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
-                .out_done(out_done), .out_op(op));
-        end else begin : g_program
-            vector_ik6_program_2 control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
-                .out_done(out_done), .out_op(op));
-        end
+        case (PIPE)
+            0: begin : g_program
+                vector_ik6_program control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
+                    .out_done(out_done), .out_op(op));
+            end
+            1: begin : g_program
+                vector_ik6_program_1 control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
+                    .out_done(out_done), .out_op(op));
+            end
+            default: begin : g_program
+                vector_ik6_program_2 control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
+                    .out_done(out_done), .out_op(op));
+            end
+        endcase
     endgenerate
     six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(in_start), .in_matrix(in_matrix), .in_tip(in_tip),
         .in_lengths(in_lengths), .in_cp(in_cp), .in_np(in_np), .in_r(in_r), .in_e(in_e), .in_select(op[43:39]),

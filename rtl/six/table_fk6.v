@@ -4,7 +4,8 @@
 // Formats: in_j* angle of A bits, a full turn is 2^A; out_r*, row and column, s2.U; out_x, out_y, out_z s(W-F).F; all
 // are rounded to nearest (ties upward), coordinates saturated; cfg_* lengths s(W-F).(F+4), by six.forward_config.
 // Error: that of vector_fk6, and at each joint 0.83 2^-U in a coordinate of its vector.
-// Latency and II: 58, two clocks a joint and one, then vector_fk6. Status: overflow (a coordinate was saturated).
+// Latency and II by PIPE: 58, 59, 61, of which 13 are two clocks a joint and one before vector_fk6.
+// Status: overflow (a coordinate was saturated).
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.table_fk6
 `default_nettype none
 module table_fk6 #(

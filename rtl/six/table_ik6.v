@@ -3,7 +3,7 @@
 // table codec that converts its vectors as they come.
 // Formats: out_j* angle of A bits, a full turn is 2^A, rounded to nearest; in_r*, row and column of the rotation
 // matrix, s2.U; in_x, in_y, in_z s(W-F).F; in_branch as in vector_ik6; cfg_* by six.config.
-// Error: that of vector_ik6 (bounds.six), and 0.89 LSB of an angle. Latency and II: 95.
+// Error: that of vector_ik6 (bounds.six), and 0.89 LSB of an angle. Latency and II by PIPE: 95, 115, 129.
 // Status: unreachable (the nearest pose is answered), singular (joint 1, 2 or 4 has no direction and holds its angle),
 // no rotation (bit 3: the matrix is off by 16 units of 2^-U). A joint of a matrix that is no rotation may have no
 // vector; it then has the angle formed last, in the order 1, 3, 2, 4, 5, 6.

@@ -5,7 +5,7 @@
 // all are rounded to nearest (ties upward), coordinates saturated; cfg_* lengths s(W-F).(F+4), by six.forward_config.
 // Error of a coordinate, lengths in LSB: 1/2 + 2^-U sqrt(1/2) (|a1| + |b| + 2 |c2| + 3 k + 5 |c4|) + 20 2^(W-25), and
 // 2^-5 for each length that is not 0, k = sqrt(a2^2 + c3^2). Of a word of the matrix: 8.3 2^-16 at U = 16.
-// Latency and II: 45. Status: overflow (a coordinate was saturated).
+// Latency and II by PIPE: 45, 46, 48. Status: overflow (a coordinate was saturated).
 // Source: Brandstoetter, Angerer, Hofbaur 2014. Model: six.fk6
 `default_nettype none
 module vector_fk6 #(
@@ -64,16 +64,20 @@ module vector_fk6 #(
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
     generate
-        if (PIPE == 0) begin : g_program
-            vector_fk6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-                .out_op(op));
-        end else if (PIPE == 1) begin : g_program
-            vector_fk6_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-                .out_op(op));
-        end else begin : g_program
-            vector_fk6_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-                .out_op(op));
-        end
+        case (PIPE)
+            0: begin : g_program
+                vector_fk6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+                    .out_op(op));
+            end
+            1: begin : g_program
+                vector_fk6_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+                    .out_op(op));
+            end
+            default: begin : g_program
+                vector_fk6_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
+                    .out_op(op));
+            end
+        endcase
     endgenerate
 
     // The ports as 27-bit words of the product engine

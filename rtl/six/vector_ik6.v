@@ -5,7 +5,7 @@
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_c*, out_n* cosine and
 // sine of a joint, s2.U, rounded to nearest; cfg_* by six.config.
 // Error: orientation (6 sqrt(1/2) + 1.07) 2^-U + 3.25 2^-16 rad, at singular poses 8 sqrt(2) 2^-U more; position:
-// bounds.six.position, which grows near axes 1 and 2. Latency and II: 93.
+// bounds.six.position, which grows near axes 1 and 2. Latency and II by PIPE: 93, 113, 127.
 // Status: unreachable (the nearest pose is answered), singular (joint 1, 2 or 4 has no direction and holds its last
 // one, (1, 0) after a reset; the others are computed with it), no rotation (bit 3: the matrix is off by 16 units of
 // 2^-U).

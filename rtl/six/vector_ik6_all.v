@@ -5,7 +5,7 @@
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_cjb, out_njb cosine and
 // sine of joint j of branch b, s2.U, rounded to nearest; cfg_* by six.config.
 // Error: orientation (6 sqrt(1/2) + 1.07) 2^-U + 3.25 2^-16 rad, at singular poses 8 sqrt(2) 2^-U more; position:
-// bounds.six.position, which grows near axes 1 and 2. Latency and II: 233.
+// bounds.six.position, which grows near axes 1 and 2. Latency and II by PIPE: 233, 254, 280.
 // Status: unreachable, singular (of the branches whose bits are set in out_far, out_held; a joint without a direction
 // holds the last one solved, in the order of branches 0, 2, 1, 3), no rotation (bit 3: by 16 units of 2^-U).
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6_all
@@ -75,16 +75,20 @@ module vector_ik6_all #(
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
     generate
-        if (PIPE == 0) begin : g_program
-            vector_ik6_all_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end else if (PIPE == 1) begin : g_program
-            vector_ik6_all_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end else begin : g_program
-            vector_ik6_all_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                .out_done(done), .out_op(op));
-        end
+        case (PIPE)
+            0: begin : g_program
+                vector_ik6_all_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+            1: begin : g_program
+                vector_ik6_all_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+            default: begin : g_program
+                vector_ik6_all_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+                    .out_done(done), .out_op(op));
+            end
+        endcase
     endgenerate
 
     wire [3:0]  flags;

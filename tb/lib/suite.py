@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import os
 import warnings
 from collections.abc import Iterator, Sequence
@@ -26,7 +27,7 @@ VARYING = 1000  # clocks of a sample that meet a reset, where their number varie
 MEMORY = 6  # samples looked at behind a reset: more than any core takes to answer from what it holds
 CONFIGS = 4  # beside the first one that meet resets; fewer of a core of many clocks
 IN_ORDER = 128  # samples
-# The tests of tb/lib/bench.py for the second simulator, Verilator, which has the bulk runs: what they have less of
+# The tests of tb/lib/bench.py that a core runs in the second simulator, Verilator, too: what its bulk runs have less of
 AGAIN = r"\.(idle_and_back_pressure|stalled_output_loses_nothing)$"
 STARTS = 16  # different ones, for each is a run of the model
 
@@ -53,8 +54,9 @@ def _again(core: Core, rng: np.random.Generator, result: bulk.Result, few: int) 
     pick = rng.integers(0, size, max(size // STALLED, few))
     status = result.outputs.get("out_status", np.zeros(size, int))
     kinds = [np.flatnonzero(status == kind) for kind in np.unique(status)]
-    for place in np.flatnonzero(rng.random(pick.size) < 0.5):
-        pick[place] = rng.choice(kinds[rng.integers(len(kinds))])
+    kind = np.where(rng.random(pick.size) < 0.5, rng.integers(0, len(kinds), pick.size), -1)
+    for index, alike in enumerate(kinds):
+        pick[kind == index] = rng.choice(alike, np.count_nonzero(kind == index))
     if core.latency is None:
         runs = rng.integers(0, max(size - IN_ORDER, 1), (2, 1)) + np.arange(min(IN_ORDER, size))
         pick = np.concatenate([pick, runs.ravel()])
@@ -172,14 +174,23 @@ def repeated(command: str) -> Iterator[None]:
 
 
 def _marks(core: Core, simulator: str, usable: list[str]) -> list[pytest.MarkDecorator]:
-    """The first parameter set of every core in both simulators; further sets, which have bulk runs, in the long run."""
-    if not core.first_set:
+    """The first parameter set of every core in the first simulator, and of a core of each family in the second, whose
+    bulk runs have all sets; the long run has the rest.
+    """
+    if not core.first_set or simulator != usable[0] and core.name not in _both():
         return [pytest.mark.slow]
     return [pytest.mark.full] + [pytest.mark.smoke] * (simulator == usable[0])
 
 
+@functools.cache
+def _both() -> set[str]:
+    """The first clocked core of each family, of fixed latency and of varying one."""
+    clocked = [core for core in reversed(all_cores()) if core.clocked]
+    return set({(core.family, core.latency is None): core.name for core in clocked}.values())
+
+
 def benches():
-    """The three tests of every core: cocotb bench in both simulators, bulk run, long bulk run."""
+    """The three tests of every core: cocotb bench, bulk run, long bulk run."""
     usable = simulators()
     cores = all_cores()
     ids = [core.id for core in cores]

@@ -65,7 +65,8 @@ def test_corners_have_both_sides_of_both_ends(core):
     ports = [port for port in stimulus.coordinates(core)
              if port.name != "out_z" or core.function != "chain" or core.params["SPACE"]]
     assert ports
-    over, inside = set(), {}
+    wanted = {(port.name, end) for port in ports for end in stimulus.ends(core, port)}
+    over, inside = set(), dict.fromkeys(wanted, 1 << 40)
     for cfg in stimulus.configs(core, np.random.default_rng(1)):
         answer = core.model(core.params, **stimulus.corners(core, cfg), **cfg)
         flag = answer["out_status"] & 4 > 0
@@ -76,8 +77,10 @@ def test_corners_have_both_sides_of_both_ends(core):
                 if np.any((flag if core.family == "paper" else alone) & (answer[port.name] == end)):
                     over.add((port.name, end))
                 off = np.abs(answer[port.name] - end)[~flag].min(initial=1 << 40)
-                inside[port.name, end] = min(inside.get((port.name, end), 1 << 40), int(off))
-    assert over == {(port.name, end) for port in ports for end in stimulus.ends(core, port)}
+                inside[port.name, end] = min(inside[port.name, end], int(off))
+        if over == wanted and max(inside.values()) <= _few(core):  # no further configuration takes them back
+            break
+    assert over == wanted
     assert max(inside.values()) <= _few(core), inside
 
 
@@ -94,9 +97,12 @@ def test_every_core_that_overflows_is_looked_at():
 @pytest.mark.parametrize("name", [name for name in INSIDE if not name.startswith("paper")])
 def test_an_overflow_inside_is_seen_and_not_seen(name):
     core = find(name)
-    flags = {bool(flag) for cfg in stimulus.configs(core, np.random.default_rng(1)) for flag in np.unique(
-        core.model(core.params, **stimulus.corners(core, cfg), **cfg)["out_status"] & 4)}
-    assert flags == {False, True}
+    flags = set()
+    for cfg in stimulus.configs(core, np.random.default_rng(1)):
+        flags |= set(core.model(core.params, **stimulus.corners(core, cfg), **cfg)["out_status"] & 4)
+        if flags == {0, 4}:
+            break
+    assert flags == {0, 4}
 
 
 @pytest.mark.full
@@ -174,7 +180,7 @@ def test_a_limit_of_long_bits_is_reached(core):
     """A bit of the limit has an effect where a sample does not converge before: its iterations are the limit."""
     reached = 0
     for cfg in stimulus.configs(core, np.random.default_rng(2026)):
-        if cfg["cfg_limit"] >= 1 << stimulus.SMALL:
+        if (cfg["cfg_limit"] & ~reached) >> stimulus.SMALL:  # a bit that no limit before had
             iters = core.model(core.params, **stimulus.corners(core, cfg), **cfg)["out_iters"]
             reached |= cfg["cfg_limit"] * bool(np.any(iters == cfg["cfg_limit"]))
     width = next(port.width for port in core.cfg if port.name == "cfg_limit")

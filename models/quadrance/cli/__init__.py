@@ -9,15 +9,15 @@ import argparse
 import difflib
 import json
 import os
-import shutil
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 from quadrance import arms
-from quadrance.cli import assemble, axis, catalogue, check, importing, tables, urdf, verilog, words
+from quadrance.cli import assemble, axis, c, catalogue, check, importing, registers, tables, urdf, verilog, vhdl, words
 from quadrance.cli.catalogue import Refused
 from quadrance.cli.tables import Column
+from quadrance.cores import Core
 from quadrance.iterative import track
 
 
@@ -122,15 +122,23 @@ def _show(args: argparse.Namespace) -> None:
     out.print(f"\nfiles ({len(about['files'])}): quadrance files {core.id}")
 
 
-def _instance(args: argparse.Namespace) -> None:
+def _around(args: argparse.Namespace) -> tuple[Core, arms.Arm | None, dict[str, int]]:
+    """The core that the command line names, as the arm wants it, the arm, and the configuration words for it."""
     params = _params(args.param)
     core = catalogue.find(args.core, params)
     arm = check.load(args.arm) if args.arm else None
     core = verilog.fitted(core, arm, params) if arm else core
+    return core, arm, verilog.config(core, arm) if arm else {}
+
+
+def _instance(args: argparse.Namespace) -> None:
+    core, arm, cfg = _around(args)
+    form = catalogue.choose("format", "json" if args.json else args.format, ("verilog", "vhdl", "c", "json"))
+    if form in ("vhdl", "c"):
+        return print(vhdl.instance(core, arm, args.name) if form == "vhdl" else c.words(core, arm, args.name), end="\n")
     text = verilog.instance(core, arm, args.name, args.declare)
-    if args.json:
-        return _json({"core": core.id, "params": core.params, "arm": arm and arm.id,
-                      "cfg": verilog.config(core, arm) if arm else {}, "verilog": text})
+    if form == "json":
+        return _json({"core": core.id, "params": core.params, "arm": arm and arm.id, "cfg": cfg, "verilog": text})
     print(text)
 
 
@@ -152,21 +160,38 @@ def _axis(args: argparse.Namespace) -> None:
     print(text, end="")
 
 
+def _registers(args: argparse.Namespace) -> None:
+    core, arm, cfg = _around(args)
+    bus = catalogue.choose("bus", args.bus, registers.BUSSES)
+    own = (args.core_clock, not args.no_readback)
+    if args.out:
+        texts = {f"{core.name}.h": c.header(core, arm), c.SHARED.name: c.SHARED.read_text()}
+        return _fill(args.out, registers.files(core, bus, cfg, *own) | texts, "written")
+    if args.json:
+        return _json(registers.described(core, cfg) | {"verilog": registers.wrapper(core, bus, *own)})
+    print(registers.wrapper(core, bus, *own), end="")
+
+
 def _copy(folder: str, paths: list[Path]) -> None:
+    _fill(folder, {path.name: path.read_text() for path in paths}, "copied")
+
+
+def _fill(folder: str, texts: dict[str, str], done: str) -> None:
+    """New files in a folder; where one is there with another text, none is written."""
     target = Path(folder)
     if target.exists() and not target.is_dir():
         raise Refused(f"{target} is a file, not a folder")
-    for path in paths:
-        there = target / path.name
-        if there.exists() and there.read_bytes() != path.read_bytes():
-            raise Refused(f"{there} exists and is another file; nothing was copied")
     try:
+        for name, text in texts.items():
+            there = target / name
+            if there.exists() and (not there.is_file() or there.read_bytes() != text.encode()):
+                raise Refused(f"{there} exists and is another file; nothing was {done}")
         target.mkdir(parents=True, exist_ok=True)
-        for path in paths:
-            shutil.copyfile(path, target / path.name)
+        for name, text in texts.items():
+            (target / name).write_text(text, encoding="utf-8")
     except OSError as error:
         raise Refused(f"{target} cannot be written: {error.strerror}") from None
-    print(f"{len(paths)} file{'s' * (len(paths) != 1)} copied to {target}")
+    print(f"{len(texts)} file{'s' * (len(texts) != 1)} {done} to {target}")
 
 
 def _counts(text: str | None) -> int | None:
@@ -350,11 +375,18 @@ def parser() -> Parser:
     sub.add_argument("--arm", help="name of an arm, or its TOML file: computes cfg_*")
     sub.add_argument("--name", help="of the instance")
     sub.add_argument("--declare", action="store_true", help="declare the wires too")
+    sub.add_argument("--format", default="verilog", metavar="FORMAT", help="verilog, vhdl, c (the words) or json")
     sub = core(command("files", _files, "the Verilog files of a core in compile order"), param=False)
     sub.add_argument("-f", action="store_true", help="as a command file (-f) of a simulator")
     sub.add_argument("--relative", metavar="DIR", help="paths seen from a folder")
     sub.add_argument("--copy", metavar="DIR", help="copy the files there")
     core(command("axis", _axis, "the Verilog of an AXI-Stream wrapper around a core"), param=False)
+    sub = core(command("registers", _registers, "a core behind registers on a bus: Verilog, its map, C and SystemRDL"))
+    sub.add_argument("--bus", default="axil", metavar="BUS", help="axil (AXI4-Lite) or wishbone")
+    sub.add_argument("--arm", help="name of an arm, or its TOML file: its configuration words go with the map")
+    sub.add_argument("--core-clock", action="store_true", help="the core has a clock of its own, core_clk")
+    sub.add_argument("--no-readback", action="store_true", help="what is written cannot be read: a third of the logic")
+    sub.add_argument("--out", metavar="DIR", help="write all files of a design there; overwrites nothing")
     for name, does, text, value in (
             ("encode", _encode, "degrees, encoder counts or millimetres into words", "degrees, counts, mm or units"),
             ("decode", _decode, "words into degrees, encoder counts or millimetres", "a word; of a vector C,N")):

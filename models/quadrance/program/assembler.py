@@ -153,7 +153,7 @@ def assemble(program: Program, pipe: int = 0, order: Order | None = None, second
 def problems(one: Assembled) -> list[str]:
     """What the independent checker finds wrong with the words."""
     names = [dict(zip(("a", "b", "c", "d", "dest"), (cells[i] for i in (1, 3, 4, 5, 9)))) for _, cells in one.rows]
-    return product_engine.check(one.words, None, [label for label, _ in one.rows], names, one.results, one.roots,
+    return product_engine.check(one.words, [label for label, _ in one.rows], names, one.results, one.roots,
                                 one.pipe)
 
 

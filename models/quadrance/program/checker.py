@@ -150,9 +150,9 @@ class Program:
 NEVER = frozenset({()})
 
 
-def straight(lines: Sequence[Line], again: int | None = None) -> list[tuple[int, ...]]:
-    """Successors of a table that is played downwards; from its end the lines from `again` on once more."""
-    return [(n + 1,) for n in range(len(lines) - 1)] + [() if again is None else (again,)]
+def straight(lines: Sequence[Line]) -> list[tuple[int, ...]]:
+    """Successors of a table that is played downwards."""
+    return [*((n + 1,) for n in range(len(lines) - 1)), ()]
 
 
 def _fault(program: Program, read: Read, history: History) -> str:

@@ -152,20 +152,18 @@ def _neighbours(words: Sequence[int], then: Sequence[tuple[int, ...]], pipe: int
     return wrong
 
 
-def program(words: Sequence[int], again: int | None = None, labels: Sequence[str] = (),
-            names: Sequence[dict[str, str]] = (), results: frozenset[int] = frozenset(), roots: bool = True,
-            pipe: int = 0) -> Program:
+def program(words: Sequence[int], labels: Sequence[str] = (), names: Sequence[dict[str, str]] = (),
+            results: frozenset[int] = frozenset(), roots: bool = True, pipe: int = 0) -> Program:
     """The program of a list of words that engine_program plays.
 
     Parameters
     ----------
-    again : the first line of those that are played once more, engine_program's AGAIN; None for none.
     names : for each line the names of its registers' words, as `decode` takes them.
     results : registers whose words leave the engine.
     """
     lines = [decode(word, labels[i] if labels else "", names[i] if names else None, roots, pipe)
              for i, word in enumerate(words)]
-    then = straight(lines, again)
+    then = straight(lines)
     first = fields(words[0])
     if first["keep"] or first["act"] & ~(FOLD | WRIST | ABOVE | ROOT) or first["dest"] in results:
         text = "it is played while the program is idle too: no KEEP, result, MORE, HOLD, FAR, CLAMP or CHECK in it"
@@ -218,9 +216,8 @@ def _whole(words: Sequence[int], made: Program) -> list[str]:
             and _writers(made, number, (RECIPROCAL,)) != _writers(made, number, (NONE,))]
 
 
-def check(words: Sequence[int], again: int | None = None, labels: Sequence[str] = (),
-          names: Sequence[dict[str, str]] = (), results: frozenset[int] = frozenset(), roots: bool = True,
-          pipe: int = 0) -> list[str]:
+def check(words: Sequence[int], labels: Sequence[str] = (), names: Sequence[dict[str, str]] = (),
+          results: frozenset[int] = frozenset(), roots: bool = True, pipe: int = 0) -> list[str]:
     """What is wrong with a program of control words; empty for a sound one. Parameters as for `program`."""
-    made = program(words, again, labels, names, results, roots, pipe)
+    made = program(words, labels, names, results, roots, pipe)
     return soundness(made) + _partial(words, made) + _held(words, made) + _whole(words, made)

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* What the headers of `quadrance registers` share: an arm, and how words follow from it. C99 or C++11; needs <math.h>. */
+#ifndef QUADRANCE_H
+#define QUADRANCE_H
+#include <math.h>
+#include <stdint.h>
+
+#define QUADRANCE_PI 3.14159265358979323846
+
+/* An arm as its file has it: millimetres and degrees. What a core does not use may be 0. */
+typedef struct {
+    double mm_per_unit;
+    double l1, l2, l3;                        /* links */
+    double base, shoulder, lateral, elbow;    /* constants */
+    double flange;                            /* wrist */
+    double singular_elbow, singular_axis;     /* singular */
+    double shoulder_limit[2], elbow_limit[2], yaw_limit[2], forearm_limit[2];
+} quadrance_arm;
+
+/* whether an arm file might say it; false of what is no number */
+static inline int quadrance_sound(const quadrance_arm *arm) {
+    return arm->mm_per_unit > 0 && arm->mm_per_unit <= 1e9 && arm->l1 >= 0 && arm->l1 <= 1e9 && arm->l2 >= 0
+        && arm->l2 <= 1e9;
+}
+
+/* a whole number as a word; one that no word holds, or none at all, is 2^40, which fits no core */
+static inline int64_t quadrance_word(double whole) {
+    return fabs(whole) < ldexp(1.0, 40) ? (int64_t)whole : (int64_t)1 << 40;
+}
+
+/* the nearest word, ties upward */
+static inline int64_t quadrance_fixed(double value, int fraction) {
+    return quadrance_word(floor(value * ldexp(1.0, fraction) + 0.5));
+}
+
+static inline int64_t quadrance_length(const quadrance_arm *arm, double mm, int fraction) {
+    return quadrance_fixed(mm / arm->mm_per_unit, fraction);
+}
+
+/* from the elbow to the end of link 2; along the forearm */
+static inline double quadrance_line(const quadrance_arm *arm) {
+    return arm->elbow != 0 ? hypot(arm->l2, arm->elbow) : arm->l2;
+}
+
+static inline double quadrance_forearm(const quadrance_arm *arm) {
+    double line = quadrance_line(arm);
+    return sqrt(line * line - arm->elbow * arm->elbow);
+}
+
+/* between the line and the forearm, degrees */
+static inline double quadrance_elbow_angle(const quadrance_arm *arm) {
+    return atan2(arm->elbow, arm->l2) * (180.0 / QUADRANCE_PI);
+}
+
+static inline double quadrance_radians(double degrees) { return degrees * (QUADRANCE_PI / 180.0); }
+
+/* Binary angle, a full turn is 2^a */
+static inline uint32_t quadrance_angle(double degrees, int a) {
+    double turns = degrees / 360.0;
+    return (uint32_t)((uint64_t)quadrance_fixed(turns - floor(turns), a) & ((UINT64_C(1) << a) - 1));
+}
+
+static inline double quadrance_angle_degrees(uint32_t word, int a) {
+    return ldexp((double)word, -a) * 360.0;
+}
+
+/* Turn-spread, 2 + s bits */
+static inline uint32_t quadrance_spread(double degrees, int s) {
+    double quarters = degrees / 90.0 - 4.0 * floor(degrees / 360.0), quadrant = floor(quarters);
+    double sine = sin((quarters - quadrant) * (QUADRANCE_PI / 2));
+    return (uint32_t)((uint64_t)quadrance_fixed(quadrant + sine * sine, s) & ((UINT64_C(4) << s) - 1));
+}
+
+static inline double quadrance_spread_degrees(uint32_t word, int s) {
+    double quarters = ldexp((double)word, -s), quadrant = floor(quarters), part = quarters - quadrant;
+    return 90.0 * quadrant + atan2(sqrt(part), sqrt(1 - part)) * (180.0 / QUADRANCE_PI);
+}
+
+/* Unit vector, u fraction bits */
+static inline void quadrance_vector(double degrees, int u, int32_t *c, int32_t *n) {
+    double theta = quadrance_radians(degrees - 360.0 * floor(degrees / 360.0));
+    *c = (int32_t)quadrance_fixed(cos(theta), u);
+    *n = (int32_t)quadrance_fixed(sin(theta), u);
+}
+
+static inline double quadrance_vector_degrees(int32_t c, int32_t n) {
+    double theta = atan2((double)n, (double)c) * (180.0 / QUADRANCE_PI);
+    return theta < 0 ? theta + 360.0 : theta;
+}
+
+/* cfg_q, cfg_r, cfg_e of the inverse cores, from the words of both links */
+typedef struct { int64_t q, r, e; } quadrance_gap;
+
+static inline quadrance_gap quadrance_gap_of(int w, int64_t l1, int64_t l2) {
+    quadrance_gap found;
+    int bits = 0, e;
+    uint64_t twice, half;
+    if (l1 < 0 || l2 < 0 || l1 >> w || l2 >> w) {
+        found.q = found.r = found.e = (int64_t)1 << 40;
+        return found;
+    }
+    l1 *= (int64_t)1 << (16 - w);
+    l2 *= (int64_t)1 << (16 - w);
+    twice = 2 * (uint64_t)l1 * (uint64_t)l2;
+    while (bits < 63 && twice >> bits) ++bits;
+    e = bits > 33 ? 0 : (33 - bits) / 2;
+    if (e > 15) e = 15;
+    half = e < 4 ? UINT64_C(1) << (6 - 2 * e) : 0;
+    found.q = (int64_t)half - l1 * l1 - l2 * l2 + (l1 == 0 && l2 == 0);
+    found.r = (int64_t)(((UINT64_C(1) << (56 - 2 * e)) - 1) / (twice + half ? twice + half : 1));
+    found.e = e;
+    return found;
+}
+
+/* cfg_f of classic_ik2 and classic_ik3 */
+static inline int64_t quadrance_tangent(int w, int64_t l1, int64_t l2) {
+    int64_t sum = l1 + l2 > 0 ? l1 + l2 : 1, wide = (l2 - l1) * ((int64_t)1 << (w + 2)), whole = wide / sum;
+    return whole - (wide % sum < 0);
+}
+
+static inline int64_t quadrance_square(int64_t value) {
+    return value < -INT64_C(0x7fffffff) || value > INT64_C(0x7fffffff) ? (int64_t)1 << 62 : value * value;
+}
+
+static inline int64_t quadrance_least(int64_t a, int64_t b) { return a < b ? a : b; }
+
+/* cfg_mc, cfg_mn, cfg_h of the limits of a joint */
+typedef struct { int64_t mc, mn, h; } quadrance_limit;
+
+static inline quadrance_limit quadrance_limit_of(double low, double high, double less, int u) {
+    double one = ldexp(1.0, u), first = quadrance_radians(low - less), last = quadrance_radians(high - less);
+    double middle = (first + last) / 2, room = (last - first) / 2;
+    quadrance_limit found;
+    found.mc = quadrance_word(rint(cos(middle) * one));
+    found.mn = quadrance_word(rint(sin(middle) * one));
+    found.h = room >= QUADRANCE_PI ? (int64_t)(-2 * one) : quadrance_word(floor(cos(room) * one)) - 3;
+    return found;
+}
+
+/* words of the six-axis cores; k, cp, np, r, e of the inverse ones, of which 1.0 is `one` */
+typedef struct { int64_t k, cp, np, r, e; } quadrance_six;
+
+static inline int64_t quadrance_fine(const quadrance_arm *arm, double mm, int fraction) {
+    return quadrance_word(rint(mm / arm->mm_per_unit * ldexp(1.0, fraction)));
+}
+
+static inline quadrance_six quadrance_six_of(const quadrance_arm *arm, int w, int fraction, int more, double one) {
+    double a2 = -arm->elbow / arm->mm_per_unit, c3 = quadrance_forearm(arm) / arm->mm_per_unit, psi = atan2(a2, c3), twice;
+    int64_t c2 = quadrance_fine(arm, arm->l1, fraction);
+    int e;
+    quadrance_six found;
+    found.k = quadrance_word(rint(hypot(a2, c3) * ldexp(1.0, fraction)));
+    twice = fmax(2.0 * (double)c2 * (double)found.k * ldexp(1.0, -2 * w - 2 * more), ldexp(1.0, -20));
+    e = twice < 1 ? (int)floor(-log2(twice)) + 1 : 1;
+    if (e < 1) e = 1;
+    found.cp = quadrance_word(rint(one * cos(psi)));
+    found.np = quadrance_word(rint(one * sin(psi)));
+    found.r = quadrance_least(quadrance_word(floor(one / twice / ldexp(1.0, e))), (int64_t)one - 1);
+    found.e = (int64_t)1 << e;
+    return found;
+}
+
+static inline int quadrance_fits(int64_t value, int64_t low, int64_t high) { return low <= value && value <= high; }
+
+#endif
