@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The two products of engine_datapath, with registers.
-//   out_ab = in_a in_b, out_cd = in_c in_d, PIPE clocks later
-// Formats: factors s2.25, products s4.50. Exact. Latency PIPE. Model: product_engine.dot
+//   out_ab = in_a in_b, out_cd = in_c in_d, one clock later with PIPE; the second clock of PIPE 2 lies behind them
+// Formats: factors s2.25, products s4.50. Exact. Latency 0 or 1. Model: product_engine.dot
 `default_nettype none
 module engine_products #(
     parameter PIPE = 0  // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 27 x 17 bits too

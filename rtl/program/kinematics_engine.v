@@ -85,7 +85,9 @@ module kinematics_engine #(
         else if (count[5:4] != 2'd0)
             crc <= {crc[14:0], 1'b0} ^ ({16{odd}} & 16'h1021);
         match <= count[5:4] != 2'd3 || match && !odd;
-        if (take)
+        if (rst)
+            loading <= 1'b0;
+        else if (take)
             loading <= in_kind == LOAD || next && loading;
     end
 
@@ -143,18 +145,10 @@ module kinematics_engine #(
     end
 
     // Words that a line finds at a port, and the engine
-    (* no_rw_check *) reg [26:0] words[0:64*CONTEXTS-1];
-    reg  [26:0]         port;
-    integer             k;
-    initial
-        for (k = 0; k < 64*CONTEXTS; k = k + 1)
-            words[k] = 27'd0;
+    wire [26:0]         port;
     wire [5:0]          a = live ? line[44:39] : at[5:0] & {6{known}};
-    always @(posedge clk) begin
-        port <= words[{bank, a}];
-        if (begun && kind == WRITE)
-            words[{bank, at[5:0]}] <= data[26:0];
-    end
+    engine_words #(.N(6+B)) words (.clk(clk), .in_read({bank, a}), .in_at({bank, at[5:0]}),
+        .in_store(begun && kind == WRITE), .in_word(data[26:0]), .out_word(port));
     /* verilator lint_off PINCONNECTEMPTY */
     engine_datapath #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U), .CONTEXTS(CONTEXTS), .B(B)) engine (.clk(clk), .rst(rst),
         .in_start(begun), .in_run(1'b1), .in_live(live && !head), .in_context(bank),
