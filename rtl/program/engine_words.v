@@ -14,15 +14,15 @@ module engine_words #(
     input  wire [26:0]  in_word,
     output reg  [26:0]  out_word
 );
-    (* no_rw_check *) reg [26:0] words[0:(1<<N)-1];
+    (* no_rw_check *) reg [26:0] held[0:(1<<N)-1];
     integer             i;
     initial
         for (i = 0; i < 1 << N; i = i + 1)
-            words[i] = 27'd0;
+            held[i] = 27'd0;
     always @(posedge clk) begin
-        out_word <= words[in_read];
+        out_word <= held[in_read];
         if (in_store)
-            words[in_at] <= in_word;
+            held[in_at] <= in_word;
     end
 endmodule
 `default_nettype wire
