@@ -4,9 +4,7 @@
 // Both copies power up alike. Memories and products are cut; what they give is the same for both copies where all that
 // it follows from is: that is asserted of every write.
 // rtl: kinematics_engine engine_datapath engine_roots
-// proof PIPE0 mode=prove depth=2 N=6 CONTEXTS=2 PIPE=0
 // proof PIPE1 mode=prove depth=2 N=6 CONTEXTS=4 PIPE=1
-// proof PIPE2 mode=prove depth=2 N=6 CONTEXTS=8 PIPE=2
 module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
     input clk, rst, in_valid, out_ready, input [2:0] in_kind, input [$clog2(CONTEXTS)-1:0] in_context,
     input [N-1:0] in_at, input [47:0] l_data, r_data
