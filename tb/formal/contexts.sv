@@ -4,7 +4,9 @@
 // Both copies power up alike. Memories and products are cut; what they give is the same for both copies where all that
 // it follows from is: that is asserted of every write.
 // rtl: kinematics_engine engine_datapath engine_roots
+// proof PIPE0 mode=prove depth=2 N=6 CONTEXTS=2 PIPE=0
 // proof PIPE1 mode=prove depth=2 N=6 CONTEXTS=4 PIPE=1
+// proof PIPE2 mode=prove depth=2 N=6 CONTEXTS=8 PIPE=2
 module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
     input clk, rst, in_valid, out_ready, input [2:0] in_kind, input [$clog2(CONTEXTS)-1:0] in_context,
     input [N-1:0] in_at, input [47:0] l_data, r_data
@@ -83,32 +85,17 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
             \r.engine.newer , \r.engine.products.late };
     wire factors = {\l.engine.g_roots.roots.out_w , \l.engine.g_roots.roots.out_slope }
         == {\r.engine.g_roots.roots.out_w , \r.engine.g_roots.roots.out_slope };
+    (* hierconn *) wire [31:0] \l.engine.sum , \r.engine.sum ;
+    (* hierconn *) wire \l.engine.outside , \r.engine.outside , \l.engine.minus1 , \r.engine.minus1 ;
+    (* hierconn *) wire \l.engine.g_roots.ask , \r.engine.g_roots.ask ;
+    (* hierconn *) wire [19:0] \l.engine.g_roots.q , \r.engine.g_roots.q ;
+    wire asks = \l.engine.g_roots.ask ;
+    wire asked = {asks, \l.engine.g_roots.q } == {\r.engine.g_roots.ask , \r.engine.g_roots.q };
+    wire aligned = {\l.engine.sum , \l.engine.outside , \l.engine.minus1 }
+        == {\r.engine.sum , \r.engine.outside , \r.engine.minus1 };
+    wire empty = \l.engine.sum  == \l.engine.kept  && \r.engine.sum  == \r.engine.kept ;
     wire writes = {\l.engine.file.in_write , \l.engine.file.in_at , \l.engine.file.in_word }
         == {\r.engine.file.in_write , \r.engine.file.in_at , \r.engine.file.in_word };
-
-    // PIPE 0 asks the table one clock later; PIPE 2 has a register behind the sum of products
-    wire asked, aligned, asks, empty;
-    generate
-        if (PIPE == 0) begin : g_asked
-            (* hierconn *) wire \l.engine.g_roots.g_asked.read , \r.engine.g_roots.g_asked.read ;
-            (* hierconn *) wire [19:0] \l.engine.g_roots.g_asked.held_q , \r.engine.g_roots.g_asked.held_q ;
-            assign asks  = \l.engine.g_roots.g_asked.read ;
-            assign asked = asks == \r.engine.g_roots.g_asked.read
-                           && \l.engine.g_roots.g_asked.held_q  == \r.engine.g_roots.g_asked.held_q ;
-        end else begin : g_asks
-            assign {asked, asks} = 2'b10;
-        end
-        if (PIPE == 2) begin : g_two
-            (* hierconn *) wire [31:0] \l.engine.g_two.both , \r.engine.g_two.both ;
-            (* hierconn *) wire \l.engine.g_two.wide , \r.engine.g_two.wide ;
-            (* hierconn *) wire \l.engine.g_two.negative , \r.engine.g_two.negative ;
-            assign aligned = {\l.engine.g_two.both , \l.engine.g_two.wide , \l.engine.g_two.negative }
-                             == {\r.engine.g_two.both , \r.engine.g_two.wide , \r.engine.g_two.negative };
-            assign empty = \l.engine.g_two.both  == 0 && \r.engine.g_two.both  == 0;
-        end else begin : g_three
-            assign {aligned, empty} = 2'b11;
-        end
-    endgenerate
 
     reg        started;  // a reset has come
     reg        aged, old;   // a command has come a clock before this one, or earlier; two clocks
