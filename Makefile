@@ -22,7 +22,7 @@ unexport PYTHONDONTWRITEBYTECODE
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report accuracy figures verdict report-check packages formal netlist coverage cover cover-check waves mutants exhaustive worker clean
+.PHONY: help setup lint test smoke report accuracy figures verdict report-check packages formal netlist coverage cover cover-check waves mutants exhaustive worker dist clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
@@ -49,7 +49,7 @@ report: setup ## latency, area, clock and accuracy of every core on ARM (another
 	@$(PY) -m ci.report --arm "$(ARM)" $(if $(OUT),--out "$(OUT)") $(if $(FRESH),--fresh)
 
 accuracy: setup ## errors of one CORE on ARM, by its bit-true model, in seconds
-	@$(PY) -m ci.accuracy "$(ARM)" $(CORE)
+	@$(PY) -m quadrance accuracy $(CORE) --arm "$(ARM)"
 
 figures: setup ## the pictures of the papers from our models, and their claims beside ours
 	@$(PY) -m ci.figures
@@ -91,6 +91,12 @@ exhaustive: setup ## the long run, a new seed every day: 10^6 vectors a core, pa
 worker: setup ## a Dask worker for the scheduler FARM=tcp://host:8786, whose runs carry the same FARM=
 	@test -n "$(FARM)" || { echo "make worker: give FARM=tcp://host:8786, the address of a dask scheduler" >&2; exit 1; }
 	@DASK_DISTRIBUTED__WORKER__DAEMON=False $(PY) -m distributed.cli.dask_worker $(FARM) --nthreads 1 --nworkers $(if $(filter auto,$(N)),auto,$(N)) --no-dashboard
+
+dist: setup ## the release of the last commit in build/dist: the source distribution and the wheel made of it
+	@rm -rf build/dist && mkdir -p build/dist/source && git archive HEAD | tar -x -C build/dist/source
+	@cd build/dist/source && ../../../$(PY) -c "from setuptools import build_meta; build_meta.build_sdist('..')" > ../log
+	@$(PY) -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir build/dist build/dist/*.tar.gz
+	@ls -d build/dist/*.*
 
 clean: ## remove what the tools made; .venv stays
 	rm -rf build

@@ -11,18 +11,13 @@ import json
 import re
 from pathlib import Path
 
-from quadrance.cores import Core, all_cores
+from quadrance.cores import Core
 
 from tb.lib import tools
 
 HERE = tools.ROOT / "tb" / "formal"
-CLOCKS = 6000  # of the random run
+CLOCKS = 6000  # of the random run; more where samples meet inside in many ways
 WIDEST = 128  # bits of a register that may be control
-
-
-def cores() -> list[Core]:
-    """Every sequential core, its first parameter set; the skid buffer holds two samples and has a proof of its own."""
-    return [core for core in all_cores() if core.clocked and core.first_set and core.function != "skid_buffer"]
 
 
 def _read(core: Core) -> str:
@@ -82,11 +77,12 @@ def observed(core: Core, names: dict[str, int], work: Path) -> dict[str, dict[in
     # drawn anew where no sample is inside: a register that only copies its configuration is not control
     idle = "        if (age == 0 && !(in_valid && in_ready)) begin\n" + fixed.replace(" = ", " <= ") + "        end\n"
     shown = ["age", *(f"dut.{name}" for name in names)]
+    clocks = CLOCKS * (4 if core.latency > core.ii > 1 else 1)
     (work / "observe.v").write_text(
         f"module observe;\n    reg clk = 0;\n{wires}    {_instance(core)}\n"
         + AGE.format(latency=core.latency)
         + f"    initial begin\n        rst = 1; in_valid = 0; out_ready = 0;\n{fixed}"
-        f"        repeat ({2 * CLOCKS}) #1 clk = ~clk;\n        $finish;\n    end\n"
+        f"        repeat ({2 * clocks}) #1 clk = ~clk;\n        $finish;\n    end\n"
         "    always @(posedge clk) begin\n"
         f"        if (!rst) $display(\"{' '.join(['%b'] * len(shown))}\", {', '.join(shown)});\n{draw}"
         f"{idle}"
@@ -145,7 +141,7 @@ def job(core: Core, work: Path) -> str:
     top = write(core, work)
     names = " ".join(source.name for source in core.sources)
     return "\n".join([
-        "[options]", "mode prove", "depth 2", "timeout 900", "[engines]", "smtbmc --stbv z3 -- --noincr",
+        "[options]", "mode prove", "depth 2", "[engines]", "smtbmc --stbv z3 -- --noincr",
         "[script]", "read_verilog -sv -formal -icells cut.v", "design -stash cut", f"read_verilog -defer {names}",
         "read -formal top.sv contract.sv", "hierarchy -check -top top", "proc", "flatten", "memory_collect",
         "opt_expr", "wreduce", "opt_clean", "techmap -autoproc -map %cut", "prep -flatten -top top",

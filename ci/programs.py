@@ -284,7 +284,14 @@ MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
     "engine_delta_program": product((3, 7, 11)), "engine_gd_n_program": space, "engine_rus_fk_program": parallel,
     **{f"vector_ik6_program{grade}": product(range(2, 14)) for grade in GRADES},
     **{f"vector_ik6_all_program{grade}": product(range(48, 64)) for grade in GRADES},
-    **{f"vector_fk6_program{grade}": product(range(2, 14), roots=False) for grade in GRADES}}
+    **{f"vector_fk6_program{grade}": product(range(2, 14), roots=False) for grade in GRADES},
+    **{f"vector_velocity6_program{grade}": product(range(2, 8), roots=False) for grade in GRADES},
+    **{f"vector_rates6_program{grade}": product(range(2, 11)) for grade in GRADES},
+    **{f"vector_ur_ik_program{grade}": product(range(2, 14)) for grade in GRADES},
+    **{f"vector_ur_ik_all_program{grade}": product(range(48, 64)) for grade in GRADES},
+    **{f"vector_ur_fk_program{grade}": product(range(2, 14), roots=False) for grade in GRADES},
+    **{f"vector_{kind}_program{grade}": product(range(2, 5), roots=False) for grade in GRADES
+       for kind in ("xyzac", "xyzbc")}}
 
 
 def problems(one: Played, text: str | None = None) -> list[str]:

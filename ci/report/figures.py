@@ -16,6 +16,7 @@ matplotlib.use("Agg")
 
 from matplotlib import pyplot  # noqa: E402
 from matplotlib.colors import LogNorm  # noqa: E402
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter  # noqa: E402
 
 COLOUR = {"vector": "tab:red", "table": "tab:purple", "rational": "tab:green", "classic": "tab:blue",
           "paper": "tab:orange"}
@@ -23,6 +24,7 @@ BLOCKS = {(False, False): "o", (True, False): "^", (False, True): "s", (True, Tr
 CODE = [Path(__file__), designs.SOURCE,
         *(Path(__file__).with_name(name) for name in ("tables.py", "comparison.py"))]
 FLOOR = 1e-3  # LSB: smaller errors are drawn as this
+SHADE = 0.01  # LSB: the same in the map
 
 
 def stamp(report: dict) -> str:
@@ -59,7 +61,7 @@ def _points(rows: list[Row]) -> list[tuple]:
     """x (ns), y (LUT), text, colour and marker of every core, on ECP5."""
     points = []
     for row in rows:
-        blocks = [(row["area"]["ecp5"][key], what) for key, what in (("dsp", "MULT18X18"), ("mem", "EBR"))]
+        blocks = [(row["area"]["ecp5"][key], what) for key, what in (("dsp", "mult."), ("mem", "EBR"))]
         text = ", ".join(f"{count} {what}" for count, what in blocks if count)
         points.append((row["latency_ns"], row["area"]["ecp5"]["lut"], name(row) + (f" ({text})" if text else ""),
                        COLOUR[row["family"]], BLOCKS[tuple(count > 0 for count, _ in blocks)]))
@@ -88,18 +90,15 @@ def _area(rows: list[Row]) -> pyplot.Figure:
         axis.set(title=f"{function}: {KINEMATIC[function]}", xscale="log", yscale="log",
                  xlabel="latency, ns at the core's own ECP5 clock", ylabel="ECP5 LUT")
         axis.grid(True, which="both", alpha=0.25)
-        axis.tick_params(axis="x", which="minor", labelsize=6, rotation=45)
         axis.margins(x=0.25, y=0.15)
         labels.append((axis, points))
     figure.suptitle("Area against latency on ECP5; the blocks beside the name are not in the LUTs")
     shown = {row["family"] for row in rows}
     _legend(figure, [*((family, colour, "o") for family, colour in COLOUR.items() if family in shown),
                      *((text, "black", BLOCKS[which]) for which, text in (
-                         ((False, False), "no blocks"), ((True, False), "MULT18X18"), ((False, True), "EBR"),
+                         ((False, False), "no blocks"), ((True, False), "mult. (MULT18X18)"), ((False, True), "EBR"),
                          ((True, True), "both")))])
-    figure.tight_layout(rect=(0, 0.06, 1, 0.98))
-    for axis, points in labels:
-        label(axis, points)
+    _named(figure, labels, (0, 0.06, 1, 0.98))
     return figure
 
 
@@ -136,26 +135,30 @@ def _map(trajectory: dict, maps: dict[tuple[str, str], dict[str, list]], rows: l
         ("arithmetic", greatest_error(row)), ("words", row["words_lsb"]))}
     panels = [(function, what) for function in MAPPED for what in ("arithmetic", "words")]
     figure, grid = pyplot.subplots(len(panels), len(FAMILIES), figsize=(4 * len(FAMILIES), 15), layout="constrained")
-    scale = LogNorm(0.01, 1000, clip=True)
     reach = (trajectory["l1_mm"] + trajectory["l2_mm"]) / trajectory["mm_per_unit"]
-    image = pyplot.cm.ScalarMappable(scale, "viridis")
+    scales = {}
+    for group in (FAMILIES[:-1], FAMILIES[-1:]):  # the paper's circuits err by hundreds of LSB
+        found = [numpy.nanmax(maps[key][what]) for key in maps for what in maps[key] if key[1] in group]
+        if found:
+            scale = LogNorm(SHADE, 10.0 ** max(math.ceil(math.log10(max(*found, SHADE))), 0))
+            scales |= dict.fromkeys(group, scale)
+            figure.colorbar(pyplot.cm.ScalarMappable(scale, "viridis"), shrink=0.5, extend="min",
+                            ax=grid[:, [FAMILIES.index(family) for family in group]]).ax.set_title("LSB")
     for axes, (function, what) in zip(grid, panels):
         for axis, family in zip(axes, FAMILIES):
             if (function, family) in maps:
                 shown = numpy.array(maps[function, family][what])
-                axis.imshow(numpy.maximum(shown, 0.01), norm=scale, cmap="viridis", origin="lower",
+                axis.imshow(numpy.maximum(shown, SHADE), norm=scales[family], cmap="viridis", origin="lower",
                             interpolation="nearest", extent=[-reach, reach] * 2)
                 here = number(float(numpy.nanmax(shown)))
                 axis.set_title(f"{family}_{function}: {what}, LSB\nat most {here} here, "
                                f"{number(greatest.get((function, family, what)))} in the table", fontsize=9)
             else:
                 axis.set_axis_off()
-    figure.colorbar(image, ax=grid, shrink=0.5, label="error at the tip, LSB")
     figure.suptitle(f"Tip error over the workspace of {trajectory['name']}, units; elbow 0\n"
                     "arithmetic: the core's own; words: what rounding its words costs an exact core. One random point "
                     "a cell;\nthe table's samples seek the borders of words, the stretched and the folded arm")
     return figure
-
 
 
 def dominated(one: comparison.Figures, others: list[comparison.Figures]) -> bool:
@@ -192,45 +195,65 @@ def _verdict(found: dict) -> pyplot.Figure:
     figure.suptitle("Area against latency at equal total error, on ECP5. Red: vector, purple: table, green: rational, "
                     "blue: CORDIC, orange: paper's circuits\nCircle: no blocks, triangle: MULT18X18, square: EBR, "
                     "diamond: both; hollow: at that target another core is no worse in LUTs, both blocks and time")
-    figure.tight_layout(rect=(0, 0, 1, 0.97))
-    for axis, points in labels:
-        label(axis, points)
+    _named(figure, labels, (0, 0, 1, 0.97))
     return figure
 
 
 # Names beside the marks
 
-Box = tuple[float, float, float, float]  # left, low, right, high in pixels
+PLACES = numpy.array(sorted(((dx, dy) for dx in range(-238, 239, 14) for dy in range(-184, 185, 8)
+                             if dx or abs(dy) > 8), key=lambda at: (math.hypot(*at), -at[0])))  # points, nearest first
+LEADER = numpy.linspace(0, 1, 12)  # where the line from a mark to its name is looked at
 
-PLACES = sorted(((dx, dy) for dx in range(-90, 91, 15) for dy in range(-96, 97, 8)),
-                key=lambda at: (math.hypot(*at), -at[0]))  # points from the mark, the nearest first
+
+def _named(figure: pyplot.Figure, labels: list[tuple], within: tuple[float, float, float, float]) -> None:
+    """Ticks and names of every panel, (axis, points) each, and the layout."""
+    for axis, _ in labels:
+        for one in (axis.xaxis, axis.yaxis):
+            low, high = one.get_view_interval()
+            one.set_major_locator(LogLocator(subs=(1, 2, 5)) if high > 5 * low else MaxNLocator(5, steps=[1, 2, 5, 10]))
+            one.set_major_formatter("{x:g}")
+            one.set_minor_formatter(NullFormatter())
+    figure.tight_layout(rect=within)
+    for axis, points in labels:
+        label(axis, points)
 
 
-def label(axis, points: list[tuple]) -> None:
-    """Name every point beside its mark: at the nearest place that hides no mark and no other name.
+def label(axis: pyplot.Axes, points: list[tuple]) -> list:
+    """Name every point beside its mark: at the nearest place that hides no mark, no other name and no line to one.
 
     Parameters
     ----------
-    axis : matplotlib's, with its limits set.
+    axis : with its limits set.
     points : x, y, text and whatever else of each mark.
+
+    Returns
+    -------
+    Matplotlib's annotations, in the order of the points.
     """
-    taken = [(x - 6, y - 6, x + 6, y + 6) for x, y in axis.transData.transform([point[:2] for point in points])]
-    scale = 72 / axis.figure.dpi
-    for x, y, text, *_ in points:
-        px, py = axis.transData.transform((x, y))
-        width, height = 3.9 * len(text) / scale, 9 / scale
-
-        def box(dx: float, dy: float, px=px, py=py, width=width, height=height) -> Box:
-            left = px + dx / scale if dx > 0 else px + dx / scale - width if dx < 0 else px - width / 2
-            return left, py + dy / scale - height / 2, left + width, py + dy / scale + height / 2
-
-        def clash(at: tuple[float, float], box=box) -> float:
-            left, low, right, high = box(*at)
-            inside = axis.bbox.x0 < left and right < axis.bbox.x1 and axis.bbox.y0 < low and high < axis.bbox.y1
-            return (not inside) + sum(left < b[2] and b[0] < right and low < b[3] and b[1] < high for b in taken)
-
-        dx, dy = min(PLACES, key=clash)
-        taken.append(box(dx, dy))
-        axis.annotate(text, (x, y), xytext=(dx, dy), textcoords="offset points", fontsize=7, va="center",
-                      ha="left" if dx > 0 else "right" if dx < 0 else "center",
-                      arrowprops={"arrowstyle": "-", "lw": 0.4, "color": "grey"} if math.hypot(dx, dy) > 16 else None)
+    scale, edge, notes = axis.figure.dpi / 72, axis.bbox, []
+    marks = axis.transData.transform([point[:2] for point in points])
+    taken = numpy.concatenate([marks - 6 * scale, marks + 6 * scale], axis=1)  # left, low, right, high in pixels
+    step = PLACES * scale
+    clear = 7 / numpy.hypot(*PLACES.T)[:, None]  # of the mark and of the name
+    lines = step[:, None] * (clear + (1 - 2 * clear) * LEADER)[..., None]
+    for i, ((x, y, text, *_), mark) in enumerate(zip(points, marks)):
+        note = axis.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", fontsize=7, va="center")
+        size = note.get_window_extent().size + 6 * scale
+        low = mark + step - size * numpy.stack([(1 - numpy.sign(step[:, 0])) / 2, numpy.full(len(step), 0.5)], axis=1)
+        boxes = numpy.concatenate([low, low + size], axis=1)[:, None]
+        clashes = ((boxes[..., :2] < taken[:, 2:]) & (taken[:, :2] < boxes[..., 2:])).all(axis=-1).sum(axis=1)
+        outside = (low < edge.min).any(axis=1) | (low + size > edge.max).any(axis=1)
+        others = numpy.delete(taken, i, axis=0)
+        line = (mark + lines)[:, :, None]
+        crossed = ((others[:, :2] < line) & (line < others[:, 2:])).all(axis=-1).any(axis=1).sum(axis=1)
+        best = int(numpy.argmin(100 * (clashes + outside) + crossed))
+        dx, dy = PLACES[best]
+        note.set(position=(dx, dy), ha="left" if dx > 0 else "right" if dx < 0 else "center")
+        taken = numpy.concatenate([taken, boxes[best]])
+        if math.hypot(dx, dy) > 16:
+            axis.plot(*axis.transData.inverted().transform([mark, line[best, -1, 0]]).T, color="grey", linewidth=0.4,
+                      zorder=0, scalex=False, scaley=False)
+            taken = numpy.concatenate([taken, numpy.concatenate([line[best, :, 0] - 1, line[best, :, 0] + 1], axis=1)])
+        notes.append(note)
+    return notes

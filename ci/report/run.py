@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 from quadrance import accuracy, arms, cores
+from quadrance.accuracy import of_core
 from quadrance.cores import STATUS_BITS, Core
 from quadrance.iterative import convergence
 
@@ -176,7 +177,7 @@ def put_together(arm_name: str, listed: tuple[Core, ...], committed: dict | None
     report = {
         "tools": tools.versions(), "arm": arm_name,
         "trajectory": {"name": arm.name, "l1_mm": arm.l1, "l2_mm": round(arm.l2, 4), "mm_per_unit": arm.mm_per_unit,
-                       "yaw": len(arm.limits) == 3, "samples": measure.SAMPLES, "workspace": measure.WORKSPACE},
+                       "yaw": len(arm.limits) == 3, "samples": of_core.SAMPLES, "workspace": of_core.WORKSPACE},
         "cores": [row_of(core, *(found[what, core.id, arm_name] for what in ("area", "clock", "simulate")))
                   for core in listed]}
     report["sources"] = now | {"figures": rows_digest(report)}

@@ -49,7 +49,7 @@ def source(design: Design, arm_name: str) -> str:
 
 def named(name: str, params: dict[str, int]) -> str:
     """Id of a part: `reach.at` gives the core of that id."""
-    return f"{name}-{''.join(f'{key}{value}' for key, value in params.items())}"
+    return f"{name}-{cores.label(params)}"
 
 
 def searched(design: Design, arm_name: str) -> dict:
@@ -95,7 +95,8 @@ def confirmed(design: Design, arm_name: str, picks: dict) -> dict[str, bool]:
 def of_id(part: str) -> Core:
     """The core of a part's id."""
     name, _, params = part.partition("-")
-    return designs.at(name, {key: int(value) for key, value in re.findall(r"([A-Z]+)(\d+)", params)})
+    return designs.at(name, cores.find(name).params | {key: int(value)
+                                                       for key, value in re.findall(r"([A-Z]+)(\d+)", params)})
 
 
 def job(what: str, subject: Design | str, arm_name: str) -> object:

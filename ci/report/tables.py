@@ -52,8 +52,9 @@ def q7_8(rows: Iterable[Row]) -> list[Row]:
 
 
 def leading(rows: Iterable[Row]) -> list[Row]:
-    """The first parameter set of each core and of each of its modes, which is the one that is compared."""
-    return list({(row["core"], row["params"].get("MODE")): row for row in reversed(list(rows))}.values())[::-1]
+    """The first parameter set of each core and of each MODE and PIPE of it, which is the one that is compared."""
+    return list({(row["core"], *map(row["params"].get, ("MODE", "PIPE"))): row
+                 for row in reversed(list(rows))}.values())[::-1]
 
 
 def leaders(report: dict) -> dict[str, dict[str, Row]]:

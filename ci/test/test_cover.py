@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from quadrance import arms
 from quadrance.arm import switches
-from quadrance.cores import Core, at, find
+from quadrance.cores import Core, all_cores, at, find
 
 from ci import cover
 from tb.lib import legal, program
@@ -31,9 +31,24 @@ def test_a_list_has_ends_neighbours_an_odd_middle_and_all_pairs_of_switches():
 
 
 @pytest.mark.full
+def test_a_further_pipe_has_its_own_ends():
+    core = find("vector_fk2-PIPE1")
+    sets = legal.cover(core)
+    assert len(sets) == legal.MOST and {one["PIPE"] for one in sets} == {1}
+    assert len(legal.cover(find("vector_ik6-PIPE1"))) == legal.MOST // 3  # the engine's words have one width
+    listed = [one.params for one in all_cores() if one.name == core.name and one.params["PIPE"] == 1]
+    for name, ends in legal.ranges(core).items():
+        assert set(ends) <= {one[name] for one in [*sets, *listed]}
+    names = [(one.name, one.set_id) for each in cover.cores() for one in (at(each, row) for row in legal.cover(each))]
+    assert len(names) == len(set(names))
+
+
+@pytest.mark.full
 def test_ranges_are_those_of_the_rule_wherever_it_is():
     assert legal.ranges(find("rational_ik1")) == {"W": (4, 16), "F": (0, 15), "S": (2, 24)}
     assert legal.ranges(find("cordic_rotate")) == {"MODE": (0, 0), "W": (8, 16), "A": (5, 19)}
+    assert legal.ranges(find("vector_fk2-PIPE1")) == {"W": (4, 20), "F": (0, 19), "U": (4, 24), "PIPE": (1, 1),
+                                                      "MULTIPLY": (18, 27)}
     assert legal.ranges(find("vector_chain")) == {"SPACE": (0, 1), "W": (4, 20), "F": (0, 19), "U": (4, 20),
                                                   "N": (2, 64)}
     assert legal.ranges(find("paper_ik2"))["S"] == (4, 24)  # in paper_solve_path

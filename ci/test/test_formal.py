@@ -2,6 +2,7 @@
 
 import dataclasses
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -127,7 +128,7 @@ def test_a_circuit_that_was_proved_passes_under_other_names(tmp_path: Path, monk
         assert any(old in source.read_text() for source in one.sources)
         return dataclasses.replace(one, sources=tuple(sources))
 
-    monkeypatch.setattr(formal, "run", lambda name, text, clocks: formal.Verdict("FAIL"))
+    monkeypatch.setattr(formal, "run", lambda *_: formal.Verdict("FAIL"))
     verdict, found = formal.judge(one, frozenset())
     assert verdict.word == "FAIL"
     assert formal.judge(changed("rounded", "closest"), frozenset({found})) == (formal.Verdict("PASS"), found)
@@ -172,6 +173,23 @@ def test_a_proof_that_its_time_does_not_reach_is_named(monkeypatch, tmp_path, ca
     assert code("FAIL", "--within", "1") == code("TIMEOUT") == 1
     assert formal.standing() == {}
     assert code("PASS") == 0 and sorted(formal.standing()) == sorted(names)
+
+
+@pytest.mark.parametrize("what", [proof("isqrt_iter-W16R4"), cores.find("vector_ik6")], ids=["property", "contract"])
+def test_a_proof_and_its_search_end_together(what, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both jobs of sby have the time that is left, whatever made their text."""
+    asked, clock = [], iter((100.0, 107.0))
+    monkeypatch.setattr(formal.time, "monotonic", lambda: next(clock))
+    monkeypatch.setattr(formal.contract, "write", lambda core, work: work / "top.sv")
+    monkeypatch.setattr(formal.cone, "leave_out", lambda core, work: None)
+
+    def sby(command, **options):
+        asked.append((options["cwd"] / command[-1]).read_text())
+        return subprocess.CompletedProcess(command, 4, f"DONE ({('UNKNOWN', 'TIMEOUT')[len(asked) - 1]}, rc=4)")
+
+    monkeypatch.setattr(formal.subprocess, "run", sby)
+    assert formal.run(*formal.job_of(what), limit=20).word == "OPEN"
+    assert [re.findall("^timeout .*", text, re.M) for text in asked] == [["timeout 20"], ["timeout 13"]]
 
 
 def test_proofs_of_before_stand_without_a_circuit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

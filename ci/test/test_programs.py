@@ -12,10 +12,13 @@ from quadrance.program.checker import Line, Program, Read, Write, soundness, str
 from ci import programs
 
 CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_all_program": "vector_ik6_all",
-         "vector_fk6_program": "vector_fk6", "engine_delta_program": "engine_delta_fk",
+         "vector_fk6_program": "vector_fk6", "vector_velocity6_program": "vector_velocity6",
+         "vector_rates6_program": "vector_rates6", "vector_xyzac_program": "vector_xyzac",
+         "vector_xyzbc_program": "vector_xyzbc", "engine_delta_program": "engine_delta_fk",
          "engine_gd_n_program": "engine_quaternion_gd_n", "engine_rus_fk_program": "engine_rus_fk",
          **{f"{core}_program_{pipe}": f"{core}-PIPE{pipe}" for pipe in (1, 2)
-            for core in ("vector_ik6", "vector_ik6_all", "vector_fk6")}}
+            for core in ("vector_ik6", "vector_ik6_all", "vector_fk6", "vector_velocity6", "vector_rates6",
+                         "vector_xyzac", "vector_xyzbc")}}
 
 
 @functools.cache

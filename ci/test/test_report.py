@@ -6,10 +6,8 @@ from dataclasses import replace
 
 import pytest
 from quadrance import cores
-from quadrance.cli.catalogue import Refused
 
-from ci import accuracy
-from ci.report import README, comparison, documents, figures, measure, run, tables
+from ci.report import README, REPORTS, comparison, documents, figures, measure, run, tables
 
 FRONT = """# Title
 <!-- report:headline -->
@@ -24,6 +22,31 @@ def test_plots_carry_the_digest_of_their_figures(tmp_path, made):
     for plot in figures.plots(made):
         png = (tmp_path / plot).read_bytes()
         assert png.startswith(b"\x89PNG") and figures.stamp(made).encode() in png and len(png) > 10000
+
+
+def collisions(figure):
+    """Pairs of names in one panel that overlap, and names that leave it."""
+    found = []
+    for axis in figure.axes:
+        boxes = [(text.get_text(), text.get_window_extent()) for text in axis.texts]
+        found += [(a, b) for i, (a, one) in enumerate(boxes) for b, other in boxes[:i] if one.overlaps(other)]
+        found += [text for text, box in boxes if not all(map(axis.bbox.contains, *zip(box.min, box.max)))]
+    return found
+
+
+def test_names_in_the_plots_do_not_collide():
+    report = json.loads((REPORTS / "report.json").read_text())
+    rows = tables.q7_8(tables.pick(report, tables.KINEMATIC))
+    crowded = [row | {"set": row["set"] + "PIPE1", "latency_ns": row["latency_ns"] * 0.95} for row in rows
+               if row["family"] in ("vector", "table")]
+    assert collisions(figures._area(rows + crowded)) == []
+    assert collisions(figures._verdict(report["verdict"])) == []
+    figure, axis = figures.pyplot.subplots()
+    axis.plot([0, 1], [0, 1])
+    for x in (0.3, 0.31):
+        axis.annotate("a name", (x, 0.5))
+    assert collisions(figure), "this test can fail"
+    figures.pyplot.close("all")
 
 
 def test_plots_are_stale_when_figures_arm_or_drawing_change(made, monkeypatch):
@@ -184,10 +207,3 @@ def test_where_the_report_of_another_arm_goes(tmp_path):
     for arm, out in (("cobra600", str(tmp_path)), ("ur5", str(run.REPORTS))):
         with pytest.raises(ValueError, match="OUT="):
             run.folder_of(arm, out)
-
-
-def test_the_accuracy_of_one_core():
-    lines = accuracy.lines("cobra600", "vector_fk1")
-    assert lines[0].startswith("vector_fk1-U16 on Omron") and len(lines) == 5
-    with pytest.raises(Refused, match="is a part"):
-        accuracy.lines("cobra600", "isqrt")

@@ -4,8 +4,9 @@ import copy
 
 import pytest
 from quadrance import accuracy, arms, cores
+from quadrance.accuracy import of_core
 
-from ci.report import __main__, designs, measure, reach, run, search
+from ci.report import __main__, designs, reach, run, search
 from ci.report.designs import Design
 from tb.lib import tools
 
@@ -84,7 +85,7 @@ def test_limits_are_in_lsb_of_q7_8(monkeypatch):
     assert {"0.1 mm", "1 LSB"} <= reach.limits(ARM).keys()
     monkeypatch.setitem(reach.RULES, "target", {"0.1 mm": {"mm": 0.1}, "1/2 LSB": {"lsb": 0.5}})
     assert reach.limits(ARM) == {"0.1 mm": 2.56, "1/2 LSB": 0.5}
-    assert reach.RULES["samples"] == measure.WORKSPACE, "the total of a listed set is the one of the report's row"
+    assert reach.RULES["samples"] == of_core.WORKSPACE, "the total of a listed set is the one of the report's row"
 
 
 # Parameters and codecs

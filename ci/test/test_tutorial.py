@@ -1,4 +1,4 @@
-"""This test runs every shell block of docs/tutorial.md, unchanged, in an empty folder."""
+"""These tests run every shell block of docs/tutorial.md and docs/my-arm.md, unchanged, in an empty folder."""
 
 import json
 import math
@@ -12,24 +12,21 @@ from quadrance import truth
 from tb.lib import tools
 from tb.lib.simulate import available
 
-PAGE = tools.ROOT / "docs" / "tutorial.md"
+DOCS = tools.ROOT / "docs"
+STEPS = {"tutorial.md": 10, "my-arm.md": 9}
+THETA = truth.ik2(300, 120, 250, 180, 0)  # both pages ask for this tip
+icarus = pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is not installed")
 
 
-def blocks():
-    """(step, shell) of the page."""
+def blocks(page):
+    """(step, shell) of a page."""
     return [(int(number), text) for number, text in
-            re.findall(r"^## (\d+)\. [^#]*?```sh\n(.*?)```", PAGE.read_text(), re.S | re.M)]
+            re.findall(r"^## (\d+)\. [^#]*?```sh\n(.*?)```", (DOCS / page).read_text(), re.S | re.M)]
 
 
-def test_there_are_ten_steps_with_a_block_each():
-    assert [number for number, _ in blocks()] == list(range(1, 11))
-    for name in re.findall(r"\]\(([\w./]+\.md)\)", PAGE.read_text()):
-        assert (PAGE.parent / name).exists()
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is not installed")
-def test_the_steps_do_what_they_say(tmp_path):
+@pytest.fixture
+def steps(tmp_path):
+    """A function that runs a page, and gives what each step said and the folder."""
     programs, work = tmp_path / "bin", tmp_path / "work"
     programs.mkdir()
     work.mkdir()
@@ -38,18 +35,56 @@ def test_the_steps_do_what_they_say(tmp_path):
     command.chmod(0o755)
     env = tools.environment()
     env |= {"PATH": f"{programs}:{env['PATH']}", "PYTHONPATH": str(tools.ROOT / "models")}
-    said = {}
-    for number, text in blocks():
-        done = subprocess.run(["sh", "-ec", text], cwd=work, env=env, capture_output=True, text=True)
-        assert done.returncode == 0, f"step {number}: {done.stdout}{done.stderr}"
-        said[number] = done.stdout
+
+    def run(page):
+        said = {}
+        for number, text in blocks(page):
+            done = subprocess.run(["sh", "-ec", text], cwd=work, env=env, capture_output=True, text=True)
+            assert done.returncode == 0, f"step {number}: {done.stdout}{done.stderr}"
+            said[number] = done.stdout
+        return said, work
+
+    return run
+
+
+def right(counts, status, page):
+    """The counts of 20-bit encoders are those of `THETA`, and the page says these angles."""
+    for count, angle in zip(counts, THETA):
+        off = (count - float(angle) * 2**20 / (2 * math.pi) + 2**19) % 2**20 - 2**19
+        assert abs(off) < 40, (count, float(angle))  # 0.014 degrees: the target's LSB and the core's error
+    degrees = [f"{(math.degrees(float(angle)) + 180) % 360 - 180:.2f}" for angle in THETA]
+    assert status == 0 and f"Joint 1 is {degrees[0]} degrees and joint 2 is {degrees[1]} degrees" in \
+        (DOCS / page).read_text()
+
+
+@pytest.mark.parametrize("page", STEPS)
+def test_every_step_has_a_block(page):
+    text = (DOCS / page).read_text()
+    assert [number for number, _ in blocks(page)] == list(range(1, STEPS[page] + 1))
+    assert text.count("```sh") == STEPS[page] == len(re.findall("^## ", text, re.M)), "a block that no test runs"
+    for name in re.findall(r"\]\(([\w./-]+\.md)(?:#[\w-]+)?\)", text):
+        assert (DOCS / name).exists()
+
+
+@pytest.mark.slow
+@icarus
+def test_the_tutorial_does_what_it_says(steps):
+    said, work = steps("tutorial.md")
     assert "mm_per_unit = 4 would do" in said[3]
     assert "19200 (16'h4b00)" in said[5] and "7680 (" in said[5] and "262144 (20'h40000)" in said[5]
     one, two, status = map(int, (work / "counts").read_text().split())
-    theta = truth.ik2(300, 120, 250, 180, 0)
-    for count, angle in zip((one, two), theta):
-        off = (count - float(angle) * 2**20 / (2 * math.pi) + 2**19) % 2**20 - 2**19
-        assert abs(off) < 40, (count, float(angle))  # 0.014 degrees: the target's LSB and the core's error
-    degrees = [f"{(math.degrees(float(angle)) + 180) % 360 - 180:.2f}" for angle in theta]
-    assert status == 0 and f"Joint 1 is {degrees[0]} degrees and joint 2 is {degrees[1]} degrees." in PAGE.read_text()
+    right((one, two), status, "tutorial.md")
     assert json.loads((work / "report.json").read_text())["fmax"]
+
+
+@icarus
+def test_an_arm_gets_behind_a_bus(steps):
+    said, work = steps("my-arm.md")
+    assert "My SCARA: right" in said[2] and "4 mm a unit" in said[2]
+    assert "table_ik2 #(.W(16), .F(8), .A(20), .PIPE(1)" in said[4]
+    for name in ("axil_table_ik2.v", "axil_table_ik2.xdc", "axil_table_ik2.sdc", "table_ik2.h", "table_ik2.json"):
+        assert name in said[5].split()
+    assert "set_max_delay" in said[6]
+    _, status, _, one, two = (work / "joints").read_text().split()
+    right((int(one), int(two)), int(status), "my-arm.md")
+    assert "module wishbone_table_ik2" in (work / "wishbone.v").read_text()

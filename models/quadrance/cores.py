@@ -17,7 +17,7 @@ ROOT = PACKAGE.parent.parent
 RTL = ROOT / "rtl" if (ROOT / "rtl" / "cores.toml").exists() else PACKAGE / "rtl"  # a checkout, or as pip installs it
 STATUS_BITS = {"unreachable": 0, "singular": 1, "overflow": 2, "not_converged": 3, "no_rotation": 3}
 FAMILIES = ("arith", "codec", "cordic", "vector", "table", "rational", "classic", "paper", "engine", "arm", "six",
-            "program")
+            "program", "ur", "tool")
 # Joint words by type: the letters of their ports, bits of a word beside those of its parameter, two's complement or not
 TYPES = {"spread": ("j", 2, False), "angle": ("j", 0, False), "vector": ("cn", 2, True),
          "half_tangent": ("j", 2, False)}
@@ -234,12 +234,13 @@ def expand(family: str, function: str, shared: dict, name: str, own: dict,
                              for port in _ports(kind, key, spec, params, where)) for kind in PORTS}
         if status is not None:
             ports["out"] += (Port("out_status", 4, False),)
+        first = params.get("PIPE", 0) not in [one.params.get("PIPE", 0) for one in cores]
         latency = None if own["latency"] == VARIES else formula(own["latency"], params, f"{where}: latency")
         cores.append(Core(
             name=name, family=family, function=function, architecture=own["architecture"], set_id=set_id, params=params,
             latency=latency, ii=formula(own["ii"], params, f"{where}: ii") if "ii" in own else latency,
             sources=sources, cfg=ports["cfg"], inputs=ports["in"], outputs=ports["out"],
-            status=None if status is None else tuple(status), model_name=shared["model"], first_set=not cores,
+            status=None if status is None else tuple(status), model_name=shared["model"], first_set=first,
             illegal=tuple(own.get("illegal", ())), reported=set_id in sets))
     return tuple(cores)
 
@@ -322,12 +323,18 @@ def reported() -> tuple[Core, ...]:
     return tuple(core for core in all_cores() if core.reported)
 
 
+def label(params: dict[str, int]) -> str:
+    """The name of a set that cores.toml does not list; without PIPE = 0 and a MULTIPLY that then changes nothing."""
+    unnamed = () if params.get("PIPE") else (("PIPE", 0), ("MULTIPLY", 18))
+    return "".join(f"{key}{value}" for key, value in params.items() if (key, value) not in unnamed)
+
+
 def at(core: Core, params: dict[str, int]) -> Core:
     """`core` at another parameter set: every parameter, its MODE included where it has one."""
     *entry, own = next(one for one in _table() if one[3] == core.name and
                        ("MODE" not in params or params["MODE"] == MODES[one[4]["architecture"]]))
-    label = "".join(f"{key}{value}" for key, value in params.items())
-    return replace(expand(*entry, own | {"sets": {label: params}, "checks": {}}, core.sources)[0], first_set=False)
+    named = own | {"sets": {label(params): params}, "checks": {}}
+    return replace(expand(*entry, named, core.sources)[0], first_set=False)
 
 
 def find(name: str) -> Core:

@@ -68,6 +68,14 @@ def root(y: Ints, minus: Ints) -> Ints:
     return dot((low(y, two), reciprocal(low(y, four) >> 7, ints(minus) ^ (power == 1))))
 
 
+def inverse(x: Ints) -> tuple[Ints, Ints]:
+    """The word 1 / x 2^s, from 1/2 to 1 or below 0, and 2^s, which brings x to [1, 2); both are 0 where x is 0."""
+    power = power_of(fold(x))
+    x = low(x, power)
+    g = reciprocal(sum_of(term(x, x)) >> 12)
+    return dot((dot((g, x)), g)), power
+
+
 def unit(a: Ints, b: Ints, floor: int = 0, minus: Ints | bool = False) -> tuple[Ints, Ints, Ints, Ints]:
     """(a, b, g, none): the vector scaled up, the reciprocal of its length, and where nothing of it lies above bit
     `floor`: there it has no direction."""

@@ -12,13 +12,14 @@ import numpy as np
 from quadrance import conversion
 from quadrance.cores import RTL
 from quadrance.fixed import Ints, hold_last, ints
-from quadrance.product_engine import ONE
+from quadrance.product_engine import ONE, H, fold
 from quadrance.program import meaning, parser
 from quadrance.program.meaning import MORE
 
 Params = dict[str, int]
 AXES = [f"{row}{column}" for row in "123" for column in "123"]
-FORWARD, INVERSE = (RTL / "program" / f"{name}.kin" for name in ("vector_fk6", "vector_ik6"))
+FORWARD, INVERSE, VELOCITY, RATES = (RTL / "program" / f"{name}.kin" for name in
+                                     ("vector_fk6", "vector_ik6", "vector_velocity6", "vector_rates6"))
 JOINTS = [f"out_{letter}{i}" for i in range(1, 7) for letter in "cn"]
 
 
@@ -38,11 +39,16 @@ def config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: float, c
     """
     words = {f"cfg_{name}": round(value * 2.0 ** (p["F"] + MORE)) for name, value in
              (("a1", a1), ("b", b), ("c1", c1), ("c2", c2), ("c4", c4), ("k", math.hypot(a2, c3)))}
-    double = max(2 * words["cfg_c2"] * words["cfg_k"] * 2.0 ** (-2 * p["W"] - 2 * MORE), 2.0**-20)
-    e = max(math.floor(-math.log2(double)) + 1, 1)
     psi = math.atan2(a2, c3)
-    return words | {"cfg_cp": round(ONE * math.cos(psi)), "cfg_np": round(ONE * math.sin(psi)),
-                    "cfg_r": min(math.floor(ONE / double / 2**e), ONE - 1), "cfg_e": 1 << e}
+    return words | {"cfg_cp": round(ONE * math.cos(psi)), "cfg_np": round(ONE * math.sin(psi))} | triangle(
+        p, words["cfg_c2"], words["cfg_k"])
+
+
+def triangle(p: Params, one: int, two: int) -> dict[str, int]:
+    """`cfg_r` and `cfg_e` of two links in 2^-4 LSB: their product is the reciprocal of twice that of the links."""
+    double = max(2 * one * two * 2.0 ** (-2 * p["W"] - 2 * MORE), 2.0**-20)
+    e = max(math.floor(-math.log2(double)) + 1, 1)
+    return {"cfg_r": min(math.floor(ONE / double / 2**e), ONE - 1), "cfg_e": 1 << e}
 
 
 def forward_config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: float, c3: float,
@@ -83,6 +89,46 @@ def ik6_all(p: Params, **ports: Ints) -> dict[str, Ints]:
         bits[name] = sum(17 * ints(flag[at::len(SOLVED)]) << branch for at, branch in enumerate(SOLVED))
     status = ints(bits["out_far"] != 0) + 2 * ints(bits["out_held"] != 0) + 8 * ints(outcome.wrong[::len(SOLVED)])
     return answer | bits | {"out_status": status}
+
+
+# Velocities
+
+
+def motion_config(p: Params, *, a1: float, a2: float, b: float, c2: float, c3: float, c4: float) -> dict[str, int]:
+    """Configuration words of vector_velocity6 from the parameters, in coordinate units."""
+    return {f"cfg_{name}": round(value * 2.0 ** (p["F"] + MORE)) for name, value in
+            (("a1", a1), ("a2", a2), ("b", b), ("c2", c2), ("c3", c3), ("c4", c4))}
+
+
+def rates_config(p: Params, *, radius: float, angle: float, **lengths: float) -> dict[str, int]:
+    """Configuration words of vector_rates6: those of vector_velocity6, and where the arm is taken for singular.
+
+    Parameters
+    ----------
+    radius : distance of the wrist's centre from axis 1, coordinate units.
+    angle : of the elbow from stretched or folded, and of joint 5 from straight, radians.
+    """
+    reach = math.hypot(lengths["a2"], lengths["c3"])
+    return motion_config(p, **lengths) | {"cfg_radius": round(radius * 2.0 ** p["F"]), "cfg_sine": round(
+        math.sin(angle) * 2.0 ** p["U"]), "cfg_elbow": round(reach * math.sin(angle) * 2.0 ** p["F"])}
+
+
+def velocity6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """Rates of six joints to the tip's velocity and turn."""
+    return meaning.answer(parser.load(VELOCITY), p, **ports)
+
+
+def rates6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """The tip's velocity and turn to rates of six joints; singular where a factor of the determinant is not above its
+    threshold."""
+    program = parser.load(RATES)
+    outcome = meaning.fixed(program, p, **ports)
+    words = outcome.words
+    found, over = meaning.results(program, p, words)
+    limits = {"d1": ints(ports["cfg_radius"]) << H - p["W"], "d3": ints(ports["cfg_elbow"]) << H - p["W"],
+              "d5": ints(ports["cfg_sine"]) << H - p["U"]}
+    near = np.any(np.broadcast_arrays(*(fold(words[name]) <= limit for name, limit in limits.items())), axis=0)
+    return found | {"out_status": 2 * ints(near) + 4 * ints(over | outcome.far)}
 
 
 # With the angle codec

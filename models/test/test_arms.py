@@ -4,13 +4,14 @@ import math
 
 import numpy as np
 import pytest
-from quadrance import arms, truth, truth_arm, truth_six
+from quadrance import arms, truth, truth_arm, truth_six, truth_ur
 from quadrance.arms import ArmError
 from quadrance.trajectory import limits, smooth, trajectory
 
 MATHS = {  # L1, L2 (mm) of the table of real arms
     "cobra600": (325, 275), "linuxcnc_scara": (340, 250), "staubli_tx40": (225, 225),
     "puma560": (431.8, math.hypot(20.3, 431.8)), "kr6_r700": (315, math.hypot(35, 365)), "ur5": (425, 392.25),
+    "ur3e": (243.55, 213.2), "ur5e": (425, 392.2), "ur10e": (612.7, 571.55),
     "uarm_swift_pro": (142.07, 158.81), "dobot_magician": (135, 147), "geomagic_touch": (135, 135),
     "phantomx_leg": (66.2, 132.7)}
 
@@ -229,6 +230,11 @@ CITED = {  # the joints' names in the order of the chain, the chain, what is beh
     "kr6_r700": (("A1", "A2", "A3", "A4", "A5", "A6"), _kuka, UPRIGHT),
     "ur5": (("base", "shoulder", "elbow"), _dh(  # Universal Robots, UR5 series 3, wrist 1 at 0: it moves no place
         (89.159, 0, 90), (0, -425, 0), (0, -392.25, 0), (109.15, 0, 90)), None),
+    **{name: (("base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"), _dh(  # Universal Robots, e-Series
+        (d1, 0, 90), (0, a2, 0), (0, a3, 0), (d4, 0, 90), (d5, 0, -90), (d6, 0, 0)), None)
+       for name, d1, a2, a3, d4, d5, d6 in (("ur3e", 151.85, -243.55, -213.2, 131.05, 85.35, 92.1),
+                                            ("ur5e", 162.5, -425, -392.2, 133.3, 99.7, 99.6),
+                                            ("ur10e", 180.7, -612.7, -571.55, 174.15, 119.85, 116.55))},
     "uarm_swift_pro": (("rot", "left", "right"), _uarm, None),
     "dobot_magician": (("J1", "J2", "J3"), _dobot, None),
     "geomagic_touch": (("J1", "J2", "J3"), _touch, None),
@@ -259,6 +265,12 @@ def test_every_arm_is_the_machine_of_its_source(name):
             want = want @ flange
             assert tip == pytest.approx(want[:3, 3], abs=1e-6) and np.allclose(rotation, want[:3, :3], atol=1e-9)
             want = want @ _move(z=-arm.flange)
+        if arm.d6 is not None:
+            lengths, _ = truth_ur.load(name)
+            rotation, tip = truth_ur.fk([seen["yaw"] - math.pi, -seen["shoulder"], -seen["elbow"], *(
+                seen[key] for key in arms.WRIST)], lengths)
+            assert tip == pytest.approx(want[:3, 3], abs=1e-6) and np.allclose(rotation, want[:3, :3], atol=1e-9)
+            want = want @ _move(z=-arm.d6) @ _turn(Z, -q[5]) @ _turn(X, 90) @ _move(z=-arm.d5)
         if not arm.yaws:
             tip = list(truth.fk2(seen["shoulder"], seen["elbow"], arm.l1, arm.l2))
             if arm.l3:

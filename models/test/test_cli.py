@@ -115,7 +115,7 @@ def test_instances_elaborate_with_the_computed_words(tmp_path):
             width = next(one.width for one in core.cfg if one.name == port)
             assert re.search(rf"\.{port}\({'-' * (value < 0)}{width}'s?d{abs(value)}\)", text), (core.id, port)
     some = [core for core in KINEMATIC if core.name in ("rational_ik2", "vector_fk2")]
-    text = "\n".join(verilog.instance(core, arm, declare=True) for core in some)
+    text = "\n".join(verilog.instance(core, arm, f"u_core{i}", declare=True) for i, core in enumerate(some))
     top = tmp_path / "top.v"
     top.write_text(f"module top (input wire clk, input wire rst);\n{text}\nendmodule\n")
     files = dict.fromkeys(path for core in some for path in core.sources)

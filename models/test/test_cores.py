@@ -53,6 +53,12 @@ def test_expansion_of_one_entry():
     assert len({first, second, first}) == 2
 
 
+def test_each_pipe_has_a_first_set():
+    sets = {name: {"W": 16, "S": size, "PIPE": pipe} for name, size, pipe in
+            (("a", 24, 0), ("b", 8, 0), ("c", 24, 1), ("d", 8, 1))}
+    assert [core.set_id for core in expand(own_sets=sets) if core.first_set] == ["a", "c"]
+
+
 def test_a_vector_has_two_ports():
     core = expand(in_={"j1": "vector S", "z": "sW", "j2": "vector 9"})[0]
     assert core.inputs == (Port("in_c1", 26, True, "vector"), Port("in_n1", 26, True, "vector"), Port("in_z", 16, True),

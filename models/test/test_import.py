@@ -146,6 +146,9 @@ def of_file(path, samples):
             if arm.flange is not None:
                 pose = pose @ turn(Y, math.pi / 2) @ turn(Z, at["j4"]) @ turn(Y, at["j5"]) @ turn(Z, at["j6"]) \
                     @ move(z=arm.flange)
+            if arm.d6 is not None:  # frame 3 of the makers' table: x back along the forearm, z to the left
+                pose = pose @ turn(Y, math.pi) @ turn(X, -math.pi / 2) @ turn(Z, at["j4"]) @ turn(X, math.pi / 2) \
+                    @ turn(Z, at["j5"]) @ move(z=arm.d5) @ turn(X, -math.pi / 2) @ turn(Z, at["j6"]) @ move(z=arm.d6)
         else:
             pose = turn(Z, at["shoulder"]) @ move(arm.l1) @ turn(Z, at["elbow"]) @ move(arm.l2)
             pose = pose @ turn(Z, at["tool"]) @ move(arm.l3) if arm.l3 else pose
@@ -249,11 +252,21 @@ LEG = robot(
     joint_("calf", "t", "c", xyz=(0, 0, -0.213), axis=(0, 1, 0), limit=(-2.8, -0.9)),
     joint_("foot", "c", "f", "fixed", (0, 0, -0.213)))
 
+UR = robot(
+    joint_("pan", "base_link", "s", xyz=(0, 0, 0.089159)), joint_("lift", "s", "u", xyz=(0, 0.13585, 0),
+                                                                  angles=(0, math.pi / 2, 0), axis=(0, 1, 0)),
+    joint_("elbow", "u", "f", xyz=(0, -0.1197, 0.425), axis=(0, 1, 0)),
+    joint_("w1", "f", "v", xyz=(0, 0, 0.39225), angles=(0, math.pi / 2, 0), axis=(0, 1, 0)),
+    joint_("w2", "v", "w", xyz=(0, 0.093, 0)), joint_("w3", "w", "ee", xyz=(0, 0, 0.09465), axis=(0, 1, 0)))
 ROBOTS = {"scara": (scara((math.pi, 0, 0)), "world", "tool0", "a SCARA"),
           "kr6": (KR6, "base_link", "tool0", "an ortho-parallel arm with a spherical wrist"),
           "puma": (PUMA, "b", "tip", "an ortho-parallel arm with a spherical wrist"),
           "planar": (PLANAR, "rail", "point", "a planar arm"),
-          "leg": (LEG, "trunk", "f", "a yaw with two links")}
+          "leg": (LEG, "trunk", "f", "a yaw with two links"),
+          "ur": (UR, "base_link", "ee", "an arm with three parallel axes"),
+          "leaning": (UR.replace('rpy="0.0 0.0 0.0"', 'rpy="0.2 0.1 -0.3"', 1).replace("0.093", "-0.093").replace(
+              '<axis xyz="0.0 0.0 1.0"/>', '<axis xyz="0 0 -1"/>'), "base_link", "ee",
+                      "an arm with three parallel axes")}
 
 
 @pytest.fixture
@@ -288,7 +301,7 @@ def test_the_matrices_are_pinocchio(name):
 @pytest.mark.parametrize(("name", "cores"), [
     ("scara", ("table_ik2", "rational_fk2")), ("kr6", ("vector_ik6", "table_fk6", "arm_ik3")),
     ("puma", ("vector_ik6_all", "arm_fk3")), ("planar", ("table_ik3r", "vector_ik2")),
-    ("leg", ("arm_ik3", "table_ik3"))])
+    ("leg", ("arm_ik3", "table_ik3")), ("ur", ("vector_ur_ik", "vector_ur_fk", "vector_ur_ik_all", "arm_ik3"))])
 def test_an_imported_arm_goes_through_the_commands(urdf, tmp_path, name, cores):
     file = tmp_path / "arm.toml"
     run("import", urdf(ROBOTS[name][0]), "--out", file)
@@ -343,12 +356,6 @@ def wrist(offset=(0.0, 0.0, 0.0), tilt=0.0):
         'xyz="0.08 0.0 0.0" rpy="0.0 0.0 0.0"', f'xyz="0.08 {offset[0]!r} 0.0" rpy="0.0 0.0 {tilt!r}"')
 
 
-UR = robot(
-    joint_("pan", "base_link", "s", xyz=(0, 0, 0.089159)), joint_("lift", "s", "u", xyz=(0, 0.13585, 0),
-                                                                  angles=(0, math.pi / 2, 0), axis=(0, 1, 0)),
-    joint_("elbow", "u", "f", xyz=(0, -0.1197, 0.425), axis=(0, 1, 0)),
-    joint_("w1", "f", "v", xyz=(0, 0, 0.39225), angles=(0, math.pi / 2, 0), axis=(0, 1, 0)),
-    joint_("w2", "v", "w", xyz=(0, 0.093, 0)), joint_("w3", "w", "ee", xyz=(0, 0, 0.09465), axis=(0, 1, 0)))
 SRS = robot(*(joint_(f"a{i}", f"k{i}", f"k{i + 1}", xyz=(0, 0, height), angles=(lean, 0, 0)) for i, (height, lean) in
               enumerate([(0.36, 0), (0, -math.pi / 2), (0, math.pi / 2), (0.42, math.pi / 2), (0, -math.pi / 2),
                          (0.4, -math.pi / 2), (0, math.pi / 2)], 1)))
@@ -362,8 +369,8 @@ SRS = robot(*(joint_(f"a{i}", f"k{i}", f"k{i + 1}", xyz=(0, 0, height), angles=(
     (wrist((0.00003, 0.0, 0.0)), "axes 4, 5 and 6 miss a common point by 0.03 mm"),
     (wrist(tilt=0.01), "is not an ortho-parallel arm with a spherical wrist: axes 5 and 6 are 0.573 degrees from"),
     (wrist(tilt=1e-5), "would be off by 0.0"),
-    (UR, "is an arm with three parallel axes, for which there is no core yet; it is not an ortho-parallel arm with a "
-         "spherical wrist: axes 3 and 4 are 90 degrees from right angles"),
+    (UR.replace('xyz="0.0 0.093 0.0"', 'xyz="0.02 0.093 0.0"'),
+     "it is not an arm with three parallel axes: axes 4 and 5 miss each other by 20 mm"),
     (SRS, "is an S-R-S arm, for which there is no core yet"),
     (KR6.replace('joint_a6" type="revolute', 'joint_a6" type="prismatic'),
      "6 joints move (RRRRRP; R turns, P slides), and cores are for RR, RRR"),

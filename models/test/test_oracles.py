@@ -11,9 +11,9 @@ from quadrance.cores import all_cores
 from quadrance.iterative import newton_fixed
 from quadrance.program import meaning
 
-from models.test import oracles, test_oracles_config, test_oracles_engine, test_oracles_status
+from models.test import oracles, test_oracles_config, test_oracles_engine, test_oracles_status, test_oracles_ur
 
-JUDGES = (test_oracles_config, test_oracles_engine, test_oracles_status)
+JUDGES = (test_oracles_config, test_oracles_engine, test_oracles_status, test_oracles_ur)
 PLAIN = {"l1", "l2", "l3", "base", "shoulder", "lateral", "elbow", "d4", "d5", "sine", "radius", "tol", "limit"}
 """Words that are a number of the user's in the port's format: lengths, thresholds, a tolerance, a limit of steps."""
 FUNCTIONS = list(dict.fromkeys(f"{core.family}.{core.function}" for core in all_cores()))
@@ -54,8 +54,8 @@ SLIPS = {  # the same slip in model and core would leave every bench green
                             test_oracles_status.test_the_best_branch, "arm.keep3"),
     "the last of equals": (arm_keep, "_choose", "key > best[0]", "key >= best[0]",
                            test_oracles_status.test_the_best_branch, "arm.keep2"),
-    "a tie downward at the edge": (meaning, "results", "near = round_shift(words[port.name], shift(",
-                                   "near = round_shift(words[port.name] - 1, shift(",
+    "a tie downward at the edge": (meaning, "results", "round_shift(words[port.name], shift(",
+                                   "round_shift(words[port.name] - 1, shift(",
                                    test_oracles_engine.test_the_edge_of_a_tip_of_six_axes, "six.fk6"),
     "a wrist that wraps": (table, "ik3r", "x, y, over = wrist(p, x, y, phi, l3)",
                            "x, y, over = wrist(p, x, y, phi, l3); y = np.where(over, -y, y)",

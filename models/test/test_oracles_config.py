@@ -20,6 +20,7 @@ from quadrance import (
     rational,
     six,
     table,
+    tool,
 )
 from quadrance.iterative import newton_fixed
 from quadrance.parallel import geometry
@@ -203,6 +204,35 @@ def test_words_of_six_axes_forward(core):
     assert found.keys() == {f"cfg_{name}" for name in lengths}
     assert all(abs(found[f"cfg_{name}"] - value * 2 ** (core.params["F"] + 4)) <= 0.5
                for name, value in lengths.items())
+
+
+@oracle("tool.xyzac", "tool.xyzbc", cfg=("xr", "yr", "d", "zs"))
+def test_words_of_machine_tools(core):
+    """Lengths in LSB; the height of the axis, its offset and the tool's length are added before the rounding."""
+    p = core.params
+    found = tool.config(p, x_rot=1.2345, y_rot=-2.71, z_rot=3.3, offset=0.123, z_offset=-7.7, tool=20.004)
+    exact = {"cfg_xr": 1.2345, "cfg_yr": -2.71, "cfg_d": 0.123, "cfg_zs": 15.604}
+    assert found.keys() == exact.keys()
+    assert all(abs(word - exact[name] * 2 ** p["F"]) <= 0.5 for name, word in found.items())
+
+
+@oracle("six.velocity6", "six.rates6", cfg=("a1", "a2", "b", "c2", "c3", "c4", "radius", "elbow", "sine"))
+def test_words_of_six_rates(core):
+    """Lengths in 2^-4 LSB; thresholds: a distance in LSB, k times the sine of an angle in LSB, that sine in 2^-U."""
+    p = core.params
+    lengths = {"a1": 0.13, "a2": -0.077, "b": 0.111, "c2": 0.325, "c3": 0.29, "c4": -0.06}
+    lengths = {name: value * 2 ** (p["W"] - 1 - p["F"]) for name, value in lengths.items()}
+    if core.function == "velocity6":
+        found = six.motion_config(p, **lengths)
+    else:
+        radius, angle = lengths["c2"] / 7, 0.0731
+        found = six.rates_config(p, **lengths, radius=radius, angle=angle)
+        k = mpmath.hypot(lengths["a2"], lengths["c3"])
+        for name, value in (("radius", radius * 2 ** p["F"]), ("elbow", k * mpmath.sin(angle) * 2 ** p["F"]),
+                            ("sine", mpmath.sin(angle) * 2 ** p["U"])):
+            assert abs(found.pop(f"cfg_{name}") - value) <= 0.5
+    assert found.keys() == {f"cfg_{name}" for name in lengths}
+    assert all(abs(found[f"cfg_{name}"] - value * 2 ** (p["F"] + 4)) <= 0.5 for name, value in lengths.items())
 
 
 @oracle("six.ik6", "six.ik6_all", "six.ik6_to_angles", cfg=("a1", "b", "c1", "c2", "c4", "k", "cp", "np", "r", "e"))

@@ -412,6 +412,73 @@ def test_the_edge_of_a_tip_of_six_axes(core):
             assert found[axis] == min(max(want, -half), half - 1)
 
 
+@oracle("tool.xyzac", "tool.xyzbc", status=("overflow",))
+def test_the_edge_of_a_machine_tool(core):
+    """Both tables at 0: the axes are the point's; with the tilt at a quarter of a turn they are exchanged."""
+    p, half = core.params, 1 << core.params["W"] - 1
+    one, tilt = 1 << p["U"], core.function[3]
+    flat = {f"c{tilt}": one, f"n{tilt}": 0, "cc": one, "nc": 0}
+    upright = flat | {f"c{tilt}": 0, f"n{tilt}": one}
+    axis, sign = ("y", -1) if tilt == "a" else ("x", 1)
+    cfg = {"xr": 5, "yr": -9, "d": half // 8, "zs": -sign * (half // 4)}
+    point = {"x": half - 1, "y": -half, "z": half - 3}
+    assert ask(core, [flat | point], cfg)[0] == point | {"status": 0}
+    centre = cfg["d"] + cfg[f"{axis}r"]
+    for off, over in ((0, False), (1, True)):
+        high = upright | {"x": 0, "y": 0, "z": cfg["zs"] + sign * (half - 1 + off - centre)}
+        answer = ask(core, [high], cfg)[0]
+        assert abs(high["z"]) < half and (answer[axis], bool(answer["status"])) == (half - 1, over)
+    low = upright | {"x": 0, "y": 0, "z": cfg["zs"]} | {axis: -half}
+    rise = (-half - centre) * -sign  # the level of the point on the tilted table
+    assert ask(core, [low], cfg)[0]["z"] == min(max(cfg["zs"] + rise, -half), half - 1)
+
+
+@oracle("six.velocity6", "six.rates6", status=("singular", "overflow"))
+def test_motions_of_an_arm_with_a_square_elbow(core):
+    """q = (0, 0, 90, 0, 90) degrees, c2 = c3 = c, no offset and no flange: the wrist is at (c, 0, c), axis 5 along y.
+
+    Rates: w1 = vy / c, w3 = -vz / c - w2 and w2 = vx / c, w5 = wy - w2 - w3; axes 4 and 6 look along x and -z, so w4 is
+    wx and w6 is w1 - wz. The factors are c, c and 1.
+    """
+    p, half = core.params, 1 << core.params["W"] - 1
+    one, c = 1 << p["U"], half // 4
+    cfg = dict.fromkeys(("a1", "a2", "b", "c4"), 0) | {"c2": 16 * c, "c3": 16 * c}
+    row = {f"{letter}{i}": one * (quarter == (letter == "n")) for i, quarter in enumerate((0, 0, 1, 0, 1), 1)
+           for letter in "cn"}
+    rad = 1 << p["V"]
+    zero = dict.fromkeys(("w1", "w2", "w3", "w4", "w5", "w6") if core.function == "velocity6" else
+                         ("vx", "vy", "vz", "wx", "wy", "wz"), 0)
+    if core.function == "velocity6":
+        for rate in (half // 3, -half // 3):  # |v| = c rate / 2^V
+            found = ask(core, [row | zero | {"w2": rate // 2}], cfg)[0]
+            exact = c * (rate // 2) / rad
+            fits = abs(exact) < half
+            assert bool(found["status"]) != fits and (not fits or abs(found["vx"] - exact) <= 1)
+        for rate, over in ((half // 2 - 2, False), (half // 2 + 2, True)):
+            turning = row | zero | {"w1": rate, "w2": 0}
+            slow = cfg | {"c2": 0, "c3": 0}
+            assert flags(core, [turning | {"w6": -rate}], slow) == [over]
+            assert flags(core, [turning | {"w6": rate}], slow) == [False]
+        return
+    cfg |= dict.fromkeys(("radius", "elbow", "sine"), 0)
+    for vx, vy, vz, wx, wy, wz in ((9, -5, 3, 40, -70, 11), (-7, 2, 8, 5, 60, -90)):
+        v = [part * c // 100 for part in (vx, vy, vz)]
+        w = [part * rad // 100 for part in (wx, wy, wz)]
+        found = ask(core, [row | dict(zip(("vx", "vy", "vz", "wx", "wy", "wz"), (*v, *w)))], cfg)[0]
+        w2, w23 = v[0] / c * rad, -v[2] / c * rad
+        exact = (v[1] / c * rad, w2, w23 - w2, w[0], w[1] - w23, v[1] / c * rad - w[2])
+        assert all(abs(found[f"w{i}"] - one) <= 1 + abs(one) * 1e-4 for i, one in enumerate(exact, 1)), (found, exact)
+        assert found["status"] == 0 and (abs(found["d1"] - c), abs(found["d3"] - c), found["d5"]) <= (1, 1, one)
+    for name, edge in (("radius", c), ("elbow", c), ("sine", one)):
+        assert flags(core, [row | zero], cfg | {name: edge - 2}, "singular") == [False]
+        assert flags(core, [row | zero], cfg | {name: edge}, "singular") == [True]
+    end = half * c // rad  # of vy: the rate of joint 1 is at its end
+    for vy, over in ((end - c // 200 - 2, False), (end + c // 200 + 2, True), (-end - c // 200 - 2, True)):
+        if abs(vy) < half:
+            assert flags(core, [row | zero | {"vy": vy}], cfg) == [over]
+    assert flags(core, [row | zero | {"wy": half - 1}], cfg) == [False]
+
+
 @oracle("six.ik6", "six.ik6_all", "six.ik6_to_angles", status=("unreachable", "singular", "no_rotation"))
 def test_where_six_axes_have_no_answer(core):
     """Beyond c2 + k of axis 2; nearer to axis 1 than b; joint 1, 2 or 4 without a direction; a matrix 16 units off.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Datapath of arm_solve, whose cycle table controls it: in_op is one line of that table, column by column. It is
-// kernel_vector_path with three additions: the base height is subtracted from z and the shoulder offset from rho, a
+// Datapath of arm_solve, whose cycle table controls it: in_op is one line of that table, column by column. It is that
+// of kernel_vector_solve with three additions: the base height is subtracted from z and the shoulder offset from rho, a
 // lateral offset b has a root of x^2 + y^2 - b^2, and rho has the sign of the side of the shoulder. Ports, formats,
 // error, status and models are those of arm_solve. in_start loads in_x ... in_back at the end of its clock. 1.0 is 2^25
 // in left, 2^26 in right (2^24 in words from SLOPE) and 2^49 in a product of the two.

@@ -5,12 +5,13 @@
 // in_negative. in_none: joints 1 and 3 hold their words. out_j: angles of A bits modulo a turn, rounded to nearest,
 // joint 1 lowest. Reset sets joints 1 and 3 to 0. Joint 2 is not reset: every sample writes it.
 // Error: half the sag 2^-18.4 rad, m 2^-20.4 rad, knot and step 2^-(A+4) turn; a length of 1 + e turns by up to 1.14 e.
-// Latency 3 from the sine on; a joint every 2 clocks. Source: arc sine table with linear interpolation. Model:
+// Latency 3 + 2 PIPE from the sine on; a joint every 2 clocks. Source: arc sine table with linear interpolation. Model:
 // codecs.angle_of_vector
 `default_nettype none
 module angle_of_vector #(
     parameter JOINTS = 2,  // joints of the kernel, 2 or 3 (default 2)
-    parameter A = 18       // bits of a word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter A = 18,      // bits of a word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter PIPE = 0     // registers behind table and product, 0 or 1 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -76,11 +77,29 @@ module angle_of_vector #(
     wire [11:0]     cut;
     wire [2:0]      below;
     wire [A-1:0]    word;
-    assign          {knot, step} = chord;
-    assign          {rise, cut} = step * place;
+    wire [2:0]      gives;
+    generate
+        if (PIPE == 0) begin : g_now
+            assign {knot, step} = chord;
+            assign {rise, cut} = step * place;
+            assign gives = give;
+        end else begin : g_registered
+            reg [2*D-11:0] held;
+            reg [D+2:0]    product;
+            reg [5:0]      later;
+            assign {knot, step} = held;
+            assign {rise, cut} = product;
+            assign gives = later[2:0];
+            always @(posedge clk) begin
+                held    <= chord;
+                product <= step * place;
+                later   <= rst ? 6'd0 : {give, later[5:3]};
+            end
+        end
+    endgenerate
     assign          {word, below} = {axis[1] ^ (knot[D-2] && !axis[0]), axis[0] ^ knot[D-2], knot[D-3:0]}
                                   + {9'd0, rise};
-    wire            unused = &{1'b0, below, cut, in_word[22], give};
+    wire            unused = &{1'b0, below, cut, in_word[22], gives};
 
     always @(posedge clk) begin
         if (in_cos != 0 || in_sin != 0 && far)
@@ -104,7 +123,7 @@ module angle_of_vector #(
     generate
         for (j = 0; j < JOINTS; j = j + 1) begin : g_joint
             always @(posedge clk)
-                if (rst && j != 1 || give[j] && !(in_none && j != 1))
+                if (rst && j != 1 || gives[j] && !(in_none && j != 1))
                     out_j[A*j +: A] <= rst && j != 1 ? {A{1'b0}} : word;
         end
     endgenerate

@@ -13,6 +13,8 @@ module engine_datapath #(
     parameter ROOTS = 1,     // 0 or 1 (default 1); 0: sums only, without ACT, ALIGN and root tables
     parameter WRIST = 12,    // lowest bit that counts with act WRIST, 0 to 25 (default 12, 8 units of 2^-16)
     parameter SLACK = 13,    // lowest bit that is an error with act CHECK, 0 to 25 (default 13, 16 units of 2^-16)
+    parameter MARGINS = 0,   // 0 or 1 (default 0); 1: with NEAR (CHECK | WRIST), OVER (CHECK | FAR), C of HOLD
+    parameter QUOTIENTS = 0, // 0 or 1 (default 0); 1: in_start clears the outcome of FAR
     parameter CONTEXTS = 1,  // register files: 1, 2, 4 or 8 (default 1)
     parameter B = 1          // bits of in_context: 3 with eight, 2 with four, 1 with fewer (default 1)
 ) (
@@ -85,7 +87,8 @@ module engine_datapath #(
     wire [3:1] fresh;             // joints 1, 2 and 4 (by bits of DEST) never had a direction
     wire       never = chosen[12] ? fresh[3] : chosen[11] ? fresh[2] : fresh[1];
     wire       bound = chosen[7] && far && ROOTS != 0, lost = chosen[5] && none && ROOTS != 0;
-    assign      skip_queue = {lost && !never, skips};
+    wire       own = chosen[31:26] != 6'd0;  // MARGINS: HOLD writes the word of C, its register, once more
+    assign     skip_queue = {MARGINS != 0 ? lost && !never && !own : lost && !never, skips};
     wire [3:0]  newer;  // PIPE 2: the register of A, B, C, D was written while it was read, out_word is its word
     wire        file1 = chosen[46:45] == 2'd0, file2 = !chosen[38];
     reg  [26:0] other1, other2;  // operands that come from no register
@@ -121,6 +124,12 @@ module engine_datapath #(
             a <= {bound && minus, bound || !chosen[9], 25'd0};
             b <= 27'h2000000;
         end
+        if (MARGINS != 0)
+            if (lost && own && !never) begin
+                a <= 27'd0;
+                c <= newer[1] ? out_word : read_c;
+                d <= 27'h2000000;
+            end
         skips <= skip_queue[PIPE+1:1];
     end
 
@@ -180,13 +189,15 @@ module engine_datapath #(
             reg        long, below, sign, unknown, check, beyond, off, one;
             reg  [3:1] held;
             wire [3:1] first;
+            wire       nears = act[8] && act[2], overs = act[8] && act[6];  // with MARGINS
+            wire       close;  // NEAR found a direction close to one that is undefined
             engine_roots #(.WRIST(WRIST)) roots (.clk(clk), .in_first(act[0]), .in_more(act[1]), .in_wrist(act[2]),
                 .in_none(act[3] && sum[31]), .in_fold(fold), .in_read(ask), .in_q(q), .in_clear(clear),
                 .out_w(w), .out_slope(slope), .out_power(power), .out_four(four), .out_twice(twice),
                 .out_empty(empty));
             assign {far, minus, none, fresh} = {long, sign, unknown, first};
             assign whole = one;
-            assign out_status = {off, 1'b0, held != 3'd0, below || long};
+            assign out_status = {off, 1'b0, MARGINS != 0 ? held != 3'd0 || close : held != 3'd0, below || long};
             always @(posedge clk) begin
                 if (act[3])
                     below <= sum[31];
@@ -199,7 +210,15 @@ module engine_datapath #(
                     long <= low ? long || wide : !sum[31] && sum[30:29] != 2'd0;
                     sign <= low && minus1 && !long;
                 end
-                check  <= act[8];
+                if (QUOTIENTS != 0)
+                    if (in_start)
+                        long <= 1'b0;
+                if (MARGINS != 0)
+                    if (overs) begin  // a clamp at -1 is told by itself, one at 1 by this sum
+                        long <= long && sign || sum[31];
+                        sign <= sign;
+                    end
+                check  <= MARGINS != 0 ? act[8] && !nears && !overs : act[8];
                 beyond <= sum[31:29] != {3{sum[31]}};  // the word has wrapped, maybe to 0
                 off    <= !in_start && (off || in_run && check
                                         && (beyond || (out_word[25:SLACK] ^ {26-SLACK{out_word[26]}}) != 0));
@@ -218,6 +237,18 @@ module engine_datapath #(
                         undefined <= 3'b111;
                     else if (act[5] && !none && op[9])
                         undefined <= undefined & {!op[12], !op[11] || op[12], op[11] || op[12]};
+            end
+            if (MARGINS != 0) begin : g_margins
+                reg [3:1] closes;
+                assign close = closes != 3'd0;
+                always @(posedge clk)
+                    if (rst || clear)
+                        closes <= 3'd0;
+                    else if (nears)
+                        closes <= op[12] ? {sum[31], closes[2:1]} : op[11] ? {closes[3], sum[31], closes[1]}
+                                  : {closes[3:2], sum[31]};
+            end else begin : g_exact
+                assign close = 1'b0;
             end
             if (PIPE == 0) begin : g_asked
                 reg        read;
@@ -247,6 +278,6 @@ module engine_datapath #(
     end
     assign out_read = read_a;
     wire unused = &{1'b0, in_start, in_live, in_context, in_forget, clear, in_signs, act, fold, low, mid, subtract,
-        outside, minus1, argument, chosen, queue, skip_queue};
+        outside, minus1, argument, chosen, queue, skip_queue, own};
 endmodule
 `default_nettype wire

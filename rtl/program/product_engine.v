@@ -9,10 +9,12 @@
 // Models: product_engine.dot, .unit, .root
 `default_nettype none
 module product_engine #(
-    parameter PIPE = 0,    // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 27 x 17 bits too
-    parameter ROOTS = 1,   // 0 or 1 (default 1); 0: sums only, without ACT, ALIGN and root tables
-    parameter WRIST = 12,  // lowest bit that counts with act WRIST, 0 to 25 (default 12, 8 units of 2^-16)
-    parameter SLACK = 13   // lowest bit that is an error with act CHECK, 0 to 25 (default 13, 16 units of 2^-16)
+    parameter PIPE = 0,      // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 27 x 17 bits too
+    parameter ROOTS = 1,     // 0 or 1 (default 1); 0: sums only, without ACT, ALIGN and root tables
+    parameter WRIST = 12,    // lowest bit that counts with act WRIST, 0 to 25 (default 12, 8 units of 2^-16)
+    parameter SLACK = 13,    // lowest bit that is an error with act CHECK, 0 to 25 (default 13, 16 units of 2^-16)
+    parameter MARGINS = 0,   // 0 or 1 (default 0); 1: with NEAR (CHECK | WRIST), OVER (CHECK | FAR), C of HOLD
+    parameter QUOTIENTS = 0  // 0 or 1 (default 0); 1: in_start clears the outcome of FAR
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -32,10 +34,10 @@ module product_engine #(
     endgenerate
 
     /* verilator lint_off PINCONNECTEMPTY */
-    engine_datapath #(.PIPE(PIPE), .ROOTS(ROOTS), .WRIST(WRIST), .SLACK(SLACK)) datapath (.clk(clk), .rst(rst),
-        .in_start(in_start), .in_run(in_run), .in_live(1'b1), .in_context(1'b0), .in_forget(1'b0), .in_op(in_op),
-        .in_port(in_port), .in_signs(in_signs), .out_read(), .out_word(out_word), .out_dest(out_dest),
-        .out_status(out_status));
+    engine_datapath #(.PIPE(PIPE), .ROOTS(ROOTS), .WRIST(WRIST), .SLACK(SLACK), .MARGINS(MARGINS),
+        .QUOTIENTS(QUOTIENTS)) datapath (.clk(clk), .rst(rst), .in_start(in_start), .in_run(in_run), .in_live(1'b1),
+        .in_context(1'b0), .in_forget(1'b0), .in_op(in_op), .in_port(in_port), .in_signs(in_signs), .out_read(),
+        .out_word(out_word), .out_dest(out_dest), .out_status(out_status));
     /* verilator lint_on PINCONNECTEMPTY */
 endmodule
 `default_nettype wire

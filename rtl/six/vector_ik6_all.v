@@ -161,7 +161,7 @@ module vector_ik6_all #(
     always @(posedge clk) begin
         over <= result && dest[3] && !last;
         half <= word[24-U:0] == {1'b1, {(24-U){1'b0}}};
-        if (result || over)
+        if (result || over && !idle)
             found <= {near[U+2:1], found[64*(U+2)-1:U+2]};
         if (last) begin
             far  <= {flags[0], far[3:1]};

@@ -6,14 +6,16 @@
 // by table.config.
 // Error of the tip at the answered words: bounds.table.ik2, at L1 = L2 = 2^13 from a quarter of the reach on 1.27 LSB
 // at A = 18 and 0.94 at A = 24.
-// Latency 12, II 12.
+// Latency and II: 12 + 14 PIPE.
 // Status: unreachable (the nearest point is answered), singular (x = y = 0: j1 is held, 0 after a reset).
 // Source: rational trigonometry paper, eqs. 18-23, in vector form, and an arc sine of their result. Model: table.ik2
 `default_nettype none
 module table_ik2 #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 18   // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter W = 16,        // bits of a coordinate and of a length, 4 to 16 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18,        // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter PIPE = 0,      // registers behind products and tables, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -34,21 +36,22 @@ module table_ik2 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || A < 10 || A > 24) begin : g_illegal
-            table_ik2_needs_W_from_4_to_16_and_F_below_W_and_A_from_10_to_24 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || A < 10 || A > 24 || PIPE < 0 || PIPE > 1
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            table_ik2_needs_W_4_to_16_and_F_below_W_and_A_10_to_24_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}};
     wire [2:0]         cosine, sine;
     wire [23:0]        word;
     wire               flat, negative, none;
-    kernel_vector_solve #(.JOINTS(2), .LAG(2), .U(18)) kernel (
+    kernel_vector_solve #(.JOINTS(2), .LAG(2), .U(18), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(16'd0),
         .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
         .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
         .out_status(out_status));
-    angle_of_vector #(.JOINTS(2), .A(A)) codec (
+    angle_of_vector #(.JOINTS(2), .A(A), .PIPE(PIPE)) codec (
         .clk(clk), .rst(rst), .in_cos(cosine), .in_sin(sine), .in_word(word), .in_flat(flat), .in_negative(negative),
         .in_none(none), .out_j({out_j2, out_j1}));
 endmodule

@@ -3,14 +3,16 @@
 //   q = x^2 + y^2 of x and y without their common redundant sign bits; c1 = x / sqrt(q), n1 = y / sqrt(q)
 // Formats: in_x, in_y s(W-F).F; out_c1, out_n1 s2.U, rounded to nearest (ties upward).
 // Error: the coordinates of one vector exactly along (x, y), of length 1 within 0.95 * 2^-16, each rounded to nearest.
-// Latency 8, II 8.
+// Latency and II: 8 + 7 PIPE.
 // Status: singular (x = y = 0: the last vector is held, (1, 0) after a reset).
 // Source: rational trigonometry paper, eq. 9, which loses the quadrant. Model: vector.ik1
 `default_nettype none
 module vector_ik1 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
-    parameter U = 16   // fraction bits of cosine and sine, 4 to 16 (default 16)
+    parameter W = 16,        // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,         // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,        // fraction bits of cosine and sine, 4 to 16 (default 16)
+    parameter PIPE = 0,      // registers behind product and table, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -25,8 +27,9 @@ module vector_ik1 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || U < 4 || U > 16) begin : g_illegal
-            vector_ik1_needs_W_from_4_to_16_and_F_below_W_and_U_from_4_to_16 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 4 || U > 16 || PIPE < 0 || PIPE > 1
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            vector_ik1_needs_W_4_to_16_and_F_below_W_and_U_4_to_16_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
@@ -50,11 +53,34 @@ module vector_ik1 #(
         /* root    */ {ROOT | LEFT},
         /* x root  */ {COS | LEFT | SECOND},
         /* y root  */ {SIN}};
+    // PIPE = 1: a line computes partial products, the next one their sum; sum and results are made of it a line later
+    localparam [14*9-1:0] AIM_1 = {
+        /* x       */ {LEFT | RIGHT},
+        /* x x     */ {LEFT | RIGHT | SECOND},
+        /* y y     */ {LEFT | RIGHT | SECOND},
+        /* x x     */ {ADD},
+        /* y y     */ {ADD},
+        /* q       */ {READ},
+        /* slope   */ {9'd0},
+        /* slope   */ {SLOPE},
+        /* root    */ {9'd0},
+        /* root    */ {ROOT | LEFT},
+        /* x root  */ {LEFT | SECOND},
+        /* y root  */ {9'd0},
+        /* c1      */ {COS},
+        /* n1      */ {SIN}};
     wire   to_left, to_right, second, add, read, to_slope, root, cosine, sine, idle;
     wire   accept = in_valid && in_ready;
     assign in_ready = idle && (!out_valid || out_ready);
-    schedule #(.LINES(7), .BITS(9), .TABLE(AIM)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-        .out_op({sine, cosine, root, to_slope, read, add, second, to_right, to_left}));
+    generate
+        if (PIPE == 0) begin : g_aim
+            schedule #(.LINES(7), .BITS(9), .TABLE(AIM)) control (.clk(clk), .rst(rst), .in_start(accept),
+                .out_idle(idle), .out_op({sine, cosine, root, to_slope, read, add, second, to_right, to_left}));
+        end else begin : g_aim_1
+            schedule #(.LINES(14), .BITS(9), .TABLE(AIM_1)) control (.clk(clk), .rst(rst), .in_start(accept),
+                .out_idle(idle), .out_op({sine, cosine, root, to_slope, read, add, second, to_right, to_left}));
+        end
+    endgenerate
 
     // Words of 16 bits, aligned to the left. The last step of the shift is in the selectors of left and right.
     wire [15:0] x_in = {in_x, {(16-W){1'b0}}}, y_in = {in_y, {(16-W){1'b0}}};
@@ -81,15 +107,33 @@ module vector_ik1 #(
     // Coordinates in left and right have 20 fraction bits, so a product has 18 above the 22 that are dropped.
     reg  signed [21:0] left, right;
     /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [43:0] product = left * right;
+    wire signed [43:0] product, settled;
     /* verilator lint_on UNUSEDSIGNAL */
+    wire [19:0] slope, factor;
     localparam [19:0] HALF = 1 << 16 - U;  // rounds c1 and n1; q starts with 1, for two truncated squares
     wire [19:0] start = U < 16 && to_right ? 20'd1 : HALF;
     reg  [19:0] sum;
-    wire [19:0] total = product[41:22] + sum;
+    wire [19:0] total = settled[41:22] + sum;
     wire [20:0] w;
-    wire [19:0] slope;
-    reciprocal_root inverse (.clk(clk), .in_read(read), .in_q(total), .out_w(w), .out_slope(slope));
+    reciprocal_root inverse (.clk(clk), .in_read(read), .in_q(PIPE == 0 ? total : sum), .out_w(w), .out_slope(slope));
+    generate
+        if (PIPE == 0) begin : g_now
+            assign product = left * right;
+            assign settled = product;
+            assign factor = slope;
+        end else begin : g_registered
+            wire signed [53:0] product_1, settled_1;
+            reg         [19:0] slope_1;
+            wire               unused = &{1'b0, product_1[53:44], settled_1[53:44]};
+            kernel_product #(.PIPE(1), .MULTIPLY(MULTIPLY)) multiplier (.clk(clk), .in_left({{5{left[21]}}, left}),
+                .in_right({{5{right[21]}}, right}), .out_product(product_1), .out_settled(settled_1));
+            always @(posedge clk)
+                slope_1 <= slope;
+            assign product = product_1[43:0];
+            assign settled = settled_1[43:0];
+            assign factor = slope_1;
+        end
+    endgenerate
     assign out_status = {2'd0, zero, 1'b0};
 
     always @(posedge clk) begin
@@ -103,7 +147,7 @@ module vector_ik1 #(
         if (to_left || read)
             left <= read ? {1'b0, w} : k[0] ? {coarse[14], coarse[14:0], 6'd0} : {coarse[15], coarse, 5'd0};
         if (to_right || to_slope || root)
-            right <= pick[1] ? (pick[0] ? product[38:17] : {2'd0, slope})
+            right <= pick[1] ? (pick[0] ? product[38:17] : {2'd0, factor})
                    : pick[0] ? {coarse[14], coarse[14:0], 6'd0} : {coarse[15], coarse, 5'd0};
         if (accept || read || to_slope)
             pick <= accept ? {1'b0, spare[0]} : {1'b1, to_slope};

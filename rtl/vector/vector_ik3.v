@@ -5,14 +5,16 @@
 // Formats: in_* s(W-F).F; out_c*, out_n* cosine and sine of a joint, s2.U, rounded to nearest; cfg_q, cfg_r, cfg_e by
 // kernel_vector_solve.config.
 // Error of the tip, rounding included: bounds.vector.ik3, 1.04 LSB at L1 = L2 = 2^13 from a quarter of the reach on.
-// Latency 19, II 19.
+// Latency and II: 19 + 23 PIPE.
 // Status: unreachable (the nearest point is answered), singular (x = y = 0: c3, n3 are held; z = 0 too: c1, n1).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form. Model: vector.ik3
 `default_nettype none
 module vector_ik3 #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter U = 16   // fraction bits of cosine and sine, 8 to 16 (default 16)
+    parameter W = 16,        // bits of a coordinate and of a length, 4 to 16 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter U = 16,        // fraction bits of cosine and sine, 8 to 16 (default 16)
+    parameter PIPE = 0,      // registers behind products, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip\'s multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -38,15 +40,16 @@ module vector_ik3 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 16) begin : g_illegal
-            vector_ik3_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_16 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 16 || PIPE < 0 || PIPE > 1
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            vector_ik3_needs_W_4_to_16_and_F_below_W_and_U_8_to_16_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}}, z = {in_z, {(16-W){1'b0}}};
     wire [2:0]         cosine, sine;
     wire [23:0]        word;
     wire               flat, negative, none;
-    kernel_vector_solve #(.JOINTS(3), .U(U)) kernel (
+    kernel_vector_solve #(.JOINTS(3), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z),
         .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),

@@ -18,9 +18,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from quadrance import arms, bounds, codecs, truth_arm, truth_six
+from quadrance import arms, bounds, codecs, truth_arm, truth_six, truth_ur
 from quadrance.bounds import arm as arm_bounds
 from quadrance.bounds import six as six_bounds
+from quadrance.bounds import ur as ur_bounds
 from quadrance.cli import main
 from quadrance.cli.words import number
 from quadrance.cores import Core, all_cores, at, find, joints
@@ -33,7 +34,7 @@ NEVER = ("chain", "mff", "fk5")  # kinematics whose lengths are not an arm file'
 PLANE = ("fk1", "fk2", "ik1", "ik2", "ik3r", "keep2", "velocity2", "rates2")
 CLEAR, FEW = 12.0, 60  # degrees from the stretched and the folded arm; samples an arm
 CORES = [core if core.family != "paper" else find(f"{core.name}-S24") for core in all_cores()
-         if core.first_set and core.family in ("vector", "table", "rational", "classic", "paper", "arm", "six")
+         if core.first_set and core.family in ("vector", "table", "rational", "classic", "paper", "arm", "six", "ur")
          and core.function not in (*NEVER, "root", "sign", "quotient")]
 
 # The arm, from its file alone
@@ -101,6 +102,12 @@ class Machine:
         if links > 1:
             found = found @ turned("y", -q["elbow"]) @ moved(l2, 0, self.key("constants", "elbow"))
         if links > 3:  # the wrist, whose z axis is along the forearm
+            wrist = self.file["wrist"]
+            if wrist.get("parallel"):  # frame 3 of the makers' table: x back along the forearm, z to the left
+                found = found @ turned("y", np.full(len(found), 180.0)) @ turned("x", np.full(len(found), -90.0))
+                found = found @ turned("z", q["j4"]) @ turned("x", np.full(len(found), 90.0)) @ turned("z", q["j5"])
+                found = found @ moved(z=wrist["offset"]) @ turned("x", np.full(len(found), -90.0))
+                return found @ turned("z", q["j6"]) @ moved(z=wrist["flange"])
             found = found @ turned("y", np.full(len(found), 90.0)) @ turned("z", q["j4"]) @ turned("y", q["j5"])
             found = found @ turned("z", q["j6"]) @ moved(z=self.key("wrist", "flange"))
         return found
@@ -339,7 +346,10 @@ def takes(core: Core, arm: Machine) -> str:
     """The key that is missing for this core, or nothing."""
     yaws = "yaw" in arm.file["limits"]
     if core.family == "six":
-        return "" if "flange" in arm.file.get("wrist", {}) else "wrist" if yaws else "limits.yaw"
+        wrist = arm.file.get("wrist", {})
+        return "" if "flange" in wrist and "parallel" not in wrist else "wrist" if yaws else "limits.yaw"
+    if core.family == "ur":
+        return "" if "parallel" in arm.file.get("wrist", {}) else "wrist" if yaws else "limits.yaw"
     if core.function not in PLANE and not yaws:
         return "limits.yaw"
     if core.function == "ik3r" and "l3" not in arm.file["links"]:
@@ -372,9 +382,11 @@ def test_the_printed_instance_is_the_arm(core: Core) -> None:
 def kind(core: Core) -> str:
     """Which case and judge a core has."""
     if core.function.startswith(("velocity", "rates")):
-        return core.function[:-1]
+        return "six_" * (core.family == "six") + core.function[:-1]
     if core.family == "six":
         return "six_" + core.function[:2]
+    if core.family == "ur":
+        return core.function[:5]
     return "keep" if core.function.startswith("keep") else "fk" if "fk" in core.function else "ik"
 
 
@@ -592,6 +604,57 @@ def six_inverse_judge(core: Core, arm: Machine, text: Printed, case: dict, out: 
         seven(core, arm).c4)
 
 
+# Six axes, three of them parallel
+
+
+def lengths_of_ur(core: Core, arm: Machine) -> truth_ur.Ur:
+    """The parameters of the bounds, LSB."""
+    keys = (("constants", "base"), ("constants", "lateral"), ("wrist", "offset"), ("wrist", "flange"), ("links", "l1"),
+            ("links", "l2"))
+    return truth_ur.Ur(*(arm.key(*key) / lsb(core, arm) for key in keys))
+
+
+def ur_forward_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -> tuple[Floats, Floats]:
+    frame = arm.chain(case["angles"], links=6)
+    tip = np.stack([out[f"out_{axis}"] for axis in "xyz"], axis=-1)
+    off = np.abs(tip - frame[:, :3, 3] / lsb(core, arm)).max(axis=1)
+    matrix = np.stack([out[f"out_r{i}{k}"] for i in "123" for k in "123"], axis=-1).reshape(-1, 3, 3)
+    turned_by = np.abs(matrix - frame[:, :3, :3] * 2.0 ** core.params["U"]).max(axis=(1, 2))
+    assert np.all(turned_by <= ur_bounds.forward_matrix(core.params))
+    return off, np.full(len(off), ur_bounds.forward_coordinate(core.params, lengths_of_ur(core, arm)))
+
+
+def ur_inverse_case(core: Core, arm: Machine, text: Printed, rng: np.random.Generator) -> dict:
+    angles, step, size = arm.sample(6 * FEW, rng), lsb(core, arm), lengths_of_ur(core, arm)
+    frame, q, scale = arm.chain(angles, links=6), arm.seen(angles), 2.0 ** core.params["U"]
+    elbow, wrist = (np.radians(q[key]) for key in ("elbow", "j5"))
+    centre = (frame[:, :3, 3] - arm.key("wrist", "flange") * frame[:, :3, 2]) / step
+    ahead = centre[:, 0] * np.cos(np.radians(q["yaw"])) + centre[:, 1] * np.sin(np.radians(q["yaw"]))
+    fine = np.all(np.abs(frame[:, :3, 3]) < step * 32760, axis=1) & (np.abs(ahead) > 0.1 * size.l2)
+    pick = np.flatnonzero(fine)[:FEW // 2]
+    assert len(pick) > FEW // 4
+    branch = ((ahead > 0) + 2 * (np.sin(elbow) > 0) + 4 * (np.sin(wrist) < 0))[pick]  # the makers' arm looks back
+    words = {f"in_{axis}": np.rint(frame[pick, i, 3] / step).astype(np.int64) for i, axis in enumerate("xyz")}
+    words |= {f"in_r{i + 1}{k + 1}": np.rint(frame[pick, i, k] * scale).astype(np.int64)
+              for i in range(3) for k in range(3)}
+    return {"angles": {name: angle[pick] for name, angle in angles.items()}, "branch": branch, "elbow": elbow[pick],
+            "words": {port.name: (words | {"in_branch": branch})[port.name] for port in core.inputs}}
+
+
+def ur_inverse_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -> tuple[Floats, Floats]:
+    found = followed(text.after, answered(core, out, case["branch"] if core.function == "ur_ik_all" else None))
+    step, p, size = lsb(core, arm), core.params, lengths_of_ur(core, arm)
+    want, got = (arm.chain({name: angles[name] for name in case["angles"]}, links=6) for angles in
+                 (case["angles"], found))
+    assert np.all(truth_six.turned(want[:, :3, :3], got[:, :3, :3]) <= ur_bounds.orientation(p) + 3 * 2.0 ** -p["U"])
+    for name, angle in case["angles"].items():
+        assert np.abs((found[name] - angle + 180) % 360 - 180).max() < CLEAR, f"{name}: another branch"
+    exact = np.stack([case["elbow"]] * 6, axis=-1)
+    law = ur_bounds.position(p, size, want[:, :3, :3], want[:, :3, 3] / step, exact)
+    off = np.linalg.norm(want[:, :3, 3] - got[:, :3, 3], axis=1) / step
+    return off, law + math.sqrt(3) / 2 + 2.0 ** -p["U"] * abs(size.d6)
+
+
 # Velocities
 
 
@@ -661,10 +724,74 @@ def velocity_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dic
     return off, law + words
 
 
+# Velocities of six axes
+
+
+def jacobian(arm: Machine, angles: dict[str, Floats]) -> Floats:
+    """(N, 6, 6) velocity (mm) and turn (radians) of the flange for a rate of each joint of the machine."""
+    step, columns = 1e-4, []
+    here = arm.chain(angles, links=6)[:, :3, :3]
+    for name, angle in angles.items():
+        ahead, behind = (arm.chain(angles | {name: angle + sign * math.degrees(step)}, links=6) for sign in (1, -1))
+        change = (ahead - behind)[:, :3] / (2 * step)
+        spin = change[:, :, :3] @ np.swapaxes(here, 1, 2)
+        columns.append(np.concatenate([change[:, :, 3], np.stack([spin[:, 2, 1], spin[:, 0, 2], spin[:, 1, 0]], 1)], 1))
+    return np.stack(columns, axis=2)
+
+
+def six_motion_case(core: Core, arm: Machine, text: Printed, rng: np.random.Generator) -> dict:
+    unit = 2.0 ** -core.params["V"]
+    angles = exact(text, core, arm.sample(FEW // 2, rng))
+    rates = {name: np.rint(rng.uniform(-0.5, 0.5, FEW // 2) / unit) * unit for name in angles}
+    names = followed(text.before, angles | {f"rate({name})": rate for name, rate in rates.items()})
+    matrix, words = jacobian(arm, angles), joint_words(core, names)
+    scale = np.repeat([lsb(core, arm), unit], 3)
+    tip = (matrix @ np.stack(list(rates.values()), axis=1)[..., None])[..., 0]
+    if core.function == "velocity6":
+        words |= {f"in_w{i}": np.rint(names[f"w{i}"] / unit).astype(np.int64) for i in range(1, 7)}
+    else:
+        tip = np.rint(tip / scale) * scale
+        words |= {f"in_{axis}": np.rint(tip[:, i] / scale[i]).astype(np.int64)
+                  for i, axis in enumerate(("vx", "vy", "vz", "wx", "wy", "wz"))}
+    q = np.radians(np.stack([names[f"j{i}"] for i in range(1, 6)] + [0 * names["j1"]], axis=1))
+    return {"rates": rates, "tip": tip, "matrix": matrix, "q": q, "scale": scale, "words": words}
+
+
+def six_velocity_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -> tuple[Floats, Floats]:
+    found = np.stack([out[f"out_{axis}"] for axis in ("vx", "vy", "vz", "wx", "wy", "wz")], axis=1)
+    rates = np.stack([case["words"][f"in_w{i}"] for i in range(1, 7)], axis=1) * 2.0 ** -core.params["V"]
+    laws = six_bounds.velocity(core.params, seven(core, arm), rates)
+    assert not out["out_status"].any()
+    return (np.abs(found - case["tip"] / case["scale"]) / np.repeat(np.stack(laws, axis=1), 3, axis=1)).max(axis=1), \
+        np.ones(len(found))
+
+
+def six_rates_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -> tuple[Floats, Floats]:
+    p, step = core.params, case["scale"][0]
+    given = {f"w{i}": out[f"out_w{i}"] * 2.0 ** -p["V"] for i in range(1, 7)}
+    known = followed(text.after, given)
+    found = np.stack([known[f"rate_{name}"] for name in case["rates"]], axis=1)
+    want = np.linalg.solve(case["matrix"], case["tip"][..., None])[..., 0]
+    motion = case["tip"] / np.repeat([step, 1.0], 3)
+    law = six_bounds.rates(p, seven(core, arm), case["q"], motion, np.abs(want))
+    off = (np.abs(found - want) * 2.0 ** p["V"] / law).max(axis=1)
+    near, k = arm.file["singular"], math.hypot(arm.key("links", "l2"), arm.key("constants", "elbow"))
+    sine = math.sin(math.radians(near["elbow"]))
+    for word, value in (("radius", near["axis"] / step), ("elbow", k * sine / step), ("sine", sine * 2 ** p["U"])):
+        assert abs(text.words[f"cfg_{word}"] - value) <= 0.5
+    regular = out["out_status"] == 0
+    assert regular.mean() > 0.5
+    return np.where(regular, off, 0), np.ones(len(off))
+
+
 CASES = {"fk": forward_case, "ik": inverse_case, "keep": inverse_case, "six_fk": forward_case,
-         "six_ik": six_inverse_case, "velocity": velocity_case, "rates": velocity_case}
+         "six_ik": six_inverse_case, "ur_fk": forward_case, "ur_ik": ur_inverse_case,
+         "velocity": velocity_case, "rates": velocity_case,
+         "six_velocity": six_motion_case, "six_rates": six_motion_case}
 JUDGES = {"fk": forward_judge, "ik": inverse_judge, "keep": keep_judge, "six_fk": six_forward_judge,
-          "six_ik": six_inverse_judge, "velocity": velocity_judge, "rates": velocity_judge}
+          "six_ik": six_inverse_judge, "ur_fk": ur_forward_judge, "ur_ik": ur_inverse_judge,
+          "velocity": velocity_judge, "rates": velocity_judge,
+          "six_velocity": six_velocity_judge, "six_rates": six_rates_judge}
 
 
 def test_every_other_core_refuses_an_arm() -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from quadrance.cores import ROOT, RTL, sources_of
-from quadrance.program import assembler, meaning, parser, ranges, schedule, table
+from quadrance.program import assembler, meaning, parser, schedule, table
 from quadrance.program.language import ONE
 from quadrance.program.lines import lines
 from quadrance.program.registers import FIRST
@@ -157,45 +157,3 @@ def test_the_example_of_the_page(pipe, tmp_path):
         inputs[name][::7] = 0
     outcome = agree(program, inputs, np.zeros(100, int), tmp_path, pipe)
     assert outcome.none["c"].sum() == 15 and RTL.exists()
-
-
-def chain(q):
-    """(N, 4, 4) of a UR5e, by its DH table; m."""
-    pose = np.eye(4)
-    for i, (a, d, twist) in enumerate(((0, 0.1625, 1), (-0.425, 0, 0), (-0.3922, 0, 0), (0, 0.1333, 1), (0, 0.0997, -1),
-                                       (0, 0.0996, 0))):
-        c, s, zero = np.cos(q[:, i]), np.sin(q[:, i]), np.zeros(len(q))
-        cos, sin = 1 - abs(twist), twist
-        rows = ((c, -s * cos, s * sin, a * c), (s, c * cos, -c * sin, a * s), (zero, zero + sin, zero + cos, zero + d),
-                (zero, zero, zero, zero + 1))
-        pose = pose @ np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-    return pose
-
-
-@pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is not installed")
-@pytest.mark.parametrize("pipe", range(3))
-def test_an_arm_that_has_no_core(pipe, tmp_path):
-    """Three parallel axes: float64 gives every branch of the chain, the engine every bit of the model."""
-    path = Path(__file__).with_name("ur_ik.kin")
-    program, rng, n = parser.load(path), np.random.default_rng(2), 300
-    assert all(-2 < low <= high < 2 for low, high in ranges.proved(program).values())
-    q = rng.uniform(-np.pi, np.pi, (n, 6))
-    pose, scale = chain(q), 2.56  # metres of 1.0: Q7.8 at 10 mm a unit
-    values = {f"r{i + 1}{j + 1}": pose[:, i, j] for i in range(3) for j in range(3)}
-    values |= {axis: pose[:, i, 3] / scale for i, axis in enumerate("xyz")}
-    values |= {name: length / scale for name, length in
-               {"d1": 0.1625, "d4": 0.1333, "d5": 0.0997, "d6": 0.0996, "l2": 0.425, "l3": 0.3922}.items()}
-    values |= {"r": 1 / (2 * values["l2"] * values["l3"]) / 32, "e": 32.0}
-    found = np.zeros(n, bool)
-    for branch in range(8):
-        outcome = meaning.real(program, values, branch)
-        angles = np.stack([np.arctan2(outcome.words[f"n{i}"], outcome.words[f"c{i}"]) for i in range(1, 7)], axis=-1)
-        assert (~outcome.far).sum() > 0.8 * n and np.abs(chain(angles) - pose)[~outcome.far].max() < 1e-12
-        found |= ~outcome.far & (np.abs(np.angle(np.exp(1j * (angles - q)))).max(axis=-1) < 1e-6)
-    assert found.all()
-    bits = {"vector": 16, "coordinate": 16, "length": 20, "fraction": 25, "power": 0}
-    inputs = {}
-    for name, port in program.inputs.items():
-        word = np.rint(np.broadcast_to(values[name], n) * 2.0 ** bits[port.format]).astype(int)
-        inputs[name] = word << (25 - bits[port.format] if port.format != "power" else 0)
-    agree(program, inputs, rng.integers(0, 8, n), tmp_path, pipe)

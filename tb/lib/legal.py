@@ -28,7 +28,9 @@ WIDEST = 60  # bits, of a word that no rule limits: the models count in 64
 LIMITS = {"R": 8}  # as far as it is worth going where the rule names no number
 UNLIMITED = 150  # no rule has a number as large
 FAR = 64  # the most that a parameter is moved to make another one legal
-MOST = 24  # sets in a cover list
+GAP = 9  # from one legal value of a parameter to the next: MULTIPLY is 18 or 27
+KINDS = ("MODE", "PIPE")  # of building a core: each value has a first set, and sets of its own
+MOST = 24  # sets in a cover list; a third of them for a further PIPE whose registers follow no width
 
 
 def _python(text: str) -> str:
@@ -87,7 +89,7 @@ def rule_of(core: Core) -> Rule:
 
 def near(core: Core, fixed: Params) -> Params | None:
     """Legal parameters with those of `fixed`, the others moved from the core's own as little as the rule asks for."""
-    fixed = fixed | {name: value for name, value in core.params.items() if name == "MODE"}
+    fixed = fixed | {name: value for name, value in core.params.items() if name in KINDS}
     rule, params = rule_of(core), core.params | fixed
     wrong = rule.broken(params)
     while wrong:
@@ -106,11 +108,14 @@ def ranges(core: Core) -> dict[str, tuple[int, int]]:
     """Lowest and highest legal value of every parameter, the others being what they have to be."""
     def end(name: str, step: int) -> int:
         value = core.params[name]
-        while -1 < value < UNLIMITED and near(core, {name: value + step}) is not None:
-            value += step
+        while -1 < value < UNLIMITED:
+            steps = range(step, (GAP + 1) * step, step)
+            if (found := next((one for one in steps if near(core, {name: value + one}) is not None), None)) is None:
+                break
+            value += found
         return 1 if value < 0 else value if value < UNLIMITED else max(core.params[name], LIMITS.get(name, WIDEST))
 
-    return {name: (end(name, -1), end(name, 1)) if name != "MODE" else (value, value)
+    return {name: (end(name, -1), end(name, 1)) if name not in KINDS else (value, value)
             for name, value in core.params.items()}
 
 
@@ -139,6 +144,7 @@ def cover(core: Core) -> list[Params]:
     neighbours of the ends; then sets of values that none of these has, of all parameters at once: 2^k and one less
     first, odd ones before even ones, each as far from all before it as there is.
     """
+    most = MOST // 3 if core.params.get("PIPE") and "MULTIPLY" not in core.params else MOST
     box = ranges(core)
     toggles = [name for name, ends in box.items() if ends == (0, 1)]
     words = {name: ends for name, ends in box.items() if name not in toggles}
@@ -147,7 +153,7 @@ def cover(core: Core) -> list[Params]:
 
     def add(fixed: Params) -> None:
         params = near(core, fixed)
-        if params is not None and params not in [*listed_sets, *found] and len(found) < MOST:
+        if params is not None and params not in [*listed_sets, *found] and len(found) < most:
             found.append(params)
 
     for name, ends in words.items():
@@ -161,7 +167,7 @@ def cover(core: Core) -> list[Params]:
         for value in (low + 1, high - 1):
             if low < value < high:
                 add({name: value})
-    while len(found) < MOST:
+    while len(found) < most:
         fixed: Params = {}
         for name, (low, high) in words.items():
             seen = {one[name] for one in [*listed_sets, *found]}
@@ -176,11 +182,6 @@ def cover(core: Core) -> list[Params]:
         if len(found) == before:
             break
     return found
-
-
-def label(params: Params) -> str:
-    """The name of a set that cores.toml does not list."""
-    return "".join(f"{key}{value}" for key, value in params.items())
 
 
 def verdict(core: Core, params: Params) -> str:
@@ -217,5 +218,6 @@ def legal(core: Core, count: int, seed: int, tries: int = 400) -> list[Params]:
 
 
 def _sets(core: Core) -> list[Core]:
-    """The listed sets of the core, of its own mode."""
-    return [one for one in all_cores() if (one.name, one.architecture) == (core.name, core.architecture)]
+    """The listed sets of the core, of its own mode and PIPE."""
+    return [one for one in all_cores() if (one.name, one.architecture) == (core.name, core.architecture)
+            and one.params.get("PIPE") == core.params.get("PIPE")]

@@ -135,7 +135,7 @@ def ends(core: Core, port: Port) -> tuple[int, int]:
 
 def coordinates(core: Core) -> list[Port]:
     """The outputs that saturate, each on its own: coordinates, velocities, rates."""
-    return [port for port in core.outputs if port.name[4] in "xyzw" and not port.type]
+    return [port for port in core.outputs if port.name[4] in "xyzvw" and not port.type]
 
 
 @cache

@@ -13,6 +13,7 @@ from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
 EIGHTH = np.pi / 4
+MOTIONS = "velocity6", "rates6"
 
 
 def arms(core: Core) -> list[Six]:
@@ -30,11 +31,27 @@ def arms(core: Core) -> list[Six]:
     return found + [Six(*(units * part for part in one)) for one in share]
 
 
+def _words(core: Core, arm: Six, rng: np.random.Generator) -> dict[str, int]:
+    """Configuration words of an arm; thresholds of any size."""
+    if core.function.startswith("fk6"):
+        return six.forward_config(core.params, **arm._asdict())
+    if core.function not in MOTIONS:
+        return six.config(core.params, **arm._asdict())
+    lengths = {name: length for name, length in arm._asdict().items() if name != "c1"}
+    if core.function == "velocity6":
+        return six.motion_config(core.params, **lengths)
+    units = 2.0 ** (core.params["W"] - core.params["F"])
+    return six.rates_config(core.params, **lengths, angle=np.pi / 2 * 2.0 ** -rng.uniform(0, 12),
+                            radius=units * 2.0 ** -rng.uniform(0.01, 14))
+
+
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Words of `arms`; then the extremes of every length."""
-    words = six.forward_config if core.function.startswith("fk6") else six.config
-    found = [words(core.params, **arm._asdict()) for arm in arms(core)]
-    lengths = {port.name: (port.low, port.high) for port in core.cfg if port.signed and port.width < 27}
+    """Words of `arms`; then the extremes of every length and of every threshold."""
+    found = [_words(core, arm, rng) for arm in arms(core)]
+    for cfg in found[::2] if core.function == "rates6" else ():  # no threshold at all
+        cfg |= {"cfg_radius": 0, "cfg_elbow": 0, "cfg_sine": 0}
+    lengths = {port.name: (port.low, port.high) for port in core.cfg
+               if port.signed and port.width < 27 or core.function == "rates6"}
     return found + [found[0] | {name: both[way] for name, both in lengths.items()} for way in (0, 1)]
 
 
@@ -43,8 +60,7 @@ def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
     sizes = dict(zip(Six._fields, units * 2.0 ** -rng.uniform(0.01, 12, 7) * rng.choice([-1, 1], 7)))
     sizes |= {"c2": abs(sizes["c2"]), "a2": sizes["a2"] * 0.7, "c3": sizes["c3"] * 0.7}  # both together fit a word
-    words = six.forward_config if core.function.startswith("fk6") else six.config
-    return words(core.params, **sizes)
+    return _words(core, Six(**sizes), rng)
 
 
 def _arm(core: Core, cfg: dict[str, int]) -> Six:
@@ -76,9 +92,31 @@ def poses(core: Core, cfg: dict[str, int], q: np.ndarray, rng: np.random.Generat
     return {name: word.astype(np.int64) for name, word in words.items()} | branch
 
 
+def _motions(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
+    """Motions of any size, of joints anywhere; stretched and folded arms, straight wrists, the wrist on axis 1; wild
+    vectors; extremes."""
+    count, found, arm = 400, {}, _arm(core, cfg)
+    q = angles(count, rng)
+    small = rng.choice([-1, 1], (2, count)) * 2.0 ** -rng.uniform(2, 20, (2, count)) * rng.integers(0, 2, (2, count))
+    q[::4, 2] = (np.pi * rng.integers(0, 2, count) + small[0] - np.arctan2(arm.a2, arm.c3))[::4]
+    q[::5, 4] = (np.pi * rng.integers(0, 2, count) + small[1])[::5]
+    for i, joint in enumerate(joints(core.inputs)):
+        found |= codecs.encode(joint, q[:, i])
+    for port in core.inputs:
+        if port.type is None:
+            words = rng.integers(port.low, port.high, count, endpoint=True)
+            found[port.name] = words >> np.where(rng.random(count) < 0.7, rng.integers(0, port.width, count), 0)
+    wild = stimulus.uniform(core, rng, 200)
+    extreme = {port.name: rng.choice(stimulus.extremes(port), 100) for port in core.inputs}
+    return stimulus.joined(stimulus.joined(found, wild), extreme)
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Forward: all borders and vectors of any length. Inverse: poses, half of them disturbed in one way or another."""
     rng = np.random.default_rng(1)
+    if core.function in MOTIONS:
+        found = _motions(core, cfg, rng)
+        return stimulus.joined(found, stimulus.saturation(core, cfg, found))
     if core.function.startswith("fk6"):
         q, found = angles(400, rng), {}
         for i, joint in enumerate(joints(core.inputs)):

@@ -7,7 +7,7 @@ import inspect
 import math
 
 from quadrance import arm as arm_model
-from quadrance import arm_keep, six
+from quadrance import arm_keep, six, ur
 from quadrance.arms import Arm, ArmError
 from quadrance.cores import Core, Joint, joints
 from quadrance.fixed import to_fixed, to_float
@@ -80,9 +80,19 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
         For a core with words that no arm file says.
     """
     p, function = core.params, core.function
+    if core.family == "six" and function in ("velocity6", "rates6"):
+        lengths = {name: length / arm.mm_per_unit for name, length in arm.six.items() if name != "c1"}
+        if function == "velocity6":
+            return six.motion_config(p, **lengths)
+        angle, radius = (_said(arm, f"singular.{key}", value) for key, value in zip(("elbow", "axis"), arm.singular))
+        return six.rates_config(p, **lengths, radius=radius / arm.mm_per_unit, angle=math.radians(angle))
     if core.family == "six":
         derive = six.forward_config if function.startswith("fk6") else six.config
         return derive(p, **{name: length / arm.mm_per_unit for name, length in arm.six.items()})
+    if core.family == "ur":
+        lengths = {name: length / arm.mm_per_unit for name, length in arm.ur.items()}
+        margin = (arm.singular[1] or 0.0) / arm.mm_per_unit
+        return ur.forward_config(p, **lengths) if function == "ur_fk" else ur.config(p, **lengths, margin=margin)
     if function in ("arm_fk3", "arm_ik3"):
         return arm_model.words(p, arm, inverse=function == "arm_ik3")
     if function == "keep3":

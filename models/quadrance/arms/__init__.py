@@ -13,15 +13,17 @@
     lateral = 0.0           offset of the arm's plane from the yaw axis, positive to the left of the arm
     elbow = 0.0             offset e across link 2, positive to its left: L2 = hypot(l2, e), turned by atan2(e, l2)
     absolute_elbow = false  the machine measures joint 2 from the horizontal (parallelogram), not from link 1
-    [wrist]                 optional: what the forearm carries
+    [wrist]                 optional: what the forearm carries, of these kinds one:
     spherical = true        three axes that meet in one point, the first along the forearm
-    flange = 80.0           mm, from that point to the flange; wanted where the wrist is spherical
+    parallel = true         the first axis parallel to the elbow's, the others at right angles to the one before
+    offset = 99.7           mm, of a parallel wrist: from its first axis to its third, d5 of the maker's table
+    flange = 80.0           mm, to the flange: from that point, or of a parallel wrist from its second axis, d6
     [limits]                degrees, in the sense of the cores: joint 1 from the horizontal (or the x axis of a
     shoulder = [-105, 105]  SCARA), joint 2 from link 1 to the line of L2, counter-clockwise
     elbow = [-150, 150]
     yaw = [-180, 180]       left out for a SCARA, whose two links move in the horizontal plane
     forearm = [-100, 0]     optional, of an absolute elbow alone: the forearm from the horizontal
-    [singular]              optional: where the velocity cores limit the rates
+    [singular]              optional: where the velocity cores limit the rates; axis is the margin of rtl/ur
     elbow = 5.0             degrees from the stretched and the folded arm
     axis = 20.0             mm from the yaw axis; a SCARA has none
     [joints]                optional: the machine's own joints
@@ -30,7 +32,8 @@
 A joint of the machine is sign * (its own angle) + zero, in degrees, as seen by the cores: `yaw` from the x axis,
 counter-clockwise from above; `shoulder` from the horizontal upwards; `elbow` from link 1 to the forearm itself, without
 the turn of the elbow's offset (of an absolute elbow: from the horizontal); `tool` of the link l3, from link 2; `j4`,
-`j5`, `j6` of a spherical wrist as rtl/six has them. Without the table the machine's joints are the cores' own.
+`j5`, `j6` of a wrist as rtl/six or, where it is parallel, rtl/ur has them. Without the table the machine's joints are
+the cores' own.
 """
 
 from __future__ import annotations
@@ -67,7 +70,8 @@ class Arm:
     """One arm. Lengths in millimetres, limits in degrees; `l1`, `l2` are what the cores see.
 
     limits : of shoulder, elbow and, but of a SCARA, yaw. forearm_limit : of an absolute elbow, from the horizontal.
-    l3, flange, spherical, singular : None where the file does not say it.
+    l3, flange, spherical, singular : None where the file does not say it; `flange` is that of a spherical wrist.
+    d5, d6 : offset and flange of a parallel wrist; None for any other.
     """
 
     id: str
@@ -87,6 +91,8 @@ class Arm:
     l3: float | None = None
     spherical: bool | None = None
     flange: float | None = None
+    d5: float | None = None
+    d6: float | None = None
     singular: tuple[float | None, float | None] = (None, None)
     joints: tuple[Joint, ...] = ()
 
@@ -107,8 +113,8 @@ class Arm:
 
     @property
     def axes(self) -> int:
-        """Joints that the cores serve: two of a SCARA, three, or six with a spherical wrist."""
-        return 6 if self.flange is not None else len(self.limits)
+        """Joints that the cores serve: two of a SCARA, three, or six with a wrist."""
+        return 6 if self.flange is not None or self.d6 is not None else len(self.limits)
 
     @property
     def six(self) -> dict[str, float]:
@@ -122,9 +128,24 @@ class Arm:
         if self.flange is None:
             raise ArmError(f"{self.id}: " + (
                 "wrist: is missing, and six axes want a spherical one" if self.spherical is None else
+                "wrist.parallel: is true, and this core wants a spherical wrist" if self.d6 is not None else
                 "wrist.spherical: is false, and six axes want a spherical wrist; cores of three joints place it alone"))
         return {"a1": self.shoulder, "a2": -self.elbow, "b": self.lateral, "c1": self.base, "c2": self.l1,
                 "c3": self.forearm, "c4": self.flange}
+
+    @property
+    def ur(self) -> dict[str, float]:
+        """The six lengths of rtl/ur, mm.
+
+        Raises
+        ------
+        ArmError
+            For an arm whose first wrist axis is not parallel to the elbow's.
+        """
+        if self.d5 is None or self.d6 is None:
+            said = "is missing" if self.spherical is None else f"spherical is {str(self.spherical).lower()}"
+            raise ArmError(f"{self.id}: wrist: {said}, and this core wants parallel = true")
+        return {"d1": self.base, "d4": self.lateral, "d5": self.d5, "d6": self.d6, "l2": self.l1, "l3": self.l2}
 
     def joint(self, key: str) -> Joint:
         """A joint of the machine; where the file has none, the core's own by the name of its key."""
@@ -260,7 +281,7 @@ def parse(path: Path, text: bytes) -> Arm:
                                           ("constants", "wrist", "singular", "joints"))
     only(links, "links.", {"l1", "l2", "l3"})
     only(constants, "constants.", {"base", "shoulder", "lateral", "elbow", "absolute_elbow"})
-    only(wrist, "wrist.", {"spherical", "flange"})
+    only(wrist, "wrist.", {"spherical", "parallel", "offset", "flange"})
     only(limits, "limits.", {"shoulder", "elbow", "yaw", "forearm"})
     only(singular, "singular.", {"elbow", "axis"})
     l1, forearm = length(links, "links.", "l1"), length(links, "links.", "l2")
@@ -273,15 +294,25 @@ def parse(path: Path, text: bytes) -> Arm:
              f"raise mm_per_unit above {(l1 + l2) / REACH:.4g}")
     if min(l1, l2) / unit < 2**-8:
         fail("links", f"a link of {min(l1, l2):g} mm is less than one LSB of Q7.8; lower mm_per_unit")
-    spherical = take(wrist, "wrist.", "spherical", bool, True) if wrist else None
-    if spherical is False and "flange" in wrist:
+    parallel = take(wrist, "wrist.", "parallel", bool, False)
+    if parallel and wrist.get("spherical"):
+        fail("wrist.parallel", "is true, and so is spherical: a wrist is one of them")
+    if "offset" in wrist and not parallel:
+        fail("wrist.offset", "is of a parallel wrist, and parallel is not true")
+    if parallel:
+        for key in ("constants.shoulder", "constants.elbow", "constants.absolute_elbow"):
+            if constants.get(key.partition(".")[2]):
+                fail(key, "is not 0, and an arm with a parallel wrist has none")
+    d5, d6 = (take(wrist, "wrist.", key, float) if parallel else None for key in ("offset", "flange"))
+    spherical = take(wrist, "wrist.", "spherical", bool, not parallel) if wrist else None
+    if spherical is False and not parallel and "flange" in wrist:
         fail("wrist.flange", "is of a spherical wrist, and spherical is false")
     flange = take(wrist, "wrist.", "flange", float) if spherical else None
     if flange is not None and flange < 0:
         fail("wrist.flange", f"must not be negative, not {flange:g}")
     if "forearm" in limits and not absolute:
         fail("limits.forearm", "is of an absolute elbow, and constants.absolute_elbow is not true")
-    if flange is not None and "yaw" not in limits:
+    if (spherical or parallel) and "yaw" not in limits:
         fail("limits.yaw", "is missing: an arm with a wrist yaws")
     room = tuple(limit(key) for key in ("shoulder", "elbow", *(["yaw"] if "yaw" in limits else [])))
     if "elbow" in singular and not 0 < take(singular, "singular.", "elbow", float) < 90:
@@ -289,7 +320,7 @@ def parse(path: Path, text: bytes) -> Arm:
     near = (float(singular["elbow"]) if "elbow" in singular else None,
             length(singular, "singular.", "axis") if "axis" in singular else None)
     wanted = ["yaw"] * ("yaw" in limits) + ["shoulder", "elbow"] + ["tool"] * (l3 is not None) \
-        + [*WRIST] * (flange is not None)
+        + [*WRIST] * (flange is not None or parallel)
     only(joints, "joints.", set(wanted))
     machine = tuple(joint(key) for key in wanted) if joints else ()
     for i, one in enumerate(machine):
@@ -298,4 +329,4 @@ def parse(path: Path, text: bytes) -> Arm:
     return Arm(id=path.stem, name=name, source=source, mm_per_unit=unit, l1=l1, l2=l2, **offset,
                elbow_angle=math.degrees(math.atan2(offset["elbow"], forearm)), absolute_elbow=absolute, limits=room,
                forearm_limit=limit("forearm") if "forearm" in limits else None, l3=l3, spherical=spherical,
-               flange=flange, singular=near, joints=machine)
+               flange=flange, d5=d5, d6=d6, singular=near, joints=machine)

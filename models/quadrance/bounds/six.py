@@ -168,3 +168,61 @@ def position(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: Arr
     elbow = (3 * area + 0.77 * arm.c2 * arm.k * MINUS) / (2 * r) + MINUS * arm.k
     turn2 = np.where(none & 2 > 0, held(p, 2), (r + flange) * 0.75 * math.sqrt(2) * area / r**2)
     return words + shoulder + turn1 + elbow + turn2 + 2 * _config(arm)
+
+
+# Velocities; rates in radians in a unit of time, velocities in LSB in that unit, lengths in LSB
+
+
+def velocity(p: Params, arm: Six, rates: ArrayLike) -> tuple[Floats, Floats]:
+    """Coordinate of the velocity and of the turn of vector_velocity6, in LSB of each, for rates (..., 6).
+
+    Half an LSB; 6 words of a turn, 12 of a velocity on the way, each off by 2^-25, where the turn's LSB is 2^-W and the
+    velocity's is 2^(V-2W); every rate turned by five vectors at most, a velocity by one more and off by the lengths.
+    """
+    speed = np.abs(floats(rates)).sum(axis=-1)
+    size = abs(arm.a1) + abs(arm.b) + abs(arm.c2) + arm.k + abs(arm.c4)
+    longer = ROUNDED * 1.001 * 2.0 ** -p["U"]
+    turn = 0.5 + 6 * 2.0 ** (p["W"] - H) + 5 * longer * speed * 2.0 ** p["V"]
+    return 0.5 + 12 * 2.0 ** (2 * p["W"] - p["V"] - H) + (6 * longer * size + _config(arm)) * speed, turn
+
+
+def rates(p: Params, arm: Six, q: ArrayLike, motion: ArrayLike, found: ArrayLike) -> Floats:
+    """(..., 6) errors of the rates of vector_rates6, in LSB, where no quotient is limited.
+
+    Parameters
+    ----------
+    q : joints (..., 6), radians.
+    motion : (..., 6) velocity of the tip in LSB, turn in radians.
+    found : (..., 6) the exact rates.
+
+    Notes
+    -----
+    In words, 1.0 a length of 2^W LSB and a rate of 2^(W-V). A sum is off by `unit`, and by as much for its products; a
+    vector that is e long turns a word by e of it. Then errors follow the equations of the program: those of the wrist's
+    velocity, of its distances from the axes and of the determinant's factors are divided by these, and joints 4 to 6
+    have those of joints 1 to 3. A reciprocal is off by ROOT twice. A length is off by half of 2^-4 LSB.
+    """
+    full, longer, unit = 2.0 ** p["W"], ROUNDED * 1.001 * 2.0 ** -p["U"], 2.0**-H
+    slow = 2.0 ** (p["V"] - p["W"])
+    q, motion, w = floats(q), floats(motion), np.abs(floats(found)) * slow
+    b, c2, k, c4 = (abs(one) / full for one in (arm.b, arm.c2, arm.k, arm.c4))
+    short = 2.0 ** -(six.MORE + 1) / full
+    fast, turn = np.linalg.norm(motion[..., :3], axis=-1) / full * slow, np.linalg.norm(motion[..., 3:], axis=-1) * slow
+    d1 = np.abs(arm.a1 + arm.c2 * np.sin(q[..., 1]) + arm.k * np.sin(q[..., 1] + q[..., 2] + arm.psi)) / full
+    d3, d5 = np.abs(arm.k * np.sin(q[..., 2] + arm.psi)) / full, np.abs(np.sin(q[..., 4]))
+    wrist = 3 * unit + longer * (fast + 6 * c4 * turn) + 2 * short * turn
+    place = 4 * unit + longer * (c2 + 3 * k) + 4 * short
+    w1 = (wrist + place * w[..., 0]) / d1 + 2 * ROOT * w[..., 0] + unit
+    across = wrist + b * w1 + short * w[..., 0]
+    through = fast + c4 * turn + b * w[..., 0]  # of the wrist's centre in the plane of the arm
+    det = 2 * unit + longer * c2 * d3 + short * (2 * d3 + 2 * c2)
+    w2, w3 = (((across + wrist) * reach + 2 * through * place + 2 * unit + det * one) / (c2 * d3) + 2 * ROOT * one
+              + unit for reach, one in ((k, w[..., 1]), (c2 + k, w[..., 2])))
+    spin = 2 * unit + longer * turn
+    ww, mm = spin + w1, spin + w2 + w3
+    large = turn + w[..., :3].sum(axis=-1)
+    m13 = ww + spin + unit + 2 * longer * large
+    w5 = mm + m13 + unit + longer * large
+    w6 = (w5 + longer * w[..., 5]) / d5 + 2 * ROOT * w[..., 5] + unit
+    w4 = m13 + w6 + longer * w[..., 5] + unit
+    return 0.5 + np.stack([w1, w2, w3, w4, w5, w6], axis=-1) * full

@@ -14,7 +14,22 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadrance import arms
-from quadrance.cli import assemble, axis, c, catalogue, check, importing, registers, tables, urdf, verilog, vhdl, words
+from quadrance.cli import (
+    assemble,
+    axis,
+    c,
+    catalogue,
+    check,
+    choose,
+    importing,
+    registers,
+    tables,
+    tip,
+    urdf,
+    verilog,
+    vhdl,
+    words,
+)
 from quadrance.cli.catalogue import Refused
 from quadrance.cli.tables import Column
 from quadrance.cores import Core
@@ -63,9 +78,11 @@ def _figure(value: float | None, digits: int = 3) -> str:
 
 
 def _cores(args: argparse.Namespace) -> None:
-    rows = catalogue.rows(args.family, args.function, args.word, args.all)
+    rows, refused = catalogue.rows(args.family, args.function, args.word, args.all), {}
+    if args.arm:
+        rows, refused = check.served(rows, check.load(args.arm))
     if args.json:
-        return _json(rows)
+        return _json({"cores": rows, "refused": refused} if args.arm else rows)
     columns = [Column("core", True), Column("function", True), Column("joint word", True, 5), Column("LUT"),
                Column("MULT18X18", rank=2), Column("EBR", rank=2), Column("cycles"), Column("II", rank=4),
                Column("ns", rank=1), Column("MHz", rank=6), Column("error mm", rank=1), Column("error LSB", rank=7)]
@@ -85,6 +102,44 @@ def _cores(args: argparse.Namespace) -> None:
                   f"{catalogue.report()['arm']}, rounding of the words included, for other functions in LSB.")
     else:
         out.print("There is no report at hand: no measured figures.")
+    for reason, names in refused.items():
+        print(f"not {', '.join(dict.fromkeys(names))}: {reason}")
+
+
+def _accuracy(args: argparse.Namespace) -> None:
+    core, arm, _ = _around(args)
+    about = tip.measured(core, arm)
+    if args.json:
+        return _json(about)
+    print("\n".join(tip.lines(core, arm, about)))
+
+
+def _positive(name: str, text: str | None) -> float | None:
+    if text is None:
+        return None
+    if not 0 < (value := _float(text)) < float("inf"):
+        raise Refused(f"--{name} {text}: it must be positive and finite")
+    return value
+
+
+def _choose(args: argparse.Namespace) -> None:
+    chip = catalogue.choose("chip", args.chip, choose.CHIPS)
+    word = words.word(args.word)
+    if not word.joint:
+        raise Refused(f"--word {args.word}: a joint word is angle, vector or spread and its bits, such as angle:18")
+    wish = choose.Wish(args.function, check.load(args.arm), word, chip,
+                       *(_positive(name, getattr(args, name)) for name in ("mm", "rate", "clock")))
+    fit, out, near = choose.choose(wish)
+    entries = [choose.entry(*one, wish) for one in fit]
+    if args.json:
+        _json({"fit": entries, "not": out, "nearest": choose.entry(*near, wish) if near else None})
+    else:
+        print("\n".join(choose.lines(entries, out, wish)))
+    if near:
+        misses = " and ".join(text for _, text in near[1].misses)
+        raise Refused(f"nothing fits; {choose.pasted(near[1].core)} is the nearest: {misses}")
+    if not fit:
+        raise Refused(f"no core of {args.function} with {args.word} serves {wish.arm.id}; each has its reason above")
 
 
 def _show(args: argparse.Namespace) -> None:
@@ -230,7 +285,7 @@ def _encode(args: argparse.Namespace) -> None:
 
 def _decode(args: argparse.Namespace) -> None:
     one, counts, scale = words.word(args.word, _params(args.param)), _counts(args.counts), _scale(args)
-    found = [words.decode(one, tuple(words.number(part) for part in value.split(",")), counts, scale)
+    found = [words.decode(one, tuple(words.number(part) for part in value.split(",")), counts, scale, args.signed)
              for value in args.value]
     if args.json:
         return _json([{"words": entry["words"], **entry["means"]} for entry in found])
@@ -358,9 +413,18 @@ def parser() -> Parser:
 
     sub = command("cores", _cores, "the cores there are, with area, latency and error")
     sub.add_argument("--family", help="vector, table, rational, classic ...")
-    sub.add_argument("--function", help="fk1 to ik3, isqrt ...")
+    sub.add_argument("--function", help="fk1 to ik3, fk6, ik6, isqrt ...")
     sub.add_argument("--word", help="angle, spread, vector, half_tangent")
+    sub.add_argument("--arm", help="name of an arm, or its TOML file: the cores that it can use")
     sub.add_argument("--all", action="store_true", help="every parameter set, not the first of each core alone")
+    sub = command("choose", _choose, "the cores that serve an arm as asked, the best first, and why not the others")
+    sub.add_argument("--function", required=True, help="fk1 to ik3, fk6, ik6")
+    sub.add_argument("--arm", required=True, help="name of an arm, or its TOML file")
+    sub.add_argument("--word", required=True, help="the joint word: angle:18, vector:16, spread:24")
+    sub.add_argument("--mm", help="greatest error at the tip, rounding of all words included")
+    sub.add_argument("--rate", help="results a second")
+    sub.add_argument("--clock", help="MHz of the system that the core runs in")
+    sub.add_argument("--chip", default="ecp5", help="ecp5, cyclonev or ice40")
 
     def core(sub: argparse.ArgumentParser, param: bool = True) -> argparse.ArgumentParser:
         sub.add_argument("core", metavar="CORE", help="name, or name-set")
@@ -370,6 +434,8 @@ def parser() -> Parser:
         sub.add_argument("-p", "--param", action="append", metavar="NAME=VALUE", help="another value of a parameter")
         return sub
 
+    sub = core(command("accuracy", _accuracy, "errors of a core at the tip of an arm, by its bit-true model"))
+    sub.add_argument("--arm", required=True, help="name of an arm, or its TOML file")
     core(command("show", _show, "ports, formats, latency, status and files of a core"))
     sub = core(command("instance", _instance, "a Verilog instance with every parameter and configuration word"))
     sub.add_argument("--arm", help="name of an arm, or its TOML file: computes cfg_*")
@@ -396,6 +462,8 @@ def parser() -> Parser:
         sub.add_argument("--counts", help="counts of an encoder in a full turn of the joint")
         sub.add_argument("--arm", help="whose mm_per_unit scales coordinates")
         sub.add_argument("--mm-per-unit", type=float, help="millimetres in a coordinate unit")
+        if name == "decode":
+            sub.add_argument("--signed", action="store_true", help="joints from -180 to 180 degrees, counts likewise")
     sub = command("track", _track, "a circle at 1 kHz through the iterative solvers and a servo: what lags by how much")
     sub.add_argument("solver", metavar="SOLVER", nargs="*", help="touch and planar (float64), or an engine; all")
     sub.add_argument("--iterations", metavar="N", nargs="+", help="iterations a sample: 1 2 5 30")

@@ -15,6 +15,7 @@ from quadrance.cores import Core
 
 PLANE = ("fk1", "fk2", "ik1", "ik2", "ik3r", "keep2", "velocity2", "rates2")  # in a plane: of a yawing arm its own
 INSIDE = ("arm_fk3", "arm_ik3", "keep3")  # cores that have the constants inside
+SIX = ("six", "ur")  # families of six axes
 SPACE = ("fk3", "ik3", "velocity3", "rates3")
 
 
@@ -29,7 +30,7 @@ class Around:
 
 def forward(core: Core) -> bool:
     """Whether the core takes joints and gives a place (or a velocity)."""
-    return re.match(r"(arm_)?fk|velocity", core.function) is not None
+    return re.match(r"(arm_|ur_)?fk|velocity", core.function) is not None
 
 
 def number(value: float, digits: int = 9) -> str:
@@ -58,6 +59,10 @@ def joints(core: Core, arm: Arm) -> list[tuple[Joint, str]]:
         third = replace(elbow, sign=-elbow.sign, zero=(90 if arm.absolute_elbow else 0) - elbow.zero)
         wrist = [(arm.joint(key), "") for key in WRIST]
         return [(yaw, ""), (second, ""), (third, "j2" if arm.absolute_elbow else ""), *wrist]
+    if core.family == "ur":  # those of the maker's table: the arm looks back at 0, and its links turn downwards
+        turned = [replace(one, sign=-one.sign, zero=-one.zero) for one in (shoulder, elbow)]
+        joints = replace(yaw, zero=yaw.zero - 180), *turned, *(arm.joint(key) for key in WRIST)
+        return [(replace(one, zero=(one.zero + 180) % 360 - 180), "") for one in joints]
     if core.function in ("fk1", "ik1"):
         return [(shoulder, "")]
     found = [(shoulder, "")]
@@ -97,7 +102,7 @@ def around(core: Core, arm: Arm) -> Around:
     names = [f"j{i}" for i in range(1, len(machine) + 1)]
     if core.function == "ik3" and yaw:
         names[2] = f"j3 - {yaw}"
-    if core.function == "ik6_all":
+    if core.function in ("ik6_all", "ur_ik_all"):
         remarks = (*remarks, "j1 to j6 are those of each of the eight branches")
     return Around(before, tuple(_given(*one, name) for one, name in zip(machine, names)), remarks)
 
@@ -132,10 +137,12 @@ def _target(core: Core, arm: Arm) -> tuple[tuple[str, ...], str, tuple[str, ...]
 def _velocity(core: Core, arm: Arm, machine: list[tuple[Joint, str]]) -> Around:
     """Rates of the machine's joints, and what the offsets add to the velocity of a plane that yaws."""
     a, b = arm.shoulder, arm.lateral
-    angles = tuple(_taken(i, *one) for i, one in enumerate(machine, 1))
+    angles = tuple(_taken(i, *one) for i, one in enumerate(machine[:5], 1))  # that of joint 6 does not matter
     plain = [(replace(joint, zero=0.0), less.replace("j", "w")) for joint, less in machine]
     named = [(replace(joint, name=f"rate({joint.name})"), less) for joint, less in plain]
     remarks = ("the core has no offsets; base height needs none",)
+    if core.family == "six":
+        remarks = ("velocity and turn are those of the flange in the frame of the base",)
     if core.function in PLANE and arm.yaws:
         remarks = ("x and y of the core are the rates of rho and z in the arm's plane; offsets change neither",)
     yawing = core.function in SPACE and bool(a or b)

@@ -46,12 +46,13 @@ def successor(name: str) -> Core | None:
 
 
 def title(core: Core) -> str:
-    """Its name, with that of its mode where it has a MODE."""
-    return f"{core.name}-{core.architecture}" if "MODE" in core.params else core.name
+    """Its name, with that of its mode where it has a MODE, and with its PIPE where that is not 0."""
+    pipe = f"-PIPE{core.params['PIPE']}" if core.params.get("PIPE") else ""
+    return f"{core.name}-{core.architecture}" if "MODE" in core.params else f"{core.name}{pipe}"
 
 
 def find(name: str, params: dict[str, int] | None = None) -> Core:
-    """The core of that name, ``name-mode`` or ``name-set`` id, at other parameters where `params` names some.
+    """The core of that name, `title` or ``name-set`` id, at other parameters where `params` names some.
 
     Raises
     ------
@@ -128,6 +129,13 @@ def figures(core: Core) -> dict | None:
     return None
 
 
+def functions(name: str) -> list[str]:
+    """The functions that a user means by a name: of real arms too, of six axes all branches and other joint words."""
+    known = [core.function for core in cores.all_cores()]
+    choose("function", name, known)
+    return [one for one in dict.fromkeys(known) if re.fullmatch(f"(arm_)?{name}(_all|_of_angles|_to_angles)?", one)]
+
+
 def kinds(ports: Iterable[Port]) -> list[str]:
     """Types of joint word among `ports`."""
     return list(dict.fromkeys(port.type for port in ports if port.type))
@@ -147,12 +155,11 @@ def rows(family: str | None = None, function: str | None = None, word: str | Non
     listed = cores.all_cores()
     if family is not None:
         choose("family", family, (core.family for core in listed))
-    if function is not None:
-        choose("function", function, (core.function for core in listed))
+    wanted = [core.function for core in listed] if function is None else functions(function)
     if word is not None:
         choose("joint word", word, cores.TYPES)
     found = [row(core) for core in listed
-             if (every or core.first_set) and family in (None, core.family) and function in (None, core.function)
+             if (every or core.first_set) and family in (None, core.family) and core.function in wanted
              and (word is None or word in kinds([*core.inputs, *core.outputs]))]
     if not found:
         raise Refused("no core has this family, function and joint word together; leave one of them out")
@@ -190,13 +197,20 @@ def scale_of(core: Core, port: Port) -> tuple[int, str] | None:
     element of a matrix); None for any other word."""
     side, _, plain = port.name.partition("_")
     p = core.params
+    if core.family == "ur" and side == "cfg" and plain in ("margin", "slack"):
+        return p["F"], "units"
+    if core.family == "ur" and side == "cfg" and re.fullmatch(r"[dl]\d", plain):
+        return p["F"] + six.MORE, "units"
     if "F" in p and re.fullmatch(r"[xyz][45]?|l[123]?|d[45]", plain):
         return p["F"], "units"
     if core.family == "six" and side == "cfg" and re.fullmatch(r"[abc]\d?|k", plain):
         return p["F"] + six.MORE, "units"
+    if core.family == "six" and (plain in ("vx", "vy", "vz", "d1", "d3") or side == "cfg" and plain in (
+            "radius", "elbow")):
+        return p["F"], "units"
     if core.family == "arm" and side == "cfg" and plain in ("base", "shoulder", "lateral", "elbow", "radius"):
         return p["F"], "units"
-    if "V" in p and re.fullmatch(r"w\d", plain):
+    if "V" in p and re.fullmatch(r"w[\dxyz]", plain):
         return p["V"], "rad"
     if "U" in p and re.fullmatch(r"r\d\d", plain):
         return p["U"], "1"

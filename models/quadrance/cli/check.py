@@ -7,8 +7,8 @@ from dataclasses import asdict
 
 from quadrance import arms
 from quadrance.arms import REACH, Arm, ArmError
-from quadrance.cli.around import PLANE
-from quadrance.cli.catalogue import Refused, choose
+from quadrance.cli.around import PLANE, SIX
+from quadrance.cli.catalogue import Refused, choose, find
 from quadrance.cli.verilog import config, fitted, takes_an_arm
 from quadrance.cores import all_cores
 
@@ -32,8 +32,8 @@ def spans(arm: Arm) -> dict[str, float]:
     far = arm.l1 + arm.l2 + (arm.l3 or 0)
     if not arm.yaws:
         return {"x and y": far}
-    return {"x and y": math.hypot(far + abs(arm.shoulder), arm.lateral) + (arm.flange or 0),
-            "z": abs(arm.base) + far + (arm.flange or 0)}
+    wrist = (arm.flange or 0) + abs(arm.d5 or 0) + abs(arm.d6 or 0)
+    return {"x and y": math.hypot(far + abs(arm.shoulder), arm.lateral) + wrist, "z": abs(arm.base) + far + wrist}
 
 
 def scale(arm: Arm) -> float:
@@ -49,7 +49,7 @@ def functions(arm: Arm) -> tuple[list[str], dict[str, list[str]]]:
     """
     found, refused = [], {}
     listed = {core.function: core for core in all_cores() if core.first_set and takes_an_arm(core)}
-    for function, core in sorted(listed.items(), key=lambda one: (one[1].family != "six", one[0] in PLANE,
+    for function, core in sorted(listed.items(), key=lambda one: (one[1].family not in SIX, one[0] in PLANE,
                                                                   one[0] in ("fk1", "ik1"))):
         try:
             config(fitted(core, arm, {}), arm)
@@ -59,6 +59,21 @@ def functions(arm: Arm) -> tuple[list[str], dict[str, list[str]]]:
             if reason.partition(":")[0] not in STRUCTURE:
                 refused.setdefault(reason, []).append(function)
     return found, refused
+
+
+def served(rows: list[dict], arm: Arm) -> tuple[list[dict], dict[str, list[str]]]:
+    """Of lines of the table of cores those that the arm can use, and the names of the others by the reason."""
+    kept, refused = [], {}
+    for row in rows:
+        try:
+            config(fitted(find(row["id"]), arm, {}), arm)
+            kept.append(row)
+        except Refused as error:
+            reason = str(error).partition(f"{arm.id}: ")[2] or str(error).partition(": ")[2]
+            refused.setdefault(reason, []).append(row["title"])
+    if not kept:
+        raise Refused(f"none of these cores serves {arm.id}: {'; '.join(refused)}")
+    return kept, refused
 
 
 def check(arm: Arm) -> dict:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from quadrance import arms, truth, truth_arm, truth_six
+from quadrance import arms, truth, truth_arm, truth_six, truth_ur
 from quadrance.arms import Arm
 from quadrance.cli import check, urdf
 from quadrance.cli.catalogue import Refused
@@ -71,6 +71,9 @@ def _broken(rule: tuple, axes: list[Axis]) -> tuple[float, str]:
     what, *numbers = rule
     some = [axes[i - 1] for i in numbers]
     named = f"axes {', '.join(map(str, numbers[:-1]))} and {numbers[-1]}"
+    if what == "meet" and len(some) == 2:
+        gap = _gap(*some)
+        return gap / GAP, f"{named} miss each other by {gap:.4g} mm"
     if what == "meet":
         feet = [_meeting(some[i:i + 2]) for i in (0, 1)]  # half-way where two axes do not meet
         gap = max(*(2 * float(np.linalg.norm(np.cross(axis.way, foot - axis.point))) for axis, foot in zip(some, feet)),
@@ -80,6 +83,12 @@ def _broken(rule: tuple, axes: list[Axis]) -> tuple[float, str]:
     angle = math.atan2(np.linalg.norm(np.cross(u, v)), abs(u @ v))
     angle = angle if what == "parallel" else math.pi / 2 - angle
     return angle / ANGLE, f"{named} are {math.degrees(angle):.4g} degrees from {what}"
+
+
+def _gap(one: Axis, two: Axis) -> float:
+    """The distance of two lines that are not parallel."""
+    across, between = np.cross(one.way, two.way), two.point - one.point
+    return float(abs(between @ across) / max(np.linalg.norm(across), 1e-12))
 
 
 def _meeting(axes: list[Axis]) -> Floats:
@@ -207,6 +216,30 @@ def _six(axes: list[Axis], tip: Floats) -> Built:
     return built._replace(tables=built.tables | {"wrist": {"flange": (tip[:3, 3] - centre) @ d6}})
 
 
+def _ur(axes: list[Axis], tip: Floats) -> Built:
+    """As in the makers' tables: axis 4 looks to the left like axes 2 and 3, z4 is the way of axis 5, z5 of axis 6."""
+    above, centre = _meeting(axes[3:5]), _meeting(axes[4:])  # the ends of d5, on axes 4 and 6
+    built, y = _upright(axes, above)
+    z4 = axes[4].way * _sign((centre - above) @ axes[4].way)
+    reach = (tip[:3, 3] - centre) @ axes[5].way
+    z5 = axes[5].way * _sign(reach if abs(reach) > 1e-3 else tip[:3, 2] @ axes[5].way)
+    z = _up(axes[0].way)
+    x5, links = np.cross(z5, z4), sum(part.zero for part in built.parts[1:])
+    zeros = (math.atan2(-(z4 @ np.cross(y, z)), -(z4 @ z)) + links, math.atan2(np.cross(y, z5) @ z4, y @ z5),
+             math.atan2(-(tip[:3, 0] @ z4), tip[:3, 0] @ x5) if tip[:3, 2] @ z5 > 0.5 else 0.0)
+    built.parts.extend(Part(key, i, _sign(way @ axes[i].way), zero) for key, i, way, zero in
+                       zip(arms.WRIST, (3, 4, 5), (y, z4, z5), zeros))
+    constants = {key: built.tables["constants"][key] for key in ("base", "lateral")}
+    return built._replace(tables=built.tables | {"constants": constants, "wrist": {
+        "parallel": True, "offset": (centre - above) @ z4, "flange": (tip[:3, 3] - centre) @ z5}})
+
+
+def _ur_pose(arm: Arm, q: dict[str, Floats]) -> Floats:
+    joints = [q["yaw"] - np.pi, -q["shoulder"], -q["elbow"], *(q[key] for key in arms.WRIST)]
+    rotation, place = truth_ur.fk(np.stack(joints, axis=-1), truth_ur.Ur(**arm.ur))
+    return _poses(rotation, *place.T)
+
+
 def _six_pose(arm: Arm, q: dict[str, Floats]) -> Floats:
     joints = [q["yaw"], np.pi / 2 - q["shoulder"], -q["elbow"], *(q[key] for key in arms.WRIST)]
     rotation, place = truth_six.fk6(np.stack(joints, axis=-1), truth_six.Six(**arm.six))
@@ -224,7 +257,8 @@ KINDS = (
          (*BASE, ("right angles", 3, 4), ("right angles", 4, 5), ("right angles", 5, 6), ("meet", 4, 5, 6)),
          _six, _six_pose),
     Kind("an arm with three parallel axes", ("RRRRRR",),
-         (*BASE, ("parallel", 3, 4), ("right angles", 4, 5), ("right angles", 5, 6))),
+         (*BASE, ("parallel", 3, 4), ("right angles", 4, 5), ("right angles", 5, 6), ("meet", 1, 2), ("meet", 4, 5),
+          ("meet", 5, 6)), _ur, _ur_pose),
     Kind("an S-R-S arm", ("RRRRRRR",), (("meet", 1, 2, 3), ("meet", 5, 6, 7))))
 
 
@@ -289,8 +323,8 @@ def arm_file(chain: Chain, source: str) -> dict:
     count, joints = len(axes), chain.joints
     start = urdf.pose(chain, np.zeros((1, count)))[0]
     built = kind.build(axes, start)
-    tables = {key: {name: _round(value, 6) for name, value in table.items() if key != "constants" or abs(value) > 1e-6}
-              for key, table in built.tables.items()}
+    tables = {key: {name: value if value is True else _round(value, 6) for name, value in table.items()
+                    if key != "constants" or abs(value) > 1e-6} for key, table in built.tables.items()}
     links = tables["links"]
     turn = math.degrees(math.atan2(tables.get("constants", {}).get("elbow", 0.0), links["l2"]))
     zeros = {}
@@ -304,7 +338,7 @@ def arm_file(chain: Chain, source: str) -> dict:
     def text(unit: float) -> str:
         lines = [f"name = {_text(chain.name)}", f"source = {_text(source)}", f"mm_per_unit = {unit!r}"]
         for key, table in tables.items():
-            lines += ["", f"[{key}]"] * bool(table) + [f"{one} = {value!r}" for one, value in table.items()]
+            lines += ["", f"[{key}]"] * bool(table) + [f"{one} = {str(value).lower()}" for one, value in table.items()]
         return "\n".join([*lines, "", "[joints]", *(
             f"{part.key} = {{ name = {_text(joints[part.joint].name)}, sign = {part.sign}, "
             f"zero = {zeros[part.key]!r} }}  # {_span(joints[part.joint])}"

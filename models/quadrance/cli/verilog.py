@@ -9,7 +9,7 @@ from pathlib import Path
 from quadrance import accuracy, six
 from quadrance import arm as arm_model
 from quadrance.arms import Arm, ArmError
-from quadrance.cli.around import INSIDE, PLANE, SPACE, around, plus
+from quadrance.cli.around import INSIDE, PLANE, SIX, SPACE, around, plus
 from quadrance.cli.catalogue import Refused, at, compile_order, timing
 from quadrance.cores import Core, Port, all_cores
 
@@ -34,7 +34,7 @@ NO_ARM = {"chain": STREAMED, "mff": STREAMED,
 
 def takes_an_arm(core: Core) -> bool:
     """Whether an arm file can say the core's configuration words."""
-    return core.function in (*PLANE, *SPACE, *INSIDE) or core.family == "six"
+    return core.function in (*PLANE, *SPACE, *INSIDE) or core.family in SIX
 
 
 def _refuse(core: Core, arm: Arm) -> None:
@@ -92,7 +92,10 @@ def _lengths(core: Core, arm: Arm) -> dict[str, tuple[float, str]]:
     if core.family == "six":
         found = {f"cfg_{name}": (length, key) for (name, length), key in zip(arm.six.items(), (
             "constants.shoulder", "minus constants.elbow", "constants.lateral", "constants.base", "links.l1",
-            "links.l2", "wrist.flange"))} | {"cfg_k": line}
+            "links.l2", "wrist.flange"))} | {"cfg_k": line, "cfg_radius": found["cfg_radius"]}
+    if core.family == "ur":
+        keys = ("constants.base", "constants.lateral", "wrist.offset", "wrist.flange", "links.l1", "links.l2")
+        found = {f"cfg_{name}": (length, key) for (name, length), key in zip(arm.ur.items(), keys)}
     return found
 
 
@@ -103,7 +106,8 @@ def _note(core: Core, port: Port, arm: Arm, value: int) -> str:
         return f"not built: {switch} is 0"
     if known := _lengths(core, arm).get(port.name):
         length, key = known
-        held = value * 2.0 ** -(core.params["F"] + (six.MORE if core.family == "six" else 0)) * arm.mm_per_unit
+        more = six.MORE if core.family in SIX and port.name != "cfg_radius" else 0
+        held = value * 2.0 ** -(core.params["F"] + more) * arm.mm_per_unit
         said, kept = f"{length:.6g}", f"{held:.6g}"
         return f"{said} mm, {key}" + ("" if said == kept else f", held as {kept} mm")
     angle = -arm.elbow_angle if core.family == "six" else arm.elbow_angle
@@ -116,8 +120,11 @@ def _note(core: Core, port: Port, arm: Arm, value: int) -> str:
         return f"limits.{key}{less}, {low:.6g} to {high:.6g} degrees: {what}"
     return {"cfg_ce": f"cosine of {turn}", "cfg_ne": f"minus sine of {turn}", "cfg_cp": f"cosine of {turn}",
             "cfg_np": f"sine of {turn}", "cfg_bb": "minus the square of cfg_lateral",
+            "cfg_elbow": f"from cfg_c3 and {arm.singular[0] or 0:g} degrees, singular.elbow",
             "cfg_sine": f"sine of {arm.singular[0] or 0:g} degrees, singular.elbow",
-            "cfg_c1": "from links.l1", "cfg_s1": "from links.l1"}.get(port.name) or (
+            "cfg_c1": "from links.l1", "cfg_s1": "from links.l1",
+            "cfg_margin": f"{arm.singular[1] or 0:g} mm, singular.axis" if value else "no margin",
+            "cfg_slack": "no slack"}.get(port.name) or (
         "from cfg_c2 and cfg_k" if core.family == "six" else "from both links")
 
 

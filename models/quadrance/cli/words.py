@@ -118,8 +118,14 @@ def _no_counts(one: Word, counts: int | None) -> None:
         raise Refused(f"--counts is for joint words, {one.ports[0].name} is a length")
 
 
-def decode(one: Word, words: tuple[int, ...], counts: int | None = None, mm_per_unit: float | None = None) -> dict:
-    """The values of words: degrees (and counts), or units (and millimetres)."""
+def decode(one: Word, words: tuple[int, ...], counts: int | None = None, mm_per_unit: float | None = None,
+           half: bool = False) -> dict:
+    """The values of words: degrees (and counts), or units (and millimetres).
+
+    half : degrees and counts are those of half a turn to either side, not of a whole turn from 0.
+    """
+    if half and not one.joint:
+        raise Refused(f"--signed is for joint words, {one.ports[0].name} has its own sign")
     if len(words) != len(one.ports):
         raise Refused(f"a {one.ports[0].type} is {len(one.ports)} words ({', '.join(p.name for p in one.ports)}), "
                       f"not {len(words)}: join them with a comma")
@@ -137,6 +143,9 @@ def decode(one: Word, words: tuple[int, ...], counts: int | None = None, mm_per_
         means["degrees"] = float(np.degrees(theta))
         if counts is not None:
             means["count"] = int(np.floor(theta * (counts / (2 * np.pi)) + 0.5)) % counts
+        if half:
+            turns = {"degrees": 360.0, "count": counts}
+            means = {key: value - turns[key] if 2 * value >= turns[key] else value for key, value in means.items()}
     else:
         _no_counts(one, counts)
         means["number" if one.unit == "1" else one.unit] = signed[0] * 2.0**-one.fraction

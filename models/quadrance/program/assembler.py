@@ -27,9 +27,9 @@ FIELDS: tuple[tuple[str, int, dict[str, int]], ...] = (
     ("c", 6, {}), ("d", 6, {}), ("sum", 2, {"LONE": 0, "ADD": 2, "SUB": 3}), ("keep", 1, {"DONE": 0, "KEEP": 1}),
     ("align", 2, {"HIGH": 0, "LOW": 1, "MID": 2}), ("dest", 6, {}),
     ("act", 9, {"OTHER": 0, "FOLD": 1, "MORE": 2, "WRIST": 4, "ABOVE": 8, "ROOT": 16, "HOLD": 32, "FAR": 64,
-                "CLAMP": 128, "CHECK": 256}))
+                "CLAMP": 128, "CHECK": 256, "NEAR": 260, "OVER": 320}))
 NIL = "NIL"
-OUT = {"plain": "OUT", "both": "PAIR", "flags": "FLAG"}  # DEST of a word that is emitted alone
+OUT = {"plain": "OUT", "both": "PAIR", "flags": "FLAG", "far": "REACH"}  # DEST of a word that is emitted alone
 Cells = tuple[str, ...]  # names, in the order of FIELDS
 IDLE: Cells = ("PORT", NIL, "BY", "NOUGHT", NIL, NIL, "LONE", "DONE", "HIGH", NIL, "OTHER")
 SECONDS = 60.0  # for an order
@@ -113,9 +113,10 @@ def _rows(made: Sequence[Line], order: Order, rules: Rules) -> list[tuple[str, C
         acts = {"MORE" if act == "FOLD" and first[line.fold] != i else act for act in line.acts}
         named = {"REG": _cell(a), "PORT": f"I_{a.upper()}", "LAST": NIL, "TABLE": NIL}[source]
         dest = _cell(line.dest) or OUT.get(line.emit, NIL)
+        cells = (dest, NIL) if line.own else map(_cell, cd or (NIL, NIL))
         rows.append((line.label, (
             source, named, "BY" if line.by else "OF", line.by or _cell(b),
-            *(_cell(name) for name in cd or (NIL, NIL)),
+            *cells,
             "LONE" if not cd else "SUB" if line.minus else "ADD", "KEEP" if line.keep else "DONE", line.align, dest,
             " | ".join(name for name in FIELDS[-1][2] if name in acts) or "OTHER")))
     return rows

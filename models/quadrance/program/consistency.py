@@ -5,7 +5,7 @@ from __future__ import annotations
 from quadrance.program.language import ONE, Program, Statement
 
 TABLE = set("""reg port last table of by nil plus minus slope back down flip nought power four twice lone add sub done
-    keep high low mid other fold more above far out pair flag""".split())  # names of the printed table
+    keep high low mid other fold more above far near over out pair flag reach""".split())  # names of the printed table
 
 
 def _given(program: Program) -> dict[str, int]:
@@ -56,6 +56,21 @@ def _once(program: Program, kept: list[Statement], what: str) -> None:
         raise program.wrong(kept[1].line, f"a second {what}: the status bit of the first would be lost")
 
 
+def _margins(program: Program) -> None:
+    """`near` speaks of a held direction, `far` of a clamped word that stands before it."""
+    holds = {one.hold for one in program.statements} - {""}
+    clamped = {name: one.line for one in program.statements if one.kind == "clamp" for name in one.names}
+    said: set[tuple[str, str]] = set()
+    for one in program.statements:
+        if one.kind == "near" and one.of not in holds:
+            raise program.wrong(one.line, f"{one.of} is no direction that is held")
+        if one.kind == "far" and not clamped.get(one.of, one.line) < one.line:
+            raise program.wrong(one.line, f"{one.of} is no word of clamp above this line")
+        if one.of and (one.kind, one.of) in said and not (program.streamed and one.kind == "near"):
+            raise program.wrong(one.line, f"a second {one.kind} of {one.of}")
+        said.add((one.kind, one.of))
+
+
 def _units(program: Program) -> None:
     """The engine has one flag for a reach and one for a clamp, a flag for each held direction, and three signs."""
     for kind in ("reach", "clamp"):
@@ -64,6 +79,8 @@ def _units(program: Program) -> None:
         _once(program, [one for one in program.statements if one.hold == hold], f"direction of {hold}")
     results = {port.name for port in program.results}
     for one in program.statements:
+        if one.kind == "quotient" and any(other.kind in ("reach", "clamp") for other in program.statements):
+            raise program.wrong(one.line, "a quotient beside reach or clamp: it changes the status bit of those")
         if "-" in one.signs and program.signs:
             raise program.wrong(one.line, "a minus beside sign inputs: the engine has it as one of them")
         if one.kind == "reach":
@@ -81,4 +98,5 @@ def check(program: Program) -> None:
         One line: file, line and reason.
     """
     _results(program, _given(program))
+    _margins(program)
     _units(program)

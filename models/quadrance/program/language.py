@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-FORMATS = ("vector", "coordinate", "length", "word", "fraction", "power")
+FORMATS = ("vector", "coordinate", "velocity", "length", "word", "fraction", "power")
 ONE = "one"  # the constant 1.0
 
 
@@ -38,12 +38,15 @@ class Statement:
 
     Attributes
     ----------
-    kind : "sum", "reach", "check", "root", "unit", "clamp" or "emit".
+    kind : "sum", "reach", "check", "near", "far", "root", "unit", "quotient", "clamp" or "emit".
     names : words that it gives.
-    sums : the sum; the two coordinates of `unit`; that of `clamp`; for each word of `emit` one of a single term.
-    source : the word under a root; the two factors of `clamp`.
+    sums : the sum; the two coordinates of `unit`; the dividends; that of `clamp`; for each word of `emit` one of a
+        single term.
+    source : the word under a root; the divisor; the two factors of `clamp`.
     signs : for each word of a root, or for a unit vector, "+", "-" or a sign input.
     hold : name of the direction that is held, empty for none.
+    keep : without a direction its register is written with its own word, which can be emitted.
+    of : the held direction of `near`, the clamped word of `far`.
     how : of `emit`: "flags", the word carries the flags of what has been solved; "both", its negative follows it.
     """
 
@@ -56,6 +59,8 @@ class Statement:
     signs: tuple[str, ...] = ()
     wrist: bool = False
     hold: str = ""
+    keep: bool = False
+    of: str = ""
     how: str = ""
 
     @property

@@ -29,6 +29,8 @@ class Line:
     dest : the word that it writes; "" for none.
     acts : names of ACT bits; FOLD stands for FOLD and MORE.
     fold, root, far, hold : groups of lines that use one unit of the engine; -1 for none.
+    near : the held direction whose flag it sets, as in `hold`.
+    own : without a direction it writes its register's own word.
     emit : the word is given as a result, "plain", with the "flags", or "both": it and its negative.
     """
 
@@ -47,6 +49,8 @@ class Line:
     root: int = -1
     far: int = -1
     hold: int = -1
+    near: int = -1
+    own: bool = False
     keep: bool = False
     emit: str = ""
 
@@ -168,10 +172,22 @@ class _Lowering:
     def _check(self, one: Statement) -> None:
         self.lines[self.sum(one.sums[0], "", "check")].acts.add("CHECK")
 
+    def _near(self, one: Statement) -> None:
+        line = self.lines[self.sum(one.sums[0], added(one.of, "m"), f"near {one.of}")]
+        line.label = line.label.replace(" =", "")
+        line.acts.add("NEAR")
+        line.near = self.held(one.of)
+
+    def _far(self, one: Statement) -> None:
+        line = self.lines[self.sum(one.sums[0], "", f"far {one.of}")]
+        line.acts.add("OVER")
+        line.emit = "far" if self.program.streamed else ""
+        line.far = self.lines[self.writer[one.of]].far
+
     def _emit(self, one: Statement) -> None:
         for (term,) in one.sums:
             at = self.writer[term.a]
-            if self.lines[at].hold >= 0 or self.lines[at].emit:
+            if self.lines[at].hold >= 0 and not self.lines[at].own or self.lines[at].emit:
                 at = self.add(Line(f"emit {term.a}", REG, term.a, by="PLUS"))
             self.lines[at].emit = one.how or "plain"
 
@@ -205,6 +221,12 @@ class _Lowering:
         self.add(Line(f"{g} = 1 / root", TABLE, "", by=signs[sign], align="MID", dest=g, root=root))
         return g
 
+    def held(self, name: str) -> int:
+        """The number of a held direction."""
+        if name not in self.holds:
+            self.holds.append(name)
+        return self.holds.index(name)
+
     def _unit(self, one: Statement) -> None:
         fold, root = self.group("fold"), self.group("root")
         words = [self.folded(terms, added(name, "v"), fold, one.wrist) for name, terms in zip(one.names, one.sums)]
@@ -214,14 +236,29 @@ class _Lowering:
         self.add(Line(f"|{up[0]}, {up[1]}|^2", REG, up[0], up[0], cd=(up[1], up[1]), acts={"ROOT"},
                       fold=fold, root=root))
         g = self.reciprocal(one.names[0], one.signs[0], root)
-        hold = -1
-        if one.hold:
-            if one.hold not in self.holds:
-                self.holds.append(one.hold)
-            hold = self.holds.index(one.hold)
+        hold = self.held(one.hold) if one.hold else -1
         for name, word in zip(one.names, up):
             self.add(Line(f"{name} = {g} * {word}", REG, g, word, dest=name, hold=hold,
-                          acts={"HOLD"} if one.hold else set(), root=root if one.hold else -1))
+                          acts={"HOLD"} if one.hold else set(), root=root if one.hold else -1, own=one.keep))
+
+    def _quotient(self, one: Statement) -> None:
+        fold, root, first = self.group("fold"), self.group("root"), one.names[0]
+        up, g, sign, inverse = (added(first, part) for part in "xgsi")
+        x = self.folded((Term(False, one.source[0]),), added(first, "d"), fold)
+        self.add(Line(f"{up} = {x} 2^s", REG, x, by="POWER", align="LOW", dest=up, fold=fold))
+        self.add(Line(f"{up}^2", REG, up, up, acts={"ROOT"}, fold=fold, root=root))
+        self.add(Line(f"{g} = 1 / root", TABLE, "", by="SLOPE", align="MID", dest=g, root=root))
+        self.add(Line(f"{sign} = {g} * {up}", REG, g, up, dest=sign))
+        self.add(Line(f"{inverse} = {sign} * {g}", REG, sign, g, dest=inverse))
+        for name, terms in zip(one.names, one.sums):
+            far, (dividend, whole, kept) = self.group("far"), (added(name, part) for part in "nwc")
+            at = self.sum(terms, dividend, dividend)
+            self.lines[at].acts.add("FAR")
+            self.lines[at].far = far
+            self.add(Line(f"{whole} = {dividend} 2^s", REG, dividend, by="POWER", align="LOW", dest=whole,
+                          acts={"FAR"}, fold=fold, far=far))
+            self.add(Line(f"{kept} = limit {whole}", REG, whole, by="PLUS", acts={"CLAMP"}, dest=kept, far=far))
+            self.add(Line(f"{name} = {inverse} * {kept}", REG, inverse, kept, dest=name))
 
     def _clamp(self, one: Statement) -> None:
         name, far = one.names[0], self.group("far")

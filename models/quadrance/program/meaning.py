@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
-from quadrance.product_engine import ONE, G, H, N, dot, fold, root, rounded, sum_of, term, unit
+from quadrance.product_engine import ONE, G, H, N, dot, fold, inverse, root, rounded, sum_of, term, unit
 from quadrance.program import language
 from quadrance.program.language import Program, Statement
 
@@ -23,8 +23,8 @@ MORE = 4  # fraction bits of a configured length below the LSB of a coordinate
 
 def shift(format: str, p: Params) -> int:
     """Bits by which a word of a format is shifted to 25 fraction bits; a power of two is not."""
-    return {"vector": H - p.get("U", H), "coordinate": H - p.get("W", H), "length": H - p.get("W", H) - MORE}.get(
-        format, 0)
+    return {"vector": H - p.get("U", H), "coordinate": H - p.get("W", H), "length": H - p.get("W", H) - MORE,
+            "velocity": H - 2 * p.get("W", H) + p.get("V", H)}.get(format, 0)
 
 
 def floor(p: Params) -> int:
@@ -39,18 +39,29 @@ def slack(p: Params) -> int:
 
 @dataclass
 class Outcome:
-    """Words by name, and what the flags say: out of reach, a direction that is held (by name), a failed check."""
+    """Words by name, and what the flags say: out of reach (by the word of `reach` or `clamp`), a direction that is held
+    (by name), or near its singularity (by name, in the order of the text), a failed check."""
 
     words: dict[str, Value]
-    far: Bools = field(default_factory=lambda: np.zeros(1, bool))
+    beyond: dict[str, Bools] = field(default_factory=dict)
     none: dict[str, Bools] = field(default_factory=dict)
     wrong: Bools = field(default_factory=lambda: np.zeros(1, bool))
+    near: dict[str, list[Bools]] = field(default_factory=dict)
+
+    @property
+    def far(self) -> Bools:
+        """Any word is beyond reach."""
+        return np.any(np.broadcast_arrays(np.zeros(1, bool), *self.beyond.values()), axis=0)
+
+    @property
+    def singular(self) -> Bools:
+        """Any direction is held or near."""
+        return np.any(np.broadcast_arrays(np.zeros(1, bool), *self.none.values(), *sum(self.near.values(), [])), axis=0)
 
     @property
     def status(self) -> Ints:
         """Bits of out_status: 0 unreachable, 1 singular, 3 a failed check."""
-        held = np.any(np.broadcast_arrays(*self.none.values()), axis=0) if self.none else np.zeros(1, bool)
-        return ints(self.far) + 2 * ints(held) + 8 * ints(self.wrong)
+        return ints(self.far) + 2 * ints(self.singular) + 8 * ints(self.wrong)
 
 
 class Fixed:
@@ -77,10 +88,23 @@ class Fixed:
         a, b, g, none = unit(a, b, self.wrist if wrist else 0, minus)
         return dot((a, g)), dot((b, g)), none
 
+    def quotients(self, totals: list[Value], divisor: Value) -> tuple[list[Value], Bools]:
+        """Words from -1 to 1, and where one was limited, from 1/2 to 1 on; 0 where the divisor is 0."""
+        up, power = inverse(divisor)
+        found, limited = [], np.False_
+        for total in totals:
+            word, outside = self.limited(total, rounded(total) * power)
+            found.append(dot((up, word)))
+            limited = limited | outside
+        return found, limited
+
     def clamp(self, total: Value, fraction: Value, power: Value) -> tuple[Value, Bools]:
         """A word from -1 to 1, and where the product lies beyond."""
+        return self.limited(total, dot((rounded(total), fraction)) * power)
+
+    def limited(self, total: Value, product: Value) -> tuple[Value, Bools]:
+        """A product of a sum, from -1 to 1, and where it, or the sum above, lies beyond."""
         long = total >> G >= 1 << N - 1
-        product = dot((rounded(total), fraction)) * power
         outside = long | (product < -ONE) | (product >= ONE)
         return np.where(outside, np.where((product < 0) & ~long, -ONE, ONE), wrap(product, N)), outside
 
@@ -112,6 +136,11 @@ class Real:
         g = np.where(minus, -1, 1) / np.where(none, 1, length)
         return a * g, b * g, none
 
+    def quotients(self, totals: list[Value], divisor: Value) -> tuple[list[Value], Bools]:
+        inverse = np.where(divisor == 0, 0, 1 / np.where(divisor == 0, 1, divisor))
+        found = [total * inverse for total in totals]
+        return [np.clip(one, -1, 1) for one in found], np.any(np.abs(np.broadcast_arrays(*found)) > 1, axis=0)
+
     def clamp(self, total: Value, fraction: Value, power: Value) -> tuple[Value, Bools]:
         product = total * fraction * power
         return np.clip(product, -1, 1), np.abs(product) > 1
@@ -131,6 +160,7 @@ class _Walk:
         for one in program.statements:
             if one.hold:
                 self.held.setdefault(one.hold, []).append(one)
+        self.past = {one.of for one in program.statements if one.kind == "far"}
         self.busy: set[int] = set()
 
     def word(self, name: str) -> Value:
@@ -154,7 +184,7 @@ class _Walk:
                 words[one.names[0]] = self.on.word(self.total(one))
             case "reach":
                 total = self.total(one)
-                outcome.far = outcome.far | (total < 0)
+                outcome.beyond[one.names[0]] = total < 0
                 words[one.names[0]] = np.where(total < 0, self.on.zero, self.on.word(total))
             case "check":
                 outcome.wrong = outcome.wrong | self.on.off(self.total(one))
@@ -163,7 +193,16 @@ class _Walk:
                     words[name] = self.on.root(self.word(one.source[0]), self.signs[sign])
             case "clamp":
                 words[one.names[0]], far = self.on.clamp(self.total(one), *map(self.word, one.source))
-                outcome.far = outcome.far | far
+                outcome.beyond[one.names[0]] = far & ((words[one.names[0]] < 0) | (one.names[0] not in self.past))
+            case "near":
+                outcome.near.setdefault(one.of, []).append(self.total(one) < 0)
+            case "far":
+                outcome.beyond[one.of] = outcome.beyond[one.of] | (self.total(one) < 0)
+            case "quotient":
+                totals = [self.total(one, which) for which in range(len(one.sums))]
+                found, limited = self.on.quotients(totals, self.word(one.source[0]))
+                outcome.beyond[one.names[0]] = limited
+                words |= zip(one.names, found)
             case "unit" if one.hold:
                 self.hold(self.held[one.hold])
             case "unit":
@@ -190,7 +229,7 @@ def walked(program: Program, on: Fixed | Real, inputs: dict[str, Value], signs: 
     for one in program.statements:
         for name in one.names:
             walk.word(name)
-        if one.kind == "check":
+        if one.kind in ("check", "near", "far"):
             walk.run(one)
     return walk.outcome
 
@@ -210,16 +249,20 @@ def fixed(program: Program, p: Params, **ports: Ints) -> Outcome:
     return walked(program, Fixed(floor(p), slack(p)), inputs, signs)
 
 
+def near_vector(p: Params, word: Ints) -> Ints:
+    """A word rounded to the format `vector`."""
+    return wrap(round_shift(word, shift("vector", p)), p["U"] + 2)
+
+
 def results(program: Program, p: Params, words: dict[str, Ints]) -> tuple[dict[str, Ints], Ints]:
     """Words of the result ports, each rounded to its format, ties upward, and where a coordinate was saturated."""
     found, overflow = {}, ints(0)
     for port in program.results:
-        near = round_shift(words[port.name], shift(port.format, p))
-        if port.format == "coordinate":
-            found[port.port], over = saturate(near, p["W"])
+        if port.format in ("coordinate", "velocity"):
+            found[port.port], over = saturate(round_shift(words[port.name], shift(port.format, p)), p["W"])
             overflow = overflow | over
         else:
-            found[port.port] = wrap(near, p["U"] + 2)
+            found[port.port] = near_vector(p, words[port.name])
     return found, overflow
 
 

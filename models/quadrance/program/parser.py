@@ -15,12 +15,12 @@ from quadrance.program import consistency
 from quadrance.program.language import FORMATS, ONE, Port, Program, Statement, Sum, Term, Wrong
 
 LIMITS = {"characters": 100_000, "columns": 160, "statements": 1000, "loops": 4, "values": 16, "name": 12, "terms": 12}
-RESERVED = set("""in cfg sign norm argue out order reach check emit flags both for root unit clamp wrist hold
-    one""".split())
+RESERVED = set("""in cfg sign norm argue out order reach check near far emit flags both for root unit clamp wrist
+    hold keep one""".split())
 SIGNS = 3  # bits of in_signs
 ARGUED = 3  # words of a program whose range may be argued
 
-_TOKEN = re.compile(r"\s*(?:([A-Za-z_]\w*)|(\d+(?:\.\d*)?|\.\d+)|(<=|[-+*=(),]))")
+_TOKEN = re.compile(r"\s*(?:([A-Za-z_]\w*)|(\d+(?:\.\d*)?|\.\d+)|(<=|[-+*/=(),]))")
 _NAME = re.compile(rf"[a-z][a-z0-9]{{0,{LIMITS['name'] - 1}}}")
 _LOOP = re.compile(r"for ([a-z][a-z0-9]*) in ([a-z0-9+\- ]+):")
 
@@ -194,6 +194,12 @@ def _statement(program: Program, tokens: _Tokens, text: str) -> Statement:
     if tokens.next == "check":
         tokens.take()
         return Statement(line, text, "check", sums=(tokens.sum(),))
+    if tokens.next in ("near", "far"):
+        kind, of = tokens.take(), tokens.name()
+        tokens.take("(")
+        one = tokens.sum()
+        tokens.take(")")
+        return Statement(line, text, kind, sums=(one,), of=of)
     if tokens.next == "emit":
         tokens.take()
         return _emit(tokens, text)
@@ -205,6 +211,8 @@ def _statement(program: Program, tokens: _Tokens, text: str) -> Statement:
     tokens.take("=")
     if tokens.next in ("root", "unit", "clamp") and kind == "sum":
         return {"root": _root, "unit": _unit, "clamp": _clamp}[tokens.take()](program, tokens, text, tuple(names))
+    if tokens.next == "(" and kind == "sum":
+        return _quotient(tokens, text, tuple(names))
     if len(names) > 1:
         raise tokens.wrong("one name is expected before = of a sum")
     return Statement(line, text, kind, tuple(names), (tokens.sum(),))
@@ -227,13 +235,24 @@ def _unit(program: Program, tokens: _Tokens, text: str, names: tuple[str, ...]) 
     tokens.take(",")
     second = tokens.sum()
     tokens.take(")")
-    sign, wrist, hold = _sign(program, tokens) or "+", False, ""
+    sign, hold, how = _sign(program, tokens) or "+", "", ""
     if wrist := tokens.next == "wrist":
         tokens.take()
-    if tokens.next == "hold":
-        tokens.take()
+    if tokens.next in ("hold", "keep"):
+        how = tokens.take()
         hold = tokens.name() if tokens.next else names[0]
-    return Statement(tokens.line, text, "unit", names, (first, second), signs=(sign,), wrist=wrist, hold=hold)
+    return Statement(tokens.line, text, "unit", names, (first, second), signs=(sign,), wrist=wrist, hold=hold,
+                     keep=how == "keep")
+
+
+def _quotient(tokens: _Tokens, text: str, names: tuple[str, ...]) -> Statement:
+    sums = []
+    for before in ("(", *"," * (len(names) - 1)):
+        tokens.take(before)
+        sums.append(tokens.sum())
+    tokens.take(")")
+    tokens.take("/")
+    return Statement(tokens.line, text, "quotient", names, tuple(sums), source=(tokens.name(),))
 
 
 def _emit(tokens: _Tokens, text: str) -> Statement:

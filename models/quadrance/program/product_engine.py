@@ -103,8 +103,10 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
         wrong.append("ABOVE and CHECK take a sum, ROOT and FAR a sum or a LOW word")
     if act & ROOT and act & HOLD or act & FOLD and act & MORE:
         wrong.append("two acts that exclude each other")
-    if act & WRIST and not act & (FOLD | MORE):
-        wrong.append("WRIST without FOLD or MORE")
+    if act & WRIST and not act & (FOLD | MORE | CHECK):
+        wrong.append("WRIST without FOLD, MORE or CHECK")
+    if act & CHECK and act & (WRIST | FAR) and act & ~(WRIST | FAR) != CHECK:
+        wrong.append("NEAR or OVER with another act")
     if act & MORE:
         reads.append(Read(POWER, clock.computes))
     if act & (FOLD | MORE):
@@ -115,17 +117,20 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
     if act & HOLD:
         reads += [Read(NONE, 1), Read(NONE, clock.computes)]
     if act & FAR:
-        if at["align"] == LOW:
+        if at["align"] == LOW or act & CHECK:
             reads.append(Read(LONG, clock.computes))
         writes.append(Write(LONG, clock.flags, port=False, needed=False))
     if act & CLAMP:
         reads.append(Read(LONG, 1))
     if at["dest"]:
-        writes.append(Write(at["dest"], clock.register, names.get("dest", ""), port=pipe < 2, also=WORD))
+        writes.append(Write(at["dest"], clock.register, names.get("dest", ""), port=pipe < 2, also=WORD,
+                            needed=not (act & CHECK and act & WRIST)))  # the word of NEAR is for none
         if at["keep"]:
             wrong.append("a part of a sum is written")
-    elif act & (HOLD | CLAMP):
-        wrong.append("HOLD or CLAMP without a DEST")
+        if act & HOLD and at["c"] not in (0, at["dest"]):
+            wrong.append("HOLD writes another register's word")
+    elif act & (HOLD | CLAMP) or act & CHECK and act & WRIST:
+        wrong.append("HOLD, CLAMP or NEAR without a DEST")
     if not roots and (act or at["align"] or at["from"] == TABLE or scaled):
         wrong.append("the engine has no root unit")
     return Line(label, tuple(reads), tuple(writes), tuple(wrong))
@@ -216,8 +221,28 @@ def _whole(words: Sequence[int], made: Program) -> list[str]:
             and _writers(made, number, (RECIPROCAL,)) != _writers(made, number, (NONE,))]
 
 
+def _kept(words: Sequence[int], made: Program, pipe: int) -> list[str]:
+    """A HOLD that writes its register's own word reads it like any other line."""
+    kept = [(number, fields(word)["c"]) for number, word in enumerate(words) if fields(word)["act"] & HOLD]
+    wrong = []
+    for number, own in kept:
+        late = [i for i, word in enumerate(words) if number - clocks(pipe).register < i < number
+                and fields(word)["dest"] == own]
+        wrong += [f"line {number + 1} '{made.lines[number].label}': its own word is on its way from line {i + 1}"
+                  for i in late if own]
+    return wrong
+
+
+def _limited(words: Sequence[int], made: Program) -> list[str]:
+    """CLAMP asks whether the newest FAR was beyond: it must be that of the word which the line limits."""
+    return [f"line {number + 1} '{line.label}': CLAMP asks for another FAR than its word's"
+            for number, line in enumerate(made.lines) if fields(words[number])["act"] & CLAMP
+            and _writers(made, number, (LONG,)) != _writers(made, number, {*range(64), WORD})]
+
+
 def check(words: Sequence[int], labels: Sequence[str] = (), names: Sequence[dict[str, str]] = (),
           results: frozenset[int] = frozenset(), roots: bool = True, pipe: int = 0) -> list[str]:
     """What is wrong with a program of control words; empty for a sound one. Parameters as for `program`."""
     made = program(words, labels, names, results, roots, pipe)
-    return soundness(made) + _partial(words, made) + _held(words, made) + _whole(words, made)
+    return (soundness(made) + _partial(words, made) + _held(words, made) + _whole(words, made)
+            + _kept(words, made, pipe) + _limited(words, made))

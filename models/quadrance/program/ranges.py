@@ -16,7 +16,8 @@ from quadrance.program.language import ONE, Program, Statement, Sum, Term
 Interval = tuple[float, float]
 # Words and `of`, with norm(words) <= factor * norm(of)
 Part = tuple[frozenset[str], tuple[str, ...], float]
-FORMATS: dict[str, Interval] = {"vector": (-2, 2), "coordinate": (-0.5, 0.5), "length": (-0.5, 0.5), "word": (-2, 2),
+FORMATS: dict[str, Interval] = {"vector": (-2, 2), "coordinate": (-0.5, 0.5), "velocity": (-0.5, 0.5),
+                                "length": (-0.5, 0.5), "word": (-2, 2),
                                 "fraction": (0, 1), "power": (0, 1)}
 UNIT = 1 + 2.0**-14  # length of what a reciprocal root has normalised
 CHECKED = 8.0  # the engine's sum wraps there, and a check is of the sum
@@ -172,12 +173,12 @@ class _Proof:
 
     def statement(self, one: Statement) -> None:
         """The words of a statement."""
-        name = one.names[0] if one.names else "check"
+        name = one.names[0] if one.names else one.kind
         if one.kind in ("sum", "reach"):
             interval = self.word(one, name, one.sums[0])
             self.range[name] = (0.0, interval[1]) if one.kind == "reach" else interval
             self.trace(name, one.sums[0])
-        elif one.kind == "check":
+        elif one.kind in ("check", "near", "far"):
             if max(map(abs, interval := self.sum(one.sums[0]))) >= CHECKED:
                 self.wrong(one, name, interval, f"and a sum is below {CHECKED:g}")
         elif one.kind == "unit":
@@ -185,6 +186,10 @@ class _Proof:
                 self.word(one, f"coordinate {which + 1} of unit", terms)
             self.range |= dict.fromkeys(one.names, (-UNIT, UNIT))
             self.add_norm(one.names, UNIT)
+        elif one.kind == "quotient":
+            for which, terms in enumerate(one.sums):
+                self.word(one, f"dividend {which + 1}", terms)
+            self.range |= dict.fromkeys(one.names, (-1.0, 1.0))
         elif one.kind == "clamp":
             low, high = self.sum(one.sums[0])
             if low <= -2 or high >= 8:

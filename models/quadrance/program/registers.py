@@ -15,8 +15,8 @@ from quadrance.program.schedule import Order
 
 COUNT = 64
 FIRST = 2  # register of the first result
-EMITTED = {"plain": range(48, 56), "both": range(56, 63), "flags": range(63, 64)}
-SLOTS = (16, 20, 24)  # of held directions that are no results
+EMITTED = {"plain": range(48, 56), "both": range(56, 62), "far": range(62, 63), "flags": range(63, 64)}
+SLOTS = {"": (16, 20, 24), "plain": (50, 54), "both": (58,)}  # of held directions that are no results, emitted or not
 
 
 def _flag(register: int) -> int:
@@ -37,7 +37,8 @@ def _held(program: Program, lines: Sequence[Line], fixed: dict[str, int]) -> dic
         if (c in fixed) != (n in fixed) or c in fixed and (fixed[c] % 2 or fixed[n] != fixed[c] + 1):
             raise Wrong(f"{program.path.name}: {c} and {n} are held: both are results, one after the other, the first "
                         "an odd one in the order, or neither is")
-        free = [slot for slot in SLOTS if _flag(slot) not in flags and slot not in fixed.values()]
+        emit = next(line.emit for line in lines if line.dest == c)
+        free = [slot for slot in SLOTS[emit] if _flag(slot) not in flags and slot not in fixed.values()]
         if c not in fixed and not free:
             raise Wrong(f"{program.path.name}: {c} is one direction too many to be held, three can be")
         register = fixed[c] if c in fixed else free[0]
@@ -70,6 +71,14 @@ def allocated(program: Program, lines: Sequence[Line], order: Order) -> dict[str
     for i, line in enumerate(lines):
         for name in line.registers:
             last[name] = max(last[name], place[i])
+    for line in lines:  # no line reads its word; it has a register whose number tells of the flag
+        if line.near >= 0 and line.dest not in found:
+            flag = next(_flag(found[other.dest]) for other in lines if other.hold == line.near)
+            free = [r for r in range(47, FIRST, -1) if r not in found.values() and _flag(r) == flag]
+            if not free:
+                raise Wrong(f"{program.path.name}: too many registers: none is free for '{line.label}'")
+            found[line.dest] = free[0]
+    held = {found[line.dest] for line in lines if line.hold >= 0}
     shared = [r for r in range(FIRST, 48 if program.streamed else COUNT) if r not in found.values()]
     free = dict.fromkeys(range(COUNT), -1)
     for i in sorted(range(len(lines)), key=place.__getitem__):
@@ -79,7 +88,7 @@ def allocated(program: Program, lines: Sequence[Line], order: Order) -> dict[str
         if line.emit and line.dest not in read:  # no line needs it, and it may be overwritten at once
             found[line.dest] = EMITTED[line.emit][0]
             continue
-        pool = EMITTED[line.emit][1:] if line.emit else shared
+        pool = [r for r in EMITTED[line.emit][1:] if r not in held] if line.emit else shared
         register = next((r for r in pool if place[i] >= free[r]), None)
         if register is None:
             raise Wrong(f"{program.path.name}: too many registers: none of {len(pool)} is free for {line.dest}")

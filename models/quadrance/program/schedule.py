@@ -111,9 +111,10 @@ def rules(program: Program, lines: Sequence[Line], at: Timing) -> Rules:
         _fold(found, lines, members)
     for members in groups["root"].values():
         _root(found, lines, members)
-    for first, wide, clamp in groups["far"].values():
-        found.edges += [(first, wide, 1), (wide, clamp, at.flags)]
-        found.windows.setdefault("FAR", []).append(Window(lines[clamp].label, (first, wide), ((clamp, at.flags - 1),)))
+    for first, wide, clamp, *over in groups["far"].values():
+        found.edges += [(first, wide, 1), (wide, clamp, at.flags), *((clamp, i, 1) for i in over)]
+        found.windows.setdefault("FAR", []).append(Window(lines[clamp].label, (first, wide, *over),
+                                                          ((clamp, at.flags - 1),)))
     _holds(found, program, lines, writer)
     for before, then in zip(program.order, program.order[1:]):
         found.edges += [(writer[a], writer[b], 2) for a in before for b in then]
@@ -151,14 +152,16 @@ def _holds(found: Rules, program: Program, lines: Sequence[Line], writer: dict[s
     for slot, every in pairs.items():
         if len(every) == 1:
             continue
-        found.edges += [(a, b, 1) for one, two in zip(every, every[1:]) for a in one for b in two]
+        found.edges += [(a, b, found.timing.register if lines[b].own and which == other else 1) for one, two in
+                        zip(every, every[1:]) for which, a in enumerate(one) for other, b in enumerate(two)]
         found.windows[f"held direction {slot + 1}"] = [Window(lines[c].label, (c, n), tuple(
             (i, 0) for i in readers[c] + readers[n])) for c, n in every]
     if program.streamed:
         found.windows["results"] = [Window(line.label, (i,), ((i, -2 if line.emit == "both" else -1),))
                                     for i, line in enumerate(lines) if line.emit]
         found.trailing = [i for i, line in enumerate(lines) if line.emit == "both"]
-    changes = [i for i, line in enumerate(lines) if line.acts & {"HOLD", "FAR", "ABOVE"}]
+    told = {"HOLD", "NEAR"} if any(line.emit == "far" for line in lines) else {"HOLD", "FAR", "ABOVE"}
+    changes = [i for i, line in enumerate(lines) if line.acts & told]
     for i, line in enumerate(lines):
         if line.emit == "flags":
             found.edges += [(j, i, 0) if j < i else (i, j, 1) for j in changes if j != i]
@@ -218,6 +221,11 @@ class _Lister:
             for i in window.makers:
                 self.makes[i].append(key)
         self.needs = {key: self.others(key) for key in self.groups}
+        alone = dict(self.needs)
+        for (unit, k), window in self.groups.items():
+            if unit == "power":  # its lines take the root unit, and must be able to
+                self.needs[unit, k] = alone[unit, k].union(*(alone[other] for line in window.lines
+                                                             for other in self.makes[line] if other[0] == "root"))
 
     def others(self, key: tuple[str, int]) -> set[int]:
         """Makers of other groups of the unit that lines of this group wait for."""

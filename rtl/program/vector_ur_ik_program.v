@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Assembled from vector_ur_ik.kin and vector_ur_ik.order by `quadrance assemble`; do not edit.
+//   A pose to the six unit vectors of one branch: axes 2, 3 and 4 are parallel
+// Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
+// a word of capitals and a small letter is one that the assembler has added. Latency of a core that plays it: 102.
+// For product_engine with PIPE = 0. Model: quadrance.program.meaning
+`default_nettype none
+module vector_ur_ik_program (
+    input  wire        clk,
+    input  wire        rst,
+    input  wire        in_start,
+    output wire        out_idle,
+    output wire        out_done,
+    output wire [46:0] out_op
+);
+    localparam [1:0] REG = 2'd0, PORT = 2'd1, LAST = 2'd2, TABLE = 2'd3;
+    localparam OF = 1'd0, BY = 1'd1;
+    localparam [5:0] NIL = 6'd0, PLUS = 6'd32, MINUS = 6'd36, SLOPE = 6'd0, BACK = 6'd8, DOWN = 6'd16, FLIP = 6'd24,
+        NOUGHT = 6'd4, POWER = 6'd1, FOUR = 6'd2, TWICE = 6'd3;
+    localparam [1:0] LONE = 2'd0, ADD = 2'd2, SUB = 2'd3;
+    localparam DONE = 1'd0, KEEP = 1'd1;
+    localparam [1:0] HIGH = 2'd0, LOW = 2'd1, MID = 2'd2;
+    localparam [8:0] OTHER = 9'd0, FOLD = 9'd1, MORE = 9'd2, WRIST = 9'd4, ABOVE = 9'd8, ROOT = 9'd16, HOLD = 9'd32,
+        FAR = 9'd64, CLAMP = 9'd128, CHECK = 9'd256, NEAR = 9'd260, OVER = 9'd320;
+    localparam [5:0]
+        C1 = 6'd2, N1 = 6'd3, C2 = 6'd4, N2 = 6'd5, C3 = 6'd6, N3 = 6'd7, C4 = 6'd8, N4 = 6'd9, C5 = 6'd10,
+        N5 = 6'd11, C6 = 6'd12, N6 = 6'd13, D6 = 6'd14, N2u = 6'd14, N2v = 6'd14, V = 6'd14, K2 = 6'd15,
+        K5 = 6'd15, N3t = 6'd15, R13 = 6'd15, C2u = 6'd16, C3p = 6'd16, K1 = 6'd16, R23 = 6'd16, YY = 6'd16,
+        C2v = 6'd17, C3d = 6'd17, C3r = 6'd17, CH = 6'd17, D4 = 6'd17, D5 = 6'd17, N1u = 6'd17, N1v = 6'd17,
+        N3g = 6'd17, PX = 6'd18, R32 = 6'd18, C1u = 6'd19, NH = 6'd19, PY = 6'd19, R33 = 6'd19, C2g = 6'd20,
+        R21 = 6'd20, Q = 6'd21, X1 = 6'd21, X1t = 6'd21, R12 = 6'd22, R22 = 6'd23, R11 = 6'd24, C1v = 6'd25,
+        EDGE = 6'd25, X1g = 6'd25, R31 = 6'd26, C1g = 6'd27, L2 = 6'd27, U = 6'd28, V1 = 6'd28, V2 = 6'd29,
+        L3 = 6'd30, C6u = 6'd31, M = 6'd31, EO = 6'd32, MF = 6'd32, N6u = 6'd32, C6g = 6'd33, CF = 6'd33,
+        EN = 6'd33, C1m = 6'd35, C2m = 6'd39, C6m = 6'd47;
+    localparam [5:0]
+        I_R11 = 6'd0, I_R12 = 6'd1, I_R13 = 6'd2, I_R21 = 6'd3, I_R22 = 6'd4, I_R23 = 6'd5, I_R31 = 6'd6,
+        I_R32 = 6'd7, I_R33 = 6'd8, I_X = 6'd9, I_Y = 6'd10, I_Z = 6'd11, I_D1 = 6'd12, I_D4 = 6'd13,
+        I_D5 = 6'd14, I_D6 = 6'd15, I_L2 = 6'd16, I_L3 = 6'd17, I_M = 6'd18, I_SLACK = 6'd19, I_R = 6'd20,
+        I_E = 6'd21, I_ONE = 6'd22;
+    localparam [98*47-1:0] LINES = {
+    /* d6                           */ {PORT,  I_D6,    BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, D6,   OTHER},
+    /* r13                          */ {PORT,  I_R13,   BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, R13,  OTHER},
+    /* r23                          */ {PORT,  I_R23,   BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, R23,  OTHER},
+    /* d4                           */ {PORT,  I_D4,    BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, D4,   OTHER},
+    /* px = x - d6*r13              */ {PORT,  I_X,     BY, PLUS,   D6,  R13, SUB,  DONE, HIGH, PX,   OTHER},
+    /* py = y - d6*r23              */ {PORT,  I_Y,     BY, PLUS,   D6,  R23, SUB,  DONE, HIGH, PY,   OTHER},
+    /* r21                          */ {PORT,  I_R21,   BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, R21,  OTHER},
+    /* q: px*px - d4*d4             */ {REG,   PX,      OF, PX,     D4,  D4,  SUB,  KEEP, HIGH, NIL,  OTHER},
+    /* q = .. + py*py               */ {REG,   PY,      OF, PY,     NIL, NIL, LONE, DONE, HIGH, Q,    FOLD | ABOVE},
+    /* r12                          */ {PORT,  I_R12,   BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, R12,  OTHER},
+    /* r22                          */ {PORT,  I_R22,   BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, R22,  OTHER},
+    /* q 4^j                        */ {REG,   Q,       BY, FOUR,   NIL, NIL, LONE, DONE, LOW,  NIL,  ROOT},
+    /* X1t = q 2^j                  */ {REG,   Q,       BY, TWICE,  NIL, NIL, LONE, DONE, LOW,  X1t,  OTHER},
+    /* r11                          */ {PORT,  I_R11,   BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, R11,  OTHER},
+    /* X1g = 1 / root               */ {TABLE, NIL,     BY, BACK,   NIL, NIL, LONE, DONE, MID,  X1g,  OTHER},
+    /* x1 = X1g * X1t               */ {LAST,  NIL,     OF, X1t,    NIL, NIL, LONE, DONE, HIGH, X1,   OTHER},
+    /* C1v = x1*px - d4*py          */ {LAST,  NIL,     OF, PX,     D4,  PY,  SUB,  DONE, HIGH, C1v,  FOLD},
+    /* r31                          */ {PORT,  I_R31,   BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, R31,  OTHER},
+    /* N1v = x1*py + d4*px          */ {REG,   X1,      OF, PY,     D4,  PX,  ADD,  DONE, HIGH, N1v,  MORE},
+    /* r32                          */ {PORT,  I_R32,   BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, R32,  OTHER},
+    /* C1u = C1v 2^s                */ {REG,   C1v,     BY, POWER,  NIL, NIL, LONE, DONE, LOW,  C1u,  OTHER},
+    /* N1u = N1v 2^s                */ {REG,   N1v,     BY, POWER,  NIL, NIL, LONE, DONE, LOW,  N1u,  OTHER},
+    /* check: r11*r12 + r21*r22     */ {REG,   R11,     OF, R12,    R21, R22, ADD,  KEEP, HIGH, NIL,  OTHER},
+    /* check .. + r31*r32           */ {REG,   R31,     OF, R32,    NIL, NIL, LONE, DONE, HIGH, NIL,  CHECK},
+    /* |C1u, N1u|^2                 */ {REG,   C1u,     OF, C1u,    N1u, N1u, ADD,  DONE, HIGH, NIL,  ROOT},
+    /* edge: l2                     */ {PORT,  I_L2,    BY, PLUS,   NIL, NIL, LONE, KEEP, HIGH, NIL,  OTHER},
+    /* edge .. + l3                 */ {PORT,  I_L3,    BY, PLUS,   NIL, NIL, LONE, KEEP, HIGH, NIL,  OTHER},
+    /* edge = .. + slack            */ {PORT,  I_SLACK, BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, EDGE, OTHER},
+    /* C1g = 1 / root               */ {TABLE, NIL,     BY, SLOPE,  NIL, NIL, LONE, DONE, MID,  C1g,  OTHER},
+    /* c1 = C1g * C1u               */ {LAST,  NIL,     OF, C1u,    NIL, NIL, LONE, DONE, HIGH, C1,   HOLD},
+    /* r33                          */ {PORT,  I_R33,   BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, R33,  OTHER},
+    /* n1 = C1g * N1u               */ {REG,   C1g,     OF, N1u,    NIL, NIL, LONE, DONE, HIGH, N1,   HOLD},
+    /* d5                           */ {PORT,  I_D5,    BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, D5,   OTHER},
+    /* l2                           */ {PORT,  I_L2,    BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, L2,   OTHER},
+    /* v1 = n1*r11 - c1*r21         */ {REG,   R11,     OF, N1,     C1,  R21, SUB,  DONE, HIGH, V1,   FOLD | WRIST},
+    /* v2 = c1*r22 - n1*r12         */ {REG,   R22,     OF, C1,     N1,  R12, SUB,  DONE, HIGH, V2,   MORE | WRIST},
+    /* l3                           */ {PORT,  I_L3,    BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, L3,   OTHER},
+    /* C6u = v1 2^s                 */ {REG,   V1,      BY, POWER,  NIL, NIL, LONE, DONE, LOW,  C6u,  OTHER},
+    /* N6u = v2 2^s                 */ {REG,   V2,      BY, POWER,  NIL, NIL, LONE, DONE, LOW,  N6u,  OTHER},
+    /* check: -r33 - r21*r12        */ {PORT,  I_R33,   BY, MINUS,  R21, R12, SUB,  KEEP, HIGH, NIL,  OTHER},
+    /* check .. + r11*r22           */ {REG,   R11,     OF, R22,    NIL, NIL, LONE, DONE, HIGH, NIL,  CHECK},
+    /* |C6u, N6u|^2                 */ {REG,   C6u,     OF, C6u,    N6u, N6u, ADD,  DONE, HIGH, NIL,  ROOT},
+    /* check: -r23 - r11*r32        */ {PORT,  I_R23,   BY, MINUS,  R11, R32, SUB,  KEEP, HIGH, NIL,  OTHER},
+    /* check .. + r31*r12           */ {REG,   R31,     OF, R12,    NIL, NIL, LONE, DONE, HIGH, NIL,  CHECK},
+    /* C6g = 1 / root               */ {TABLE, NIL,     BY, FLIP,   NIL, NIL, LONE, DONE, MID,  C6g,  OTHER},
+    /* n6 = C6g * N6u               */ {LAST,  NIL,     OF, N6u,    NIL, NIL, LONE, DONE, HIGH, N6,   HOLD},
+    /* eo = c1*r12 + n1*r22         */ {REG,   R12,     OF, C1,     N1,  R22, ADD,  DONE, HIGH, EO,   OTHER},
+    /* c6 = C6g * C6u               */ {REG,   C6g,     OF, C6u,    NIL, NIL, LONE, DONE, HIGH, C6,   HOLD},
+    /* m                            */ {PORT,  I_M,     BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, M,    OTHER},
+    /* en = c1*r11 + n1*r21         */ {REG,   R11,     OF, C1,     N1,  R21, ADD,  DONE, HIGH, EN,   OTHER},
+    /* mf = n6*en + c6*eo           */ {LAST,  NIL,     OF, N6,     C6,  EO,  ADD,  DONE, HIGH, MF,   OTHER},
+    /* cf = n6*r31 + c6*r32         */ {REG,   R31,     OF, N6,     C6,  R32, ADD,  DONE, HIGH, CF,   OTHER},
+    /* n5 = c6*v1 + n6*v2           */ {REG,   C6,      OF, V1,     N6,  V2,  ADD,  DONE, HIGH, N5,   OTHER},
+    /* u = -x1 - d5*mf              */ {REG,   X1,      BY, MINUS,  D5,  MF,  SUB,  DONE, HIGH, U,    OTHER},
+    /* v: d1 - d5*cf                */ {PORT,  I_D1,    BY, PLUS,   D5,  CF,  SUB,  KEEP, HIGH, NIL,  OTHER},
+    /* v = .. - z + d6*r33          */ {PORT,  I_Z,     BY, MINUS,  D6,  R33, ADD,  DONE, HIGH, V,    OTHER},
+    /*                              */ {PORT,  NIL,     BY, NOUGHT, NIL, NIL, LONE, DONE, HIGH, NIL,  OTHER},
+    /* C3d: u*u - l2*l2             */ {REG,   U,       OF, U,      L2,  L2,  SUB,  KEEP, HIGH, NIL,  OTHER},
+    /* C3d = .. + v*v - l3*l3       */ {REG,   V,       OF, V,      L3,  L3,  SUB,  DONE, HIGH, C3d,  FAR},
+    /* check: -r13 - r31*r22        */ {PORT,  I_R13,   BY, MINUS,  R31, R22, SUB,  KEEP, HIGH, NIL,  OTHER},
+    /* check .. + r21*r32           */ {REG,   R21,     OF, R32,    NIL, NIL, LONE, DONE, HIGH, NIL,  CHECK},
+    /* C3r = C3d * r                */ {PORT,  I_R,     OF, C3d,    NIL, NIL, LONE, DONE, HIGH, C3r,  OTHER},
+    /* c5 = n1*r13 - c1*r23         */ {REG,   R13,     OF, N1,     C1,  R23, SUB,  DONE, HIGH, C5,   OTHER},
+    /* k5 = n5*l3                   */ {REG,   L3,      OF, N5,     NIL, NIL, LONE, DONE, HIGH, K5,   OTHER},
+    /* C3p = C3r * e                */ {PORT,  I_E,     OF, C3r,    NIL, NIL, LONE, DONE, LOW,  C3p,  FAR},
+    /* check: -one + r11*r11        */ {PORT,  I_ONE,   BY, MINUS,  R11, R11, ADD,  KEEP, HIGH, NIL,  OTHER},
+    /* check .. + r21*r21 + r31*r31 */ {REG,   R21,     OF, R21,    R31, R31, ADD,  DONE, HIGH, NIL,  CHECK},
+    /* c3 = clamp C3p               */ {REG,   C3p,     BY, PLUS,   NIL, NIL, LONE, DONE, HIGH, C3,   CLAMP},
+    /* far c3: edge*edge - u*u      */ {REG,   EDGE,    OF, EDGE,   U,   U,   SUB,  KEEP, HIGH, NIL,  OTHER},
+    /* far c3 .. - v*v              */ {PORT,  I_ONE,   BY, NOUGHT, V,   V,   SUB,  DONE, HIGH, NIL,  OVER},
+    /* yy = one - c3*c3             */ {PORT,  I_ONE,   BY, PLUS,   C3,  C3,  SUB,  DONE, HIGH, YY,   FOLD},
+    /* near c6 k5*k5 - m*m          */ {REG,   K5,      OF, K5,     M,   M,   SUB,  DONE, HIGH, C6m,  NEAR},
+    /* near c1 x1*x1 - m*m          */ {REG,   X1,      OF, X1,     M,   M,   SUB,  DONE, HIGH, C1m,  NEAR},
+    /* yy 4^j                       */ {REG,   YY,      BY, FOUR,   NIL, NIL, LONE, DONE, LOW,  NIL,  ROOT},
+    /* N3t = yy 2^j                 */ {REG,   YY,      BY, TWICE,  NIL, NIL, LONE, DONE, LOW,  N3t,  OTHER},
+    /* k1 = l2 + l3*c3              */ {PORT,  I_L2,    BY, PLUS,   L3,  C3,  ADD,  DONE, HIGH, K1,   OTHER},
+    /* N3g = 1 / root               */ {TABLE, NIL,     BY, DOWN,   NIL, NIL, LONE, DONE, MID,  N3g,  OTHER},
+    /* n3 = N3g * N3t               */ {LAST,  NIL,     OF, N3t,    NIL, NIL, LONE, DONE, HIGH, N3,   OTHER},
+    /* k2 = n3*l3                   */ {LAST,  NIL,     OF, L3,     NIL, NIL, LONE, DONE, HIGH, K2,   OTHER},
+    /* C2v = k1*u + k2*v            */ {LAST,  NIL,     OF, V,      K1,  U,   ADD,  DONE, HIGH, C2v,  FOLD},
+    /*                              */ {PORT,  NIL,     BY, NOUGHT, NIL, NIL, LONE, DONE, HIGH, NIL,  OTHER},
+    /* N2v = k1*v - k2*u            */ {REG,   K1,      OF, V,      K2,  U,   SUB,  DONE, HIGH, N2v,  MORE},
+    /*                              */ {PORT,  NIL,     BY, NOUGHT, NIL, NIL, LONE, DONE, HIGH, NIL,  OTHER},
+    /* C2u = C2v 2^s                */ {REG,   C2v,     BY, POWER,  NIL, NIL, LONE, DONE, LOW,  C2u,  OTHER},
+    /* N2u = N2v 2^s                */ {REG,   N2v,     BY, POWER,  NIL, NIL, LONE, DONE, LOW,  N2u,  OTHER},
+    /* ch = cf*c3 - mf*n3           */ {REG,   CF,      OF, C3,     MF,  N3,  SUB,  DONE, HIGH, CH,   OTHER},
+    /*                              */ {PORT,  NIL,     BY, NOUGHT, NIL, NIL, LONE, DONE, HIGH, NIL,  OTHER},
+    /* |C2u, N2u|^2                 */ {REG,   C2u,     OF, C2u,    N2u, N2u, ADD,  DONE, HIGH, NIL,  ROOT},
+    /* nh: -mf*c3                   */ {PORT,  I_ONE,   BY, NOUGHT, MF,  C3,  SUB,  KEEP, HIGH, NIL,  OTHER},
+    /* nh = .. - cf*n3              */ {PORT,  I_ONE,   BY, NOUGHT, CF,  N3,  SUB,  DONE, HIGH, NH,   OTHER},
+    /* C2g = 1 / root               */ {TABLE, NIL,     BY, SLOPE,  NIL, NIL, LONE, DONE, MID,  C2g,  OTHER},
+    /* n2 = C2g * N2u               */ {LAST,  NIL,     OF, N2u,    NIL, NIL, LONE, DONE, HIGH, N2,   HOLD},
+    /* near c2 k2*k2 - m*m          */ {REG,   K2,      OF, K2,     M,   M,   SUB,  DONE, HIGH, C2m,  NEAR},
+    /* c2 = C2g * C2u               */ {REG,   C2g,     OF, C2u,    NIL, NIL, LONE, DONE, HIGH, C2,   HOLD},
+    /* check: -one + r12*r12        */ {PORT,  I_ONE,   BY, MINUS,  R12, R12, ADD,  KEEP, HIGH, NIL,  OTHER},
+    /* check .. + r22*r22 + r32*r32 */ {REG,   R22,     OF, R22,    R32, R32, ADD,  DONE, HIGH, NIL,  CHECK},
+    /* c4 = ch*c2 + nh*n2           */ {REG,   CH,      OF, C2,     NH,  N2,  ADD,  DONE, HIGH, C4,   OTHER},
+    /* n4 = nh*c2 - ch*n2           */ {REG,   NH,      OF, C2,     CH,  N2,  SUB,  DONE, HIGH, N4,   OTHER}};
+    engine_program #(.LINES(98), .BITS(47), .TABLE(LINES)) control (
+        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(out_op));
+endmodule
+`default_nettype wire
