@@ -6,7 +6,7 @@ not. What a sound program computes is `quadrance.program.meaning`; tests compare
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -165,7 +165,8 @@ def _acted(p: Params, unit: _Unit, act: int, low: int, mid: int, first: int, tot
     if unit.check:
         folded = before & (1 << 26) - 1 ^ (-(before >> 26) & (1 << 26) - 1)
         unit.off |= unit.beyond or folded >> slack != 0
-    unit.check, unit.beyond = bool(act & CHECK), total >> 29 not in (0, 7)
+    near, over = act & CHECK and act & WRIST, act & CHECK and act & FAR
+    unit.check, unit.beyond = bool(act & CHECK and not near and not over), total >> 29 not in (0, 7)
     if unit.asked is not None:
         unit.look(unit.asked)
         unit.asked = None
@@ -174,8 +175,7 @@ def _acted(p: Params, unit: _Unit, act: int, low: int, mid: int, first: int, tot
         folded = word & (1 << 26) - 1 ^ (-(word >> 26) & (1 << 26) - 1)
         folded = folded >> wrist << wrist if act & WRIST else folded
         unit.seen = 0 if act & ABOVE and negative else folded if act & FOLD else unit.seen | folded
-    if act & HOLD:
-        unit.held |= unit.none
+    unit.held |= bool(unit.none if act & HOLD else near and negative)
     if act & ROOT:
         unit.none, unit.one = empty, bool(low and power & 1)
         q = (total >> 10 if p["PIPE"] == 2 else first >> 7) & 0xFFFFF if low else total >> 12 & 0xFFFFF
@@ -184,8 +184,12 @@ def _acted(p: Params, unit: _Unit, act: int, low: int, mid: int, first: int, tot
         else:
             unit.asked = q
     if act & ABOVE:
-        unit.below = bool(negative)
-    if act & FAR:
+        unit.below |= bool(negative)
+    elif act & FAR and not low and not over:
+        unit.below |= unit.long
+    if over:
+        unit.long = bool(unit.long and unit.minus or negative)
+    elif act & FAR:
         wide = bool(low and not -(1 << H) <= first >> 0 < 1 << H)
         unit.long, unit.minus = (unit.long or wide if low else not negative and total >> 29 & 3 != 0,
                                  bool(low and first < 0 and not unit.long))
@@ -202,7 +206,6 @@ class _State:
     data: int = 0
     crc: int = 0
     loading: bool = False
-    flags: dict[str, int] = field(default_factory=dict)
 
 
 def _state(p: Params) -> _State:
@@ -231,7 +234,8 @@ def _command(p: Params, state: _State, kind: int, context: int, at: int, data: i
             refused = state.crc != 0
             lines[state.at] = (not refused, True, data)
     sealed, _, word = lines[state.at]
-    return (_signed(state.registers[context][state.at & 63]) if state.ran[context] and state.at & 63 else 0, word >> 16,
+    register = state.at & 63 | kind >> 1 & 1
+    return (_signed(state.registers[context][register]) if state.ran[context] and register else 0, word >> 16,
             word & 0xFFFF, int(refused or kind == INFO and not sealed), status)
 
 

@@ -13,7 +13,7 @@ module engine_datapath #(
     parameter ROOTS = 1,     // 0 or 1 (default 1); 0: sums only, without ACT, ALIGN and root tables
     parameter WRIST = 12,    // lowest bit that counts with act WRIST, 0 to 25 (default 12, 8 units of 2^-16)
     parameter SLACK = 13,    // lowest bit that is an error with act CHECK, 0 to 25 (default 13, 16 units of 2^-16)
-    parameter MARGINS = 0,   // 0 or 1 (default 0); 1: with NEAR (CHECK | WRIST), OVER (CHECK | FAR), C of HOLD
+    parameter MARGINS = 0,   // 0 or 1 (default 0); 1: NEAR (CHECK | WRIST), OVER (CHECK | FAR), C of HOLD (CONTEXTS 1)
     parameter QUOTIENTS = 0, // 0 or 1 (default 0); 1: in_start clears the outcome of FAR
     parameter CONTEXTS = 1,  // register files: 1, 2, 4 or 8 (default 1)
     parameter B = 1          // bits of in_context: 3 with eight, 2 with four, 1 with fewer (default 1)
@@ -41,6 +41,7 @@ module engine_datapath #(
     endgenerate
 
     localparam SHARED = CONTEXTS > 1 ? 1 : 0;
+    localparam OWN = SHARED == 0 ? MARGINS : 0;
     localparam N = 6 + SHARED * B;           // bits of a register's address
     localparam [46:0] NOTHING = SHARED != 0 ? 47'h2044_0000_0000 : 47'd0;  // word = PORT * 0
 
@@ -87,8 +88,8 @@ module engine_datapath #(
     wire [3:1] fresh;             // joints 1, 2 and 4 (by bits of DEST) never had a direction
     wire       never = chosen[12] ? fresh[3] : chosen[11] ? fresh[2] : fresh[1];
     wire       bound = chosen[7] && far && ROOTS != 0, lost = chosen[5] && none && ROOTS != 0;
-    wire       own = chosen[31:26] != 6'd0;  // MARGINS: HOLD writes the word of C, its register, once more
-    assign     skip_queue = {MARGINS != 0 ? lost && !never && !own : lost && !never, skips};
+    wire       own = chosen[31:26] != 6'd0;  // OWN: HOLD writes the word of C, its register, once more
+    assign     skip_queue = {OWN != 0 ? lost && !never && !own : lost && !never, skips};
     wire [3:0]  newer;  // PIPE 2: the register of A, B, C, D was written while it was read, out_word is its word
     wire        file1 = chosen[46:45] == 2'd0, file2 = !chosen[38];
     reg  [26:0] other1, other2;  // operands that come from no register
@@ -124,7 +125,7 @@ module engine_datapath #(
             a <= {bound && minus, bound || !chosen[9], 25'd0};
             b <= 27'h2000000;
         end
-        if (MARGINS != 0)
+        if (OWN != 0)
             if (lost && own && !never) begin
                 a <= 27'd0;
                 c <= newer[1] ? out_word : read_c;
@@ -197,15 +198,18 @@ module engine_datapath #(
                 .out_empty(empty));
             assign {far, minus, none, fresh} = {long, sign, unknown, first};
             assign whole = one;
-            assign out_status = {off, 1'b0, MARGINS != 0 ? held != 3'd0 || close : held != 3'd0, below || long};
+            assign out_status = {off, 1'b0, OWN != 0 ? held != 3'd0 || close : held != 3'd0, below || long};
             always @(posedge clk) begin
-                if (act[3])
+                if (SHARED != 0)  // any one is told
+                    below <= below || (act[3] ? sum[31] : act[6] && !low && !overs && long);
+                else if (act[3])
                     below <= sum[31];
                 if (act[4])
                     {unknown, one} <= {empty, low && power[0]};
-                if (act[5])
-                    held <= SHARED != 0 ? {2'd0, held[1] || none} : op[12] ? {none, held[2:1]}
-                            : op[11] ? {held[3], none, held[1]} : {held[3:2], none};
+                if (SHARED != 0)
+                    held <= {2'd0, held[1] || (act[5] ? none : MARGINS != 0 && nears && sum[31])};
+                else if (act[5])
+                    held <= op[12] ? {none, held[2:1]} : op[11] ? {held[3], none, held[1]} : {held[3:2], none};
                 if (act[6]) begin
                     long <= low ? long || wide : !sum[31] && sum[30:29] != 2'd0;
                     sign <= low && minus1 && !long;
@@ -238,7 +242,7 @@ module engine_datapath #(
                     else if (act[5] && !none && op[9])
                         undefined <= undefined & {!op[12], !op[11] || op[12], op[11] || op[12]};
             end
-            if (MARGINS != 0) begin : g_margins
+            if (OWN != 0) begin : g_margins
                 reg [3:1] closes;
                 assign close = closes != 3'd0;
                 always @(posedge clk)

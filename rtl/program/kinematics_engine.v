@@ -2,10 +2,10 @@
 // Kinematics coprocessor: it plays programs of equations that its user loads, on words of up to eight contexts.
 //   in_kind 0 WRITE a word, 1 READ a register, 2 RUN, 3 INFO, 4 LOAD, 5 LINE, 6 SEAL: rtl/program/README.md
 // Formats: words s2.25; a line is {last, in_op of product_engine}; a program is a header and lines. Every command has
-// one result. out_word: register in_at of in_context, 0 before its first run (LINE: another one). out_version, out_crc:
-// of the header at in_at; for INFO. out_refused: nothing was done. Latency: 2; LOAD, LINE, SEAL 67; RUN 6 + PIPE more
-// than lines are played, or 3. After a reset no program is loaded and no context has run; that takes 2^N clocks.
-// Status of RUN: unreachable, singular, no rotation (bit 3: a check of the program failed).
+// one result. out_word: register in_at of in_context, 0 before its first run (RUN, INFO, LINE: any). out_version,
+// out_crc: of the header at in_at; for INFO. out_refused: nothing was done. Latency: 2; LOAD, LINE, SEAL 67; RUN 6 +
+// PIPE more than lines are played, or 3. After a reset no program is loaded and no context has run; that takes 2^N
+// clocks. Status of RUN: unreachable, singular, no rotation (bit 3: a check of the program failed).
 // Model: kinematics_engine.kinematics_engine
 `default_nettype none
 module kinematics_engine #(
@@ -134,10 +134,7 @@ module kinematics_engine #(
             kind <= 3'd0;
         else if (take)
             kind <= in_kind;
-        if (rst)
-            bank <= {B{1'b0}};
-        else if (take)
-            bank <= in_context;
+        bank <= take ? in_context : sweep ? at[B-1:0] : bank;  // of each context register 0 becomes 0
         if (take) begin
             bad     <= next && !loading || in_kind == SEAL && !last;
         end else if (fault || lap && kind == SEAL && !good)
@@ -146,12 +143,12 @@ module kinematics_engine #(
 
     // Words that a line finds at a port, and the engine
     wire [26:0]         port;
-    wire [5:0]          a = live ? line[44:39] : at[5:0] & {6{known}};
+    wire [5:0]          a = live ? line[44:39] : {at[5:1], at[0] || kind[1]} & {6{known}};  // not 0 while lines end
     engine_words #(.N(6+B)) words (.clk(clk), .in_read({bank, a}), .in_at({bank, at[5:0]}),
         .in_store(begun && kind == WRITE), .in_word(data[26:0]), .out_word(port));
     /* verilator lint_off PINCONNECTEMPTY */
-    engine_datapath #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U), .CONTEXTS(CONTEXTS), .B(B)) engine (.clk(clk), .rst(rst),
-        .in_start(begun), .in_run(1'b1), .in_live(live && !head), .in_context(bank),
+    engine_datapath #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U), .MARGINS(1), .CONTEXTS(CONTEXTS), .B(B)) engine (
+        .clk(clk), .rst(rst), .in_start(begun), .in_run(1'b1), .in_live(live && !head), .in_context(bank),
         .in_forget(data[3] || !known), .in_op({line[46:45], a, line[38:0]}), .in_port(port), .in_signs(data[2:0]),
         .out_read(out_word), .out_word(), .out_dest(), .out_status(out_status));
     /* verilator lint_on PINCONNECTEMPTY */

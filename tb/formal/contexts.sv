@@ -99,12 +99,15 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
 
     reg        started;  // a reset has come
     reg        aged, old;   // a command has come a clock before this one, or earlier; two clocks
+    reg        nought, nought_before;  // register 0 of this context is 0
+    reg        hit;      // the sweep has written it
+    wire [B-1:0] wait0 = mine + 1'b1 - CLEAN[B-1:0];
     reg        same, same_before;  // register 0 of this context; between programs lines that do nothing write 0 there
     reg [3:0]  quiet;    // clocks since the last line or reset
     reg [6:0]  age;      // clocks since the last command has come
     wire take = in_valid && l_ready && !rst, me = \l.bank  == mine;
     wire served = aged && me;
-    initial {started, aged, old, same, same_before} = 5'b00011;
+    initial {started, aged, old, same, same_before, nought, nought_before} = 7'b0001100;
     always @(posedge clk) begin
         started     <= 1;
         aged        <= !rst && (\l.begun || aged && !take);
@@ -114,7 +117,9 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
         quiet       <= rst || \l.live ? 4'd0 : quiet == 4'd15 ? quiet : quiet + 4'd1;
         if ((\l.engine.file.in_write && \l.engine.file.in_at == {mine, 6'd0})
             || (\r.engine.file.in_write && \r.engine.file.in_at == {mine, 6'd0}))
-            same <= writes;
+            {same, nought} <= {writes, writes && \l.engine.file.in_write && \l.engine.file.in_word == 0};
+        nought_before <= nought;
+        hit           <= !rst && (hit || \l.sweep && \l.bank == mine && quiet >= CLEAN);
     end
 
     // they power up alike
@@ -163,7 +168,7 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
         assert (control && {\l.engine.chosen , \l.engine.ops } == {\r.engine.chosen , \r.engine.ops });
         if (me || \l.kind != 0 && \l.kind != 2) assert (\l.data == \r.data );
         if (\l.loading ) assert (\l.kind [2]);
-        if (\l.sweep ) assert (!\l.busy && !l_valid && \l.bank == 0 && \l.kind == 0 && \l.data == 0 && !aged
+        if (\l.sweep ) assert (!\l.busy && !l_valid && (\l.at == 0 || \l.bank == \l.at [B-1:0] - 1'b1) && \l.kind == 0 && \l.data == 0 && !aged
                                 && \l.engine.ops == 0 && quiet == (\l.at > 15 ? 15 : \l.at ));
         if (\l.begun || \l.entered || \l.live || \l.tail != 0) assert (\l.busy && !\l.sweep );
         if (\l.entered || \l.live || \l.tail != 0) assert (\l.kind == 2);
@@ -192,8 +197,14 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
                                         && {\l.engine.g_roots.check , \r.engine.g_roots.check } == 0);
         if (quiet >= CLEAN) assert ({\l.engine.out_word , \r.engine.out_word } == 0
                                     && {\l.engine.g_roots.beyond , \r.engine.g_roots.beyond } == 0);
-        // register 0
-        assert (same || \l.sweep && quiet < CLEAN && mine == 0);
+        // register 0: nobody reads the words that its lines, or a reset, have left there
+        assert (hit == (!\l.sweep || \l.at > CLEAN + wait0));
+        assert (nought || !hit || me && (\l.live || quiet < CLEAN));
+        assert (nought_before || quiet <= CLEAN || \l.sweep );
+        if (\l.tail >> 1 != 0) assert (\l.ran [\l.bank ]);
+        if (l_valid) assert (quiet > CLEAN || \l.kind == 2 && \l.ran [\l.bank ] && \l.engine.file.asked [5:0] != 0);
+        if (l_valid && me && \l.engine.file.asked [5:0] == 0) assert (nought_before);
+        assert (same || !hit);
         // where this context is served, flags and words are the same
         if (served) assert (flags && stages && aligned && asked);
         if (served && !old) assert (asks || PIPE != 0);

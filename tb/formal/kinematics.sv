@@ -30,8 +30,9 @@ module kinematics_engine_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
     (* hierconn *) wire [N-1:0] \dut.at ;
     (* hierconn *) wire [$clog2(CONTEXTS)-1:0] \dut.bank ;
     (* hierconn *) wire [5:0] \dut.a ;
-    (* hierconn *) wire [2+PIPE:0] \dut.engine.flight ;
+    (* hierconn *) wire [4+PIPE:0] \dut.engine.flight ;
     (* hierconn *) wire [$clog2(CONTEXTS)+5:0] \dut.engine.asked ;
+    (* hierconn *) wire [CONTEXTS-1:0] \dut.ran ;
     (* hierconn *) wire \dut.memory.mixed ;
     (* hierconn *) wire [49:0] \dut.memory.was ;
     (* hierconn *) wire [N-1:0] \dut.memory.asked ;
@@ -42,6 +43,8 @@ module kinematics_engine_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
     wire [N-1:0] spot = \dut.memory.spot , at = \dut.at ;
     wire [49:0]  kept = \dut.memory.kept ;
     wire [2:0]   kind = \dut.kind ;
+    wire [2+PIPE:0] flight = \dut.engine.flight [2+PIPE:0];
+    wire [1:0]   ending = \dut.engine.flight [4+PIPE:3+PIPE];  // register 0 changes once more, twice more
 
     reg  live, inside, waits, swept;
     reg  [83:0]  before;
@@ -71,13 +74,17 @@ module kinematics_engine_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
         if (waits) assert (result == before);
         assert (\dut.busy == (inside && !out_valid));
         // a result is of words that stand: addresses of before, nothing written, no line on its way
-        if (out_valid) assert (\dut.memory.asked == at && !\dut.memory.mixed && \dut.engine.flight == 0
+        if (out_valid) assert (\dut.memory.asked == at && !\dut.memory.mixed && flight == 0
                                && \dut.engine.asked == {\dut.bank , \dut.a });
-        if (!(\dut.busy && kind == 2)) assert (\dut.engine.flight == 0);
+        if (!(\dut.busy && kind == 2)) assert (flight == 0);
         if (\dut.busy && age != 0 && kind[2]) assert (\dut.memory.asked == at);
         if (\dut.busy && kind == 2 && tail != 0) assert (\dut.memory.asked == at || tail[0]);
         if (\dut.busy && kind == 2 && !\dut.live )
-            assert (tail != 0 ? (\dut.engine.flight & tail - 1) == 0 : \dut.engine.flight == 0);
+            assert (tail != 0 ? (flight & tail - 1) == 0 : flight == 0);
+        // meanwhile the result of a run is no register 0, and that of the next command is late enough
+        if (tail >> 1 != 0 || out_valid && kind == 2 && ending != 0) assert (\dut.ran [owner]);
+        if (out_valid && kind != 2 || \dut.entered || \dut.busy && kind[2] && !\dut.begun ) assert (ending == 0);
+        if (!inside || \dut.begun ) assert (!ending[0]);
         // where a command is
         if (inside) assert (\dut.bank == owner);
         assert (\dut.begun == (\dut.busy && age == 0));
@@ -127,7 +134,7 @@ module engine_lines #(parameter N = 10) (
 endmodule
 
 // Words and flags of any value, the same as long as nothing is played
-module engine_datapath #(parameter PIPE = 0, ROOTS = 1, WRIST = 12, SLACK = 13, CONTEXTS = 1, B = 1) (
+module engine_datapath #(parameter PIPE = 0, ROOTS = 1, WRIST = 12, SLACK = 13, MARGINS = 0, CONTEXTS = 1, B = 1) (
     input clk, rst, in_start, in_run, in_live, input [B-1:0] in_context, input in_forget, input [46:0] in_op,
     input [26:0] in_port, input [2:0] in_signs, output [26:0] out_read, out_word, output [5:0] out_dest,
     output [3:0] out_status
@@ -135,7 +142,7 @@ module engine_datapath #(parameter PIPE = 0, ROOTS = 1, WRIST = 12, SLACK = 13, 
     (* anyseq *) wire [26:0] read, word;
     (* anyseq *) wire [5:0] dest;
     (* anyseq *) wire [3:0] status;
-    reg [2+PIPE:0] flight;  // lines whose word or flag is to come
+    reg [4+PIPE:0] flight;  // lines whose word or flag is to come, and two that then write register 0
     reg [B+5:0] asked;
     reg [26:0] read_before;
     reg [3:0] status_before;
@@ -144,8 +151,8 @@ module engine_datapath #(parameter PIPE = 0, ROOTS = 1, WRIST = 12, SLACK = 13, 
     always @(posedge clk) begin
         flight <= rst ? 0 : {flight, in_live};
         asked <= {in_context, in_op[44:39]};
-        same <= asked == {in_context, in_op[44:39]} && flight == 0 && !in_live;
-        still <= !in_start && flight == 0 && !in_live;
+        same <= asked == {in_context, in_op[44:39]} && (asked[5:0] == 0 ? flight : flight[2+PIPE:0]) == 0 && !in_live;
+        still <= !in_start && flight[2+PIPE:0] == 0 && !in_live;
         {read_before, status_before} <= {out_read, out_status};
     end
     assign {out_read, out_word, out_dest, out_status} = {read, word, dest, status};

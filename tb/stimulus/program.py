@@ -22,7 +22,8 @@ def sealed(lines: list[int], version: int) -> dict:
 def wild(rng: np.random.Generator, count: int) -> list[int]:
     """Lines of any fields, most of them legal alone; words of a kind follow one another, so that flags meet."""
     acts = [0, 0, 0, *(1 << i for i in range(9)), product_engine.FOLD | product_engine.WRIST,
-            product_engine.FOLD | product_engine.ABOVE, product_engine.HOLD | product_engine.CHECK]
+            product_engine.FOLD | product_engine.ABOVE, product_engine.HOLD | product_engine.CHECK,
+            product_engine.CHECK | product_engine.WRIST, product_engine.CHECK | product_engine.FAR]
     factors = [0, 1, 2, 3, 8, 16, 24, 4, 32, 36]
     found = []
     for _ in range(count):
@@ -84,8 +85,9 @@ def wrong(core: Core, rng: np.random.Generator) -> list[Command]:
 
 
 def real(core: Core, rng: np.random.Generator) -> list[Command]:
-    """The six-axis programs that fit, one context an arm, in turn."""
-    names = [name for name, bits in (("vector_fk6", 6), ("vector_ik6", 8)) if core.params["N"] >= bits]
+    """Programs of six axes that fit, one context an arm, in turn."""
+    names = [name for name, bits in (("vector_fk6", 6), ("vector_ik6", 8), ("vector_ur_ik", 10))
+             if core.params["N"] >= bits]
     at, commands, images = 0, [], []
     for name in names:
         one = image.image(assembler.assembled(RTL / "program" / f"{name}.kin", core.params["PIPE"]), at, at)
