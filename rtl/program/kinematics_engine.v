@@ -31,8 +31,8 @@ module kinematics_engine #(
     output wire [3:0]                  out_status
 );
     generate
-        if (N < 6 || N > 12 || CONTEXTS != 2 && CONTEXTS != 4 && CONTEXTS != 8 || U < 8 || U > 18 || PIPE < 0
-            || PIPE > 2) begin : g_illegal
+        if (N < 6 || N > 12 || CONTEXTS < 2 || CONTEXTS > 8 || 1 << $clog2(CONTEXTS) != CONTEXTS || U < 8 || U > 18
+            || PIPE < 0 || PIPE > 2) begin : g_illegal
             kinematics_engine_needs_N_from_6_to_12_and_CONTEXTS_of_2_4_or_8_and_U_from_8_to_18_and_PIPE_from_0_to_2
                 rule ();
         end
