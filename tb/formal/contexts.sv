@@ -101,6 +101,9 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
     reg        aged, old;   // a command has come a clock before this one, or earlier; two clocks
     reg        nought, nought_before;  // register 0 of this context is 0
     reg        hit;      // the sweep has written it
+    reg        ran;      // a run of this context has ended since the last reset
+    (* hierconn *) wire \l.engine.in_forget ;
+    (* hierconn *) wire [46:0] \l.engine.in_op ;
     wire [B-1:0] wait0 = mine + 1'b1 - CLEAN[B-1:0];
     reg        same, same_before;  // register 0 of this context; between programs lines that do nothing write 0 there
     reg [3:0]  quiet;    // clocks since the last line or reset
@@ -119,6 +122,7 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
             || (\r.engine.file.in_write && \r.engine.file.in_at == {mine, 6'd0}))
             {same, nought} <= {writes, writes && \l.engine.file.in_write && \l.engine.file.in_word == 0};
         nought_before <= nought;
+        ran           <= !rst && (ran || me && \l.tail [0]);
         hit           <= !rst && (hit || \l.sweep && \l.bank == mine && quiet >= CLEAN);
     end
 
@@ -197,6 +201,10 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
                                         && {\l.engine.g_roots.check , \r.engine.g_roots.check } == 0);
         if (quiet >= CLEAN) assert ({\l.engine.out_word , \r.engine.out_word } == 0
                                     && {\l.engine.g_roots.beyond , \r.engine.g_roots.beyond } == 0);
+        // directions are held, and registers read, where a run of this context has been, whatever others have run
+        assert (\l.ran [mine] == ran);
+        if (me) assert (\l.engine.in_forget == (\l.data [3] || !ran));
+        if (me && !\l.live && !ran) assert (\l.engine.in_op [44:39] == 0);
         // register 0: nobody reads the words that its lines, or a reset, have left there
         assert (hit == (!\l.sweep || \l.at > CLEAN + wait0));
         assert (nought || !hit || me && (\l.live || quiet < CLEAN));

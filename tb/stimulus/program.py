@@ -80,12 +80,14 @@ def wrong(core: Core, rng: np.random.Generator) -> list[Command]:
         found += [*whole, look, play, *load, look, play]
     found += [*whole, (SEAL, 0, 20, header), look, *whole, (RUN, 1, 21, 0), (RUN, 2 % core.params["CONTEXTS"], 20, 0)]
     found += [*whole, *image.load(two, 23), play, (RUN, 1, 23, 0), look]  # the second lies in the first one's lines
-    found += [*image.load(two, end - 2), (RUN, 0, end - 2, 0), (INFO, 0, end - 2, 0)]  # around the end of memory
+    for start in (end - 2, end - 4):  # around the end of memory
+        found += [*image.load(two, start), *words(rng, 0, 8), (RUN, 0, start, 0), (INFO, 0, start, 0)]
+        found += [(READ, 0, register, 0) for register in range(8)]
     return found + [(7, 0, 0, ENDS), (LOAD, 0, 3, 0), (SEAL, 0, 3, 0), (RUN, 0, 3, 0)]
 
 
 def real(core: Core, rng: np.random.Generator) -> list[Command]:
-    """Programs of six axes that fit, one context an arm, in turn."""
+    """Programs of six axes that fit: first runs without a direction in every context, then an arm each, in turn."""
     names = [name for name, bits in (("vector_fk6", 6), ("vector_ik6", 8), ("vector_ur_ik", 10))
              if core.params["N"] >= bits]
     at, commands, images = 0, [], []
@@ -94,6 +96,9 @@ def real(core: Core, rng: np.random.Generator) -> list[Command]:
         commands += image.load(one)
         images.append(one)
         at += len(one["lines"]) + 1
+    for context in range(core.params["CONTEXTS"]):
+        none = {port["name"]: 0 for port in one["inputs"] if "word" not in port}
+        commands += [*image.inputs(one, context, none), image.run(one, context), *image.outputs(one, context)]
     for turn in range(4):
         for one in images:
             context = int(rng.integers(0, core.params["CONTEXTS"]))
@@ -108,4 +113,4 @@ def real(core: Core, rng: np.random.Generator) -> list[Command]:
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Commands in an order that means something; status bits come with random lines."""
     rng = np.random.default_rng(1)
-    return image.columns([*wrong(core, rng), *fuzz(core, rng, 24), *real(core, rng)])
+    return image.columns([*real(core, rng), *wrong(core, rng), *fuzz(core, rng, 24)])
