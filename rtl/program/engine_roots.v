@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Normalisation and reciprocal root for product_engine.
-//   in_first, in_more: the magnitude in_fold alone, or ORed with those before; in_wrist: only its bits from WRIST on
+//   in_first, in_more: the magnitude in_fold alone, or ORed with those before; in_wrist: only its bits from WRIST on;
+//   in_clear: none
 //   out_power = 2^s brings the leading one of them to bit 25; out_four = 2^(2 j) and out_twice = 2^(j + 1), with
 //   j = (s - 1) / 2 toward 0, bring a word to [1/4, 1) and its root back; without any bit all are 0, out_empty 1
 //   in_read: 1 / sqrt(in_q) = out_w out_slope / 2^36 one clock later, held; in_q u2.18 from 1/4 to 2
@@ -17,6 +18,7 @@ module engine_roots #(
     input  wire        in_none,
     input  wire [25:0] in_fold,
     input  wire        in_read,
+    input  wire        in_clear,
     input  wire [19:0] in_q,
     output reg  [20:0] out_w,
     output wire [19:0] out_slope,
@@ -32,8 +34,8 @@ module engine_roots #(
         for (i = 0; i < 26; i = i + 1)
             turned[25-i] = in_fold[i] && (i >= WRIST || !in_wrist);
     always @(posedge clk) begin
-        if (in_first || in_more)
-            seen <= in_none ? 26'd0 : in_first ? turned : seen | turned;
+        if (in_first || in_more || in_clear)
+            seen <= in_none || in_clear ? 26'd0 : in_first ? turned : seen | turned;
     end
     assign out_power = seen & (~seen + 26'd1);
     assign out_empty = out_power == 26'd0;

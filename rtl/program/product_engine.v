@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums of two products, one line a clock, on a register file of 64 words, for programs that engine_program plays.
 //   word = A B [+- C D] [+ the sum before] rounded to 2^-25, written to DEST; a single product may be shifted
-// A line reads in one clock, selects its operands in the next, multiplies in PIPE more and computes in the next. When
-// its word can be used: rtl/program/README.md, as in_op {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}.
+// When a word can be used: rtl/program/README.md, as in_op {A 8, B 7, C 6, D 6, SUM 2, KEEP 1, ALIGN 2, DEST 6, ACT 9}.
 // Formats: words s2.25; sum s4.28, it wraps; products truncated to 2^-28. in_port: word of a PORT operand, one clock
 // after its line. in_signs: BACK, DOWN, FLIP use the complement of SLOPE. in_run: the program is not idle; without it
 // only registers are written. out_word, out_dest: word of the line before, and its register, 0 for none. out_status:
 // unreachable and singular as the last ABOVE, FAR and HOLD lines found them; bit 3 a failed CHECK since in_start.
-// The register file is stored four times, for four reads a clock. Models: product_engine.dot, .unit, .root
+// Models: product_engine.dot, .unit, .root
 `default_nettype none
 module product_engine #(
     parameter PIPE = 0,      // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 27 x 17 bits too
@@ -24,7 +23,7 @@ module product_engine #(
     input  wire [46:0] in_op,
     input  wire [26:0] in_port,
     input  wire [2:0]  in_signs,
-    output reg  [26:0] out_word,
+    output wire [26:0] out_word,
     output wire [5:0]  out_dest,
     output wire [3:0]  out_status
 );
@@ -34,255 +33,11 @@ module product_engine #(
         end
     endgenerate
 
-    reg  [46:0]         chosen;  // the line whose operands are selected
-    reg  [19*PIPE+18:0] ops;     // fields of the lines whose operands were selected, 19 bits each, the oldest lowest
-    wire [19*PIPE+37:0] queue = {chosen[18:0], ops};
-    wire [18:0]         op = ops[18:0];  // fields of the line that computes
-    reg  [5:0]          written;
-    assign      out_dest = written & {6{in_run}};
-    wire [8:0]  act = op[8:0] & {9{ROOTS != 0 && in_run}};
-    wire [5:0]  dest = op[14:9];
-    wire        low = op[15] && ROOTS != 0, mid = op[16] && ROOTS != 0, keep = op[17], subtract = op[18];
-
-    // Register file; no line reads a register in the clock in which it is written
-    (* no_rw_check *) reg [26:0] file_a[0:63];
-    (* no_rw_check *) reg [26:0] file_b[0:63];
-    (* no_rw_check *) reg [26:0] file_c[0:63];
-    (* no_rw_check *) reg [26:0] file_d[0:63];
-    reg  [26:0] read_a, read_b, read_c, read_d;
-    wire [26:0]     word;
-    reg  [PIPE:0]   skips;  // as ops
-    wire            skip = skips[0];  // the register keeps its word
-    wire [PIPE+1:0] skip_queue;
-    always @(posedge clk) begin
-        read_a <= file_a[in_op[44:39]];
-        read_b <= file_b[in_op[37:32]];
-        read_c <= file_c[in_op[31:26]];
-        read_d <= file_d[in_op[25:20]];
-        if (!skip) begin
-            file_a[dest] <= word;
-            file_b[dest] <= word;
-            file_c[dest] <= word;
-            file_d[dest] <= word;
-        end
-    end
-
-    // Operands: A is a register, PORT, LAST or the table's W; B a register, the table's SLOPE or its complement, a
-    // power of two, 0 or +-1
-    wire [20:0] w;
-    wire [19:0] slope;
-    wire [25:0] power, four;
-    wire [13:0] twice;
-    wire        whole;  // the root's argument is 1.0: its double wraps to -2.0, so the slope's sign turns as well
-    wire        turned = (chosen[36:35] == 2'd1 && in_signs[0] || chosen[36:35] == 2'd2 && in_signs[1]
-                      || chosen[36:35] == 2'd3 && in_signs[2]) ^ whole;
-    wire       far, minus, none;  // outcome of FAR and of ROOT, known two lines later
-    wire [3:1] fresh;             // joints 1, 2 and 4 (by bits of DEST) never had a direction
-    wire       never = chosen[12] ? fresh[3] : chosen[11] ? fresh[2] : fresh[1];
-    wire       bound = chosen[7] && far && ROOTS != 0, lost = chosen[5] && none && ROOTS != 0;
-    wire        own = chosen[31:26] != 6'd0;  // MARGINS: HOLD writes the word of C, its register, once more
-    assign      skip_queue = {MARGINS != 0 ? lost && !never && !own : lost && !never, skips};
-    wire [3:0]  newer;  // PIPE 2: the register of A, B, C, D was written while it was read, out_word is its word
-    wire        file1 = chosen[46:45] == 2'd0, file2 = !chosen[38];
-    reg  [26:0] other1, other2;  // operands that come from no register
-    always @* begin
-        case (chosen[46:45])
-            2'd1: other1 = in_port;
-            2'd2: other1 = word;
-            default: other1 = {6'd0, w};
-        endcase
-        other2 = chosen[37] ? {chosen[34], 26'h2000000} : 27'd0;
-        if (!chosen[37] && !chosen[34] && ROOTS != 0)
-            case (chosen[33:32])
-                2'd0: other2 = {7'd0, slope} ^ {27{turned}};
-                2'd1: other2 = {1'b0, power};
-                2'd2: other2 = {1'b0, four};
-                default: other2 = {13'd0, twice};
-            endcase
-    end
-
-    // The output of a memory is late: where clocks are short it passes one gate
-    reg  [26:0] a, b, c, d;
-    always @(posedge clk) begin
-        if (PIPE < 2) begin
-            a <= file1 ? read_a : other1;
-            b <= file2 ? read_b : other2;
-        end else begin
-            a <= read_a & {27{file1 && !newer[3]}} | (file1 ? out_word & {27{newer[3]}} : other1);
-            b <= read_b & {27{file2 && !newer[2]}} | (file2 ? out_word & {27{newer[2]}} : other2);
-        end
-        c <= chosen[19] ? newer[1] ? out_word : read_c : 27'd0;  // 0: a single product
-        d <= chosen[19] ? newer[0] ? out_word : read_d : 27'd0;
-        if (bound || lost && never) begin  // +-1 times 1 out of reach; (1, 0) for a direction that was never defined
-            a <= {bound && minus, bound || !chosen[9], 25'd0};
-            b <= 27'h2000000;
-        end
-        if (MARGINS != 0)
-            if (lost && own && !never) begin
-                a <= 27'd0;
-                c <= newer[1] ? out_word : read_c;
-                d <= 27'h2000000;
-            end
-        skips <= skip_queue[PIPE+1:1];
-    end
-
-    generate
-        if (PIPE == 2) begin : g_through
-            reg [3:0] through;
-            assign newer = through;
-            always @(posedge clk)
-                through <= {in_op[44:39] == dest, in_op[37:32] == dest, in_op[31:26] == dest, in_op[25:20] == dest}
-                           & {4{!skip}};
-        end else begin : g_stored
-            assign newer = 4'd0;
-        end
-    endgenerate
-
-    reg  [31:0]        kept;  // the sum of the line before, or half a unit of a word
-    /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [53:0] product1, product2;
-    /* verilator lint_on UNUSEDSIGNAL */
-    wire [31:0]        sum;
-    wire               outside, minus1;  // a LOW product is beyond +-1, below 0
-    wire [19:0]        argument;        // of a root
-    generate
-        case (PIPE)
-            0: begin : g_product
-                assign product1 = $signed(a) * $signed(b);
-                assign product2 = $signed(c) * $signed(d);
-            end
-            1: begin : g_registered
-                reg signed [53:0] p1, p2;
-                assign {product1, product2} = {p1, p2};
-                always @(posedge clk) begin
-                    p1 <= $signed(a) * $signed(b);
-                    p2 <= $signed(c) * $signed(d);
-                end
-            end
-            default: begin : g_partial
-                reg signed [44:0] low1, low2;
-                reg signed [36:0] high1, high2;
-                wire       [36:0] top1 = high1 + {{9{low1[44]}}, low1[44:17]};
-                wire       [36:0] top2 = high2 + {{9{low2[44]}}, low2[44:17]};
-                assign product1 = {top1, low1[16:0]};
-                assign product2 = {top2, low2[16:0]};
-                always @(posedge clk) begin
-                    low1  <= $signed(a) * $signed({1'b0, b[16:0]});
-                    high1 <= $signed(a) * $signed(b[26:17]);
-                    low2  <= $signed(c) * $signed({1'b0, d[16:0]});
-                    high2 <= $signed(c) * $signed(d[26:17]);
-                end
-            end
-        endcase
-        if (PIPE < 2) begin : g_three
-            assign sum      = product1[53:22] + (product2[53:22] ^ {32{subtract}}) + kept;
-            assign word     = low ? product1[26:0] : mid ? product1[38:12] : sum[29:3];
-            assign outside  = product1[53:25] != {29{product1[53]}};
-            assign minus1   = product1[53];
-            assign argument = low ? product1[26:7] : sum[31:12];
-        end else begin : g_two  // the products are aligned and added before the register, one clock before the sum
-            reg  [31:0] both;
-            reg         wide, negative;
-            wire        low1 = queue[34] && ROOTS != 0, mid1 = queue[35] && ROOTS != 0, subtract1 = queue[37];
-            wire [31:0] added = product1[53:22] + (product2[53:22] ^ {32{subtract1}});
-            assign sum      = both + kept;
-            assign word     = sum[29:3];
-            assign outside  = wide;
-            assign minus1   = negative;
-            assign argument = low ? sum[29:10] : sum[31:12];
-            always @(posedge clk) begin
-                both     <= low1 ? {2'd0, product1[26:0], 3'd0} : mid1 ? {2'd0, product1[38:12], 3'd0} : added;
-                wide     <= product1[53:25] != {29{product1[53]}};
-                negative <= product1[53];
-            end
-        end
-    endgenerate
-
-    wire [25:0] fold = word[25:0] ^ {26{word[26]}};
-    generate
-        if (ROOTS != 0) begin : g_roots
-            wire       empty;
-            wire       wide = low && outside;  // the word is beyond +-1
-            wire       ask;                    // a root is looked up
-            wire [19:0] q;
-            reg        long, below, sign, unknown, check, beyond, off, one;
-            reg  [3:1] first, held;
-            wire       nears = act[8] && act[2], overs = act[8] && act[6];  // with MARGINS
-            wire       close;  // NEAR found a direction close to one that is undefined
-            engine_roots #(.WRIST(WRIST)) roots (.clk(clk), .in_first(act[0]), .in_more(act[1]), .in_wrist(act[2]),
-                .in_none(act[3] && sum[31]), .in_fold(fold), .in_read(ask), .in_q(q),
-                .out_w(w), .out_slope(slope), .out_power(power), .out_four(four), .out_twice(twice),
-                .out_empty(empty));
-            assign {far, minus, none, fresh} = {long, sign, unknown, first};
-            assign whole = one;
-            assign out_status = {off, 1'b0, MARGINS != 0 ? held != 3'd0 || close : held != 3'd0, below || long};
-            always @(posedge clk) begin
-                if (act[3])
-                    below <= sum[31];
-                if (act[4])
-                    {unknown, one} <= {empty, low && power[0]};
-                if (act[5])
-                    held <= op[12] ? {none, held[2:1]} : op[11] ? {held[3], none, held[1]} : {held[3:2], none};
-                if (act[5] && !none && op[9])
-                    first <= first & {!op[12], !op[11] || op[12], op[11] || op[12]};
-                if (act[6]) begin
-                    long <= low ? long || wide : !sum[31] && sum[30:29] != 2'd0;
-                    sign <= low && minus1 && !long;
-                end
-                if (QUOTIENTS != 0)
-                    if (in_start)
-                        long <= 1'b0;
-                if (MARGINS != 0)
-                    if (overs) begin  // a clamp at -1 is told by itself, one at 1 by this sum
-                        long <= long && sign || sum[31];
-                        sign <= sign;
-                    end
-                check  <= MARGINS != 0 ? act[8] && !nears && !overs : act[8];
-                beyond <= sum[31:29] != {3{sum[31]}};  // the word has wrapped, maybe to 0
-                off    <= !in_start && (off || in_run && check
-                                        && (beyond || (out_word[25:SLACK] ^ {26-SLACK{out_word[26]}}) != 0));
-                if (rst)
-                    {first, held, below, long} <= {3'b111, 5'd0};  // flags of acts that a program has not are 0
-            end
-            if (MARGINS != 0) begin : g_margins
-                reg [3:1] closes;
-                assign close = closes != 3'd0;
-                always @(posedge clk)
-                    if (rst)
-                        closes <= 3'd0;
-                    else if (nears)
-                        closes <= op[12] ? {sum[31], closes[2:1]} : op[11] ? {closes[3], sum[31], closes[1]}
-                                  : {closes[3:2], sum[31]};
-            end else begin : g_exact
-                assign close = 1'b0;
-            end
-            if (PIPE == 0) begin : g_asked
-                reg        read;
-                reg [19:0] held_q;
-                assign {ask, q} = {read, held_q};
-                always @(posedge clk) begin
-                    held_q <= argument;
-                    read   <= act[4];
-                end
-            end else begin : g_asks  // the memory registers its address
-                assign {ask, q} = {act[4], argument};
-            end
-        end else begin : g_sums
-            assign {w, slope, power, four, twice} = 107'd0;
-            assign {far, minus, none, fresh} = 6'd0;
-            assign whole = 1'b0;
-            assign out_status = 4'd0;
-        end
-    endgenerate
-
-    always @(posedge clk) begin
-        chosen   <= rst ? 47'd0 : in_op;
-        ops      <= rst ? {(19*PIPE+19){1'b0}} : queue[19*PIPE+37:19];
-        kept     <= keep ? sum : 32'd4;
-        out_word <= word;
-        written  <= skip ? 6'd0 : dest;
-    end
-    wire unused = &{1'b0, in_start, in_signs, act, fold, low, mid, subtract, outside, minus1, argument, chosen, queue,
-        skip_queue, own};
+    /* verilator lint_off PINCONNECTEMPTY */
+    engine_datapath #(.PIPE(PIPE), .ROOTS(ROOTS), .WRIST(WRIST), .SLACK(SLACK), .MARGINS(MARGINS),
+        .QUOTIENTS(QUOTIENTS)) datapath (.clk(clk), .rst(rst), .in_start(in_start), .in_run(in_run), .in_live(1'b1),
+        .in_context(1'b0), .in_forget(1'b0), .in_op(in_op), .in_port(in_port), .in_signs(in_signs), .out_read(),
+        .out_word(out_word), .out_dest(out_dest), .out_status(out_status));
+    /* verilator lint_on PINCONNECTEMPTY */
 endmodule
 `default_nettype wire

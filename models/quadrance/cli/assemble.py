@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 from quadrance.cli.catalogue import Refused
 from quadrance.program import assembler, ranges, table
+from quadrance.program import image as images
 from quadrance.program.assembler import Assembled
 from quadrance.program.language import Wrong
 from quadrance.program.parser import load
@@ -54,3 +56,21 @@ def write(one: Assembled, text: str) -> list[Path]:
         except OSError as error:
             raise Refused(f"{path} cannot be written: {error.strerror}") from None
     return list(paths)
+
+
+def image(one: Assembled, path: Path, start: int, version: int) -> dict:
+    """Write the image of a program for kinematics_engine.
+
+    Raises
+    ------
+    Refused
+        Where it can have none, or the file cannot be written.
+    """
+    try:
+        made = images.image(one, start, version)
+        path.write_text(json.dumps(made, indent=1) + "\n")
+    except Wrong as error:
+        raise Refused(str(error)) from None
+    except OSError as error:
+        raise Refused(f"{path} cannot be written: {error.strerror}") from None
+    return made

@@ -1,0 +1,116 @@
+"""Corners of rtl/program: programs that are sound, cut, wrong or any bits at all, in contexts that take turns."""
+
+from __future__ import annotations
+
+import numpy as np
+from quadrance.cores import RTL, Core
+from quadrance.kinematics_engine import ENDS, INFO, LINE, LOAD, READ, RUN, SEAL, WRITE
+from quadrance.program import assembler, image, product_engine
+
+from tb.lib.stimulus import Vectors
+
+Command = image.Command
+
+
+def sealed(lines: list[int], version: int) -> dict:
+    """The image of any lines, the last one marked."""
+    lines = [*lines[:-1], lines[-1] | ENDS]
+    check = image.binascii.crc_hqx(version.to_bytes(4, "big"), image.crc(lines))
+    return {"start": 0, "header": f"{version << 16 | check:012x}", "lines": [f"{word:012x}" for word in lines]}
+
+
+def wild(rng: np.random.Generator, count: int) -> list[int]:
+    """Lines of any fields, most of them legal alone; words of a kind follow one another, so that flags meet."""
+    acts = [0, 0, 0, *(1 << i for i in range(9)), product_engine.FOLD | product_engine.WRIST,
+            product_engine.FOLD | product_engine.ABOVE, product_engine.HOLD | product_engine.CHECK,
+            product_engine.CHECK | product_engine.WRIST, product_engine.CHECK | product_engine.FAR]
+    factors = [0, 1, 2, 3, 8, 16, 24, 4, 32, 36]
+    found = []
+    for _ in range(count):
+        if rng.random() < 0.1:
+            found.append(int(rng.integers(0, ENDS)))
+            continue
+        by, single = rng.random() < 0.6, rng.random() < 0.6
+        align = 0 if not single else int(rng.integers(0, 3))
+        word = int(rng.integers(0, 4)) << 6 | int(rng.integers(0, 8))
+        word = word << 7 | (64 | int(rng.choice(factors)) if by else int(rng.integers(0, 8)))
+        word = word << 12 | int(rng.integers(0, 8)) << 6 | int(rng.integers(0, 8))
+        word = word << 2 | (0 if single else int(rng.integers(2, 4)))
+        word = word << 1 | int(rng.random() < 0.15)
+        word = word << 2 | align
+        word = word << 6 | int(rng.integers(0, 8))
+        found.append(word << 9 | int(rng.choice(acts)))
+    return found
+
+
+def words(rng: np.random.Generator, context: int, count: int) -> list[Command]:
+    """Any words at the ports, also short ones and 0."""
+    values = rng.integers(-(1 << 26), 1 << 26, count) >> rng.choice([0, 0, 1, 3, 12, 27], count)
+    return [(WRITE, context, at, int(value) & (1 << 27) - 1) for at, value in enumerate(values)]
+
+
+def fuzz(core: Core, rng: np.random.Generator, programs: int) -> list[Command]:
+    """Programs of any lines, played in all contexts in turn, with every register read."""
+    commands, contexts = [], core.params["CONTEXTS"]
+    for number in range(programs):
+        one = sealed(wild(rng, int(rng.integers(4, 25))), number)
+        at = int(rng.integers(0, 1 << core.params["N"]))
+        commands += image.load(one, at)
+        for context in rng.permutation(contexts)[:2].tolist() * 2:
+            commands += words(rng, context, 8)
+            commands.append((RUN, context, at, int(rng.integers(0, 16))))
+            commands += [(READ, context, register, 0) for register in range(8)]
+    return commands
+
+
+def wrong(core: Core, rng: np.random.Generator) -> list[Command]:
+    """Loads that must be refused, programs that meet one another, runs of nothing."""
+    end = (1 << core.params["N"]) - 1
+    one, two = sealed(wild(rng, 6), 7), sealed(wild(rng, 5), 9)
+    whole, header = image.load(one, 20), int(one["header"], 16)
+    look, play = (INFO, 0, 20, 0), (RUN, 1, 20, 0)
+    cut = [whole[0], *whole[1:4], whole[-1]]                    # lines are missing
+    short = [*whole[:-2], whole[-1]]                            # the last one is missing
+    open_ended = [*image.load(sealed(wild(rng, 4), 1) | {"lines": one["lines"][:4]}, 20)]
+    bent = [*whole[:2], (LINE, 0, 0, whole[2][3] ^ 1 << 30), *whole[3:]]  # a bit is wrong
+    false = [*whole[:-1], (SEAL, 0, 20, header ^ 1)]            # the CRC is wrong
+    between = [*whole[:4], (READ, 0, 3, 0), *whole[4:]]
+    found = [play, look, (SEAL, 0, 20, header), (LINE, 0, 0, 5)]
+    for load in (cut, short, open_ended, bent, false, between):
+        found += [*whole, look, play, *load, look, play]
+    found += [*whole, (SEAL, 0, 20, header), look, *whole, (RUN, 1, 21, 0), (RUN, 2 % core.params["CONTEXTS"], 20, 0)]
+    found += [*whole, *image.load(two, 23), play, (RUN, 1, 23, 0), look]  # the second lies in the first one's lines
+    for start in (end - 2, end - 4):  # around the end of memory
+        found += [*image.load(two, start), *words(rng, 0, 8), (RUN, 0, start, 0), (INFO, 0, start, 0)]
+        found += [(READ, 0, register, 0) for register in range(8)]
+    return found + [(7, 0, 0, ENDS), (LOAD, 0, 3, 0), (SEAL, 0, 3, 0), (RUN, 0, 3, 0)]
+
+
+def real(core: Core, rng: np.random.Generator) -> list[Command]:
+    """Programs of six axes that fit: first runs without a direction in every context, then an arm each, in turn."""
+    names = [name for name, bits in (("vector_fk6", 6), ("vector_ik6", 8), ("vector_ur_ik", 10))
+             if core.params["N"] >= bits]
+    at, commands, images = 0, [], []
+    for name in names:
+        one = image.image(assembler.assembled(RTL / "program" / f"{name}.kin", core.params["PIPE"]), at, at)
+        commands += image.load(one)
+        images.append(one)
+        at += len(one["lines"]) + 1
+    for context in range(core.params["CONTEXTS"]):
+        none = {port["name"]: 0 for port in one["inputs"] if "word" not in port}
+        commands += [*image.inputs(one, context, none), image.run(one, context), *image.outputs(one, context)]
+    for turn in range(4):
+        for one in images:
+            context = int(rng.integers(0, core.params["CONTEXTS"]))
+            size = 0.05 if turn == 2 else 0.5
+            values = {port["name"]: int(rng.integers(-1, 2) * rng.uniform(0, size) * 2**25) for port in one["inputs"]
+                      if "word" not in port}
+            commands += [*image.inputs(one, context, values), image.run(one, context, turn, turn == 3),
+                         *image.outputs(one, context)]
+    return commands
+
+
+def corners(core: Core, cfg: dict[str, int]) -> Vectors:
+    """Commands in an order that means something; status bits come with random lines."""
+    rng = np.random.default_rng(1)
+    return image.columns([*real(core, rng), *wrong(core, rng), *fuzz(core, rng, 24)])
