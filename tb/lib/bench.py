@@ -105,7 +105,8 @@ async def corners_back_to_back(dut):
     """
     bench = await _fresh(dut)
     configs = stimulus.configs(CORE, _rng())
-    count = min(max(CLOCKS // (len(configs) * max(II, 10)), 3), 120)  # of each; the bulk run takes all of them
+    few = 3 if II <= 100 else 2  # of each at least; the bulk run takes all of them
+    count = min(max(CLOCKS // (len(configs) * max(II, 10)), few), 120)
     for index, cfg in enumerate(configs):
         bench.configure(cfg)
         words = _cut(stimulus.corners(CORE, cfg), count)

@@ -29,7 +29,7 @@ CONFIGS = 4  # beside the first one that meet resets; fewer of a core of many cl
 IN_ORDER = 128  # samples
 # The tests of tb/lib/bench.py that a core runs in the second simulator, Verilator, too: what its bulk runs have less of
 AGAIN = r"\.(idle_and_back_pressure|stalled_output_loses_nothing)$"
-STARTS = 16  # different ones, for each is a run of the model
+STARTS, FEWER = 16, 6  # different ones, for each is a run of the model; fewer where a sample takes many iterations
 
 
 def simulators() -> list[str]:
@@ -76,11 +76,11 @@ def _rounds(core: Core, rng: np.random.Generator) -> np.ndarray:
 
 
 def _starts(core: Core, cfg: dict[str, int], corners: stimulus.Vectors, rng: np.random.Generator) -> np.ndarray:
-    """(STARTS, MEMORY) corners to follow a reset: the first one and half of the others without a direction, where
+    """(starts, MEMORY) corners to follow a reset: the first one and half of the others without a direction, where
     there are such, so that they show what is held. Where samples build on each other, half of the starts are in order.
     """
     size = next(iter(corners.values())).size
-    picks = rng.integers(0, size, (STARTS, MEMORY))
+    picks = rng.integers(0, size, (STARTS if core.latency else FEWER, MEMORY))
     if core.status and "singular" in core.status:
         none = np.flatnonzero(bulk.expected(core, corners, cfg)["out_status"] & 2)
         if none.size:
@@ -98,7 +98,7 @@ def reset_run(core: Core, cfg: dict[str, int], seed: int, built: Core | None = N
     rounds, corners = _rounds(core, rng), stimulus.corners(core, cfg)
     starts = [{name: words[pick] for name, words in corners.items()} for pick in _starts(core, cfg, corners, rng)]
     answers = [bulk.expected(core, start, cfg) for start in starts]
-    which = rng.integers(0, STARTS, len(rounds))
+    which = rng.integers(0, len(starts), len(rounds))
 
     def follow(parts: list[stimulus.Vectors]) -> stimulus.Vectors:
         return {name: np.concatenate([parts[i][name] for i in which]) for name in parts[0]}
