@@ -168,7 +168,7 @@ def _registers(text: str) -> set[str]:
     return {row.cells[cells["dest"]] for row in rows(text)} - {"NIL"}
 
 
-def product(results: Iterable[int], roots: bool = True) -> Callable[[Played, str], list[str]]:
+def product(results: Iterable[int], roots: bool = True, margins: bool = False) -> Callable[[Played, str], list[str]]:
     """The reading of a program of product_engine whose results are those registers."""
     def read(one: Played, text: str) -> list[str]:
         lines = rows(text)
@@ -176,7 +176,8 @@ def product(results: Iterable[int], roots: bool = True) -> Callable[[Played, str
         names = [{key: row.cells[at] for key, at in cells.items()} for row in lines]
         words = [assembled(text, word) for word in one.words]
         return [*mislabelled(text, ((row, row.cells[cells["dest"]]) for row in lines), _registers(text)),
-                *product_engine.check(words, [row.label for row in lines], names, frozenset(results), roots, one.pipe)]
+                *product_engine.check(words, [row.label for row in lines], names, frozenset(results), roots, one.pipe,
+                                       margins)]
 
     return read
 
@@ -287,8 +288,8 @@ MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
     **{f"vector_fk6_program{grade}": product(range(2, 14), roots=False) for grade in GRADES},
     **{f"vector_velocity6_program{grade}": product(range(2, 8), roots=False) for grade in GRADES},
     **{f"vector_rates6_program{grade}": product(range(2, 11)) for grade in GRADES},
-    **{f"vector_ur_ik_program{grade}": product(range(2, 14)) for grade in GRADES},
-    **{f"vector_ur_ik_all_program{grade}": product(range(48, 64)) for grade in GRADES},
+    **{f"vector_ur_ik_program{grade}": product(range(2, 14), margins=True) for grade in GRADES},
+    **{f"vector_ur_ik_all_program{grade}": product(range(48, 64), margins=True) for grade in GRADES},
     **{f"vector_ur_fk_program{grade}": product(range(2, 14), roots=False) for grade in GRADES},
     **{f"vector_{kind}_program{grade}": product(range(2, 5), roots=False) for grade in GRADES
        for kind in ("xyzac", "xyzbc")}}

@@ -14,11 +14,13 @@ from ci import programs
 CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_all_program": "vector_ik6_all",
          "vector_fk6_program": "vector_fk6", "vector_velocity6_program": "vector_velocity6",
          "vector_rates6_program": "vector_rates6", "vector_xyzac_program": "vector_xyzac",
-         "vector_xyzbc_program": "vector_xyzbc", "engine_delta_program": "engine_delta_fk",
+         "vector_xyzbc_program": "vector_xyzbc", "vector_ur_fk_program": "vector_ur_fk",
+         "vector_ur_ik_program": "vector_ur_ik", "vector_ur_ik_all_program": "vector_ur_ik_all",
+         "engine_delta_program": "engine_delta_fk",
          "engine_gd_n_program": "engine_quaternion_gd_n", "engine_rus_fk_program": "engine_rus_fk",
          **{f"{core}_program_{pipe}": f"{core}-PIPE{pipe}" for pipe in (1, 2)
             for core in ("vector_ik6", "vector_ik6_all", "vector_fk6", "vector_velocity6", "vector_rates6",
-                         "vector_xyzac", "vector_xyzbc")}}
+                         "vector_xyzac", "vector_xyzbc", "vector_ur_fk", "vector_ur_ik", "vector_ur_ik_all")}}
 
 
 @functools.cache
@@ -206,15 +208,19 @@ def rooted(pipe, table=0, again=0, hold=None):
 @pytest.mark.parametrize("pipe", APART)
 def test_distances_by_pipe(pipe):
     register, last, power, _, flags = APART[pipe]
-    clamp = [(0, IDLE), (1, word(act=product_engine.FAR))]
     for least, after, says in (
             (register, lambda n: placed((0, word(dest=1)), (n, word(reg(1), dest=4))), "register 1"),
             (last, lambda n: placed((0, word(dest=1)), (n, word((product_engine.LAST, 0), dest=4))), "register 1"),
             (power, lambda n: placed((0, word(act=product_engine.FOLD)), (n, word(b=(1, 1), align=1, dest=4))),
-             "the power"),
-            (flags, lambda n: placed(*clamp, (1 + n, word(dest=4, act=product_engine.CLAMP))), "FAR's flag")):
+             "the power")):
         assert said(after(least), pipe=pipe) == ""
         assert says in said(after(least - 1) if least > 1 else after(least + 1), pipe=pipe)
+
+    def clamped(after):
+        far = word(dest=1, act=product_engine.FAR)
+        return said(placed((0, IDLE), (1, far), (1 + after, word(reg(1), dest=4, act=product_engine.CLAMP))), pipe=pipe)
+
+    assert clamped(register) == "" and "FAR's flag" not in clamped(flags) and "FAR's flag" in clamped(flags - 1)
 
 
 @pytest.mark.parametrize("pipe", APART)
@@ -241,6 +247,19 @@ def test_faults_of_a_first_line_and_of_acts(name, word, says):
 
 def test_an_engine_without_roots_has_none():
     assert "no root unit" in said([word(dest=4, act=product_engine.FOLD)], roots=False)
+
+
+def test_the_operand_c_of_a_hold_is_its_own_word_where_the_engine_has_margins():
+    held = [*ROOT[:-1], word((product_engine.LAST, 0), (0, 2), c=1, d=1, dest=4, act=product_engine.HOLD)]
+    assert "another register's word" in said(held) and "another register's word" not in said(held, margins=False)
+    assert "no MARGINS" in said([IDLE, word(dest=4, act=product_engine.CHECK | product_engine.FAR)], margins=False)
+
+
+def test_a_clamp_asks_for_the_far_of_its_own_word():
+    far = [IDLE, word(dest=1, act=product_engine.FAR), IDLE, IDLE]
+    assert said([*far, word(reg(1), dest=4, act=product_engine.CLAMP)]) == ""
+    other = [word(dest=2), *far, word(reg(2), dest=4, act=product_engine.CLAMP), word(reg(1), dest=4)]
+    assert "another FAR than its word's" in said(other)
 
 
 def test_reads_of_what_was_before():

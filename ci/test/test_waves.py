@@ -56,9 +56,9 @@ def test_sim_leaves_icarus_out(monkeypatch):
 
 
 def test_core_and_sim_choose_the_tests():
-    def item(core, simulator=None):
+    def item(core, simulator=None, keywords=()):
         params = {"core": core} | ({"simulator": simulator} if simulator else {})
-        return SimpleNamespace(callspec=SimpleNamespace(params=params), nodeid="tb/test_x.py::x")
+        return SimpleNamespace(callspec=SimpleNamespace(params=params), nodeid="tb/test_x.py::x", keywords=keywords)
 
     def chosen(**options):
         left, config = list(items), SimpleNamespace(getoption=lambda name: options.get(name[2:]),
@@ -68,10 +68,10 @@ def test_core_and_sim_choose_the_tests():
 
     one, other = cores.find("vector_fk1-U16"), cores.find("vector_fk2-U16")
     items = [item(one, "icarus"), item(one, "verilator"), item(one), item(other, "icarus"), item("a string"),
-             SimpleNamespace()]
+             SimpleNamespace(keywords=()), item(one, keywords=("further",))]
     assert chosen() == [0, 1, 2, 3, 4, 5]
-    assert chosen(core="vector_fk1") == chosen(core="vector_fk1-U16") == [0, 1, 2]
-    assert chosen(core="vector_fk1", sim="verilator") == [1, 2]  # a bulk run is Verilator's
+    assert chosen(core="vector_fk1") == chosen(core="vector_fk1-U16") == [0, 1, 2, 6]
+    assert chosen(core="vector_fk1", sim="verilator") == [1, 2, 6]  # a bulk run is Verilator's
     assert chosen(sim="icarus") == [0, 3, 4, 5]  # and what simulates no core
 
 

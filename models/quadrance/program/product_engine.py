@@ -59,7 +59,8 @@ def fields(word: int) -> dict[str, int]:
             "align": bits(16, 15), "dest": bits(14, 9), "act": bits(8, 0)}
 
 
-def decode(word: int, label: str = "", names: dict[str, str] | None = None, roots: bool = True, pipe: int = 0) -> Line:
+def decode(word: int, label: str = "", names: dict[str, str] | None = None, roots: bool = True, pipe: int = 0,
+           margins: bool = True) -> Line:
     """What one word reads and writes.
 
     Parameters
@@ -67,6 +68,7 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
     names : names of the words in the registers of fields "a", "b", "c", "d" and "dest", where they are known.
     roots : whether the engine has its root unit (ROOTS).
     pipe : the engine's PIPE.
+    margins : whether it has MARGINS, with which C of a HOLD is the register of its own word.
     """
     at, names, clock = fields(word), names or {}, clocks(pipe)
     act, reads, wrong = at["act"], [], []
@@ -105,8 +107,11 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
         wrong.append("two acts that exclude each other")
     if act & WRIST and not act & (FOLD | MORE | CHECK):
         wrong.append("WRIST without FOLD, MORE or CHECK")
-    if act & CHECK and act & (WRIST | FAR) and act & ~(WRIST | FAR) != CHECK:
-        wrong.append("NEAR or OVER with another act")
+    if act & CHECK and act & (WRIST | FAR):
+        if not margins:
+            wrong.append("NEAR or OVER, and the engine has no MARGINS")
+        if act & ~(WRIST | FAR) != CHECK:
+            wrong.append("NEAR or OVER with another act")
     if act & MORE:
         reads.append(Read(POWER, clock.computes))
     if act & (FOLD | MORE):
@@ -127,7 +132,7 @@ def decode(word: int, label: str = "", names: dict[str, str] | None = None, root
                             needed=not (act & CHECK and act & WRIST)))  # the word of NEAR is for none
         if at["keep"]:
             wrong.append("a part of a sum is written")
-        if act & HOLD and at["c"] not in (0, at["dest"]):
+        if margins and act & HOLD and at["c"] not in (0, at["dest"]):
             wrong.append("HOLD writes another register's word")
     elif act & (HOLD | CLAMP) or act & CHECK and act & WRIST:
         wrong.append("HOLD, CLAMP or NEAR without a DEST")
@@ -158,7 +163,7 @@ def _neighbours(words: Sequence[int], then: Sequence[tuple[int, ...]], pipe: int
 
 
 def program(words: Sequence[int], labels: Sequence[str] = (), names: Sequence[dict[str, str]] = (),
-            results: frozenset[int] = frozenset(), roots: bool = True, pipe: int = 0) -> Program:
+            results: frozenset[int] = frozenset(), roots: bool = True, pipe: int = 0, margins: bool = True) -> Program:
     """The program of a list of words that engine_program plays.
 
     Parameters
@@ -166,7 +171,7 @@ def program(words: Sequence[int], labels: Sequence[str] = (), names: Sequence[di
     names : for each line the names of its registers' words, as `decode` takes them.
     results : registers whose words leave the engine.
     """
-    lines = [decode(word, labels[i] if labels else "", names[i] if names else None, roots, pipe)
+    lines = [decode(word, labels[i] if labels else "", names[i] if names else None, roots, pipe, margins)
              for i, word in enumerate(words)]
     then = straight(lines)
     first = fields(words[0])
@@ -241,8 +246,8 @@ def _limited(words: Sequence[int], made: Program) -> list[str]:
 
 
 def check(words: Sequence[int], labels: Sequence[str] = (), names: Sequence[dict[str, str]] = (),
-          results: frozenset[int] = frozenset(), roots: bool = True, pipe: int = 0) -> list[str]:
+          results: frozenset[int] = frozenset(), roots: bool = True, pipe: int = 0, margins: bool = True) -> list[str]:
     """What is wrong with a program of control words; empty for a sound one. Parameters as for `program`."""
-    made = program(words, labels, names, results, roots, pipe)
+    made = program(words, labels, names, results, roots, pipe, margins)
     return (soundness(made) + _partial(words, made) + _held(words, made) + _whole(words, made)
-            + _kept(words, made, pipe) + _limited(words, made))
+            + margins * _kept(words, made, pipe) + _limited(words, made))
