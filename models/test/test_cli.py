@@ -263,7 +263,8 @@ def test_the_scale_holds_every_coordinate_of_the_arm(quadrance, name):
     theta = np.random.default_rng(2).uniform(-np.pi, np.pi, (3, 20_000))
     theta[1, ::2] = 0
     frame = truth_arm.Frame(arm.base, arm.shoulder, arm.lateral)
-    reach = np.abs(truth_arm.fk3(*theta, arm.l1, arm.l2, frame)).max(axis=1) + (arm.flange or 0)
+    reach = np.abs(truth_arm.fk3(*theta, arm.l1, arm.l2, frame)).max(axis=1)
+    reach = reach + sum(abs(length or 0) for length in (arm.flange, arm.d5, arm.d6))
     spans = check.spans(arm)
     if arm.l3 is None:
         flat = reach[:2].max() if arm.yaws else arm.l1 + arm.l2
@@ -285,7 +286,7 @@ def test_a_wrist_that_is_not_spherical_is_no_six_axes(quadrance):
     text = quadrance("check", "ur5")
     assert re.search(r"^  not +fk6, ik6, ik6_all.*: wrist.spherical: is false", text, re.M)
     assert "fk6" in json.loads(quadrance("check", "puma560", "--json"))["functions"]
-    assert [one["axes"] for one in json.loads(quadrance("arms", "--json"))].count(6) == 3
+    assert [one["axes"] for one in json.loads(quadrance("arms", "--json"))].count(6) == 6
     assert "wrist.spherical: is false" in quadrance("instance", "vector_ik6", "--arm", "ur5", code=2)
 
 
