@@ -288,6 +288,7 @@ MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
     **{f"vector_velocity6_program{grade}": product(range(2, 8), roots=False) for grade in GRADES},
     **{f"vector_rates6_program{grade}": product(range(2, 11)) for grade in GRADES},
     **{f"vector_ur_ik_program{grade}": product(range(2, 14)) for grade in GRADES},
+    **{f"vector_srs_ik_program{grade}": product(range(2, 16)) for grade in GRADES},
     **{f"vector_ur_ik_all_program{grade}": product(range(48, 64)) for grade in GRADES},
     **{f"vector_ur_fk_program{grade}": product(range(2, 14), roots=False) for grade in GRADES},
     **{f"vector_{kind}_program{grade}": product(range(2, 5), roots=False) for grade in GRADES
