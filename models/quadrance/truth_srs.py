@@ -1,8 +1,8 @@
 """Float64 kinematics of seven axes with a spherical shoulder and wrist: forward, and the swivel of the elbow.
 
-Joints are those of the Denavit-Hartenberg table with twists of -90, 90, 90, -90, -90, 90, 0 degrees and the distances d,
-0, l1, 0, l2, 0, l4 along the axes; nothing is offset. Angles are in radians, lengths share one unit. M. Shimizu et al.,
-"Analytical inverse kinematic computation for 7-DOF redundant manipulators with joint limits" (2008).
+Joints are those of the Denavit-Hartenberg table with twists of -90, 90, 90, -90, -90, 90, 0 degrees and the distances
+d, 0, l1, 0, l2, 0, l4 along the axes; nothing is offset. Angles are in radians, lengths share one unit. Source:
+M. Shimizu et al., "Analytical inverse kinematic computation for 7-DOF redundant manipulators with joint limits" (2008).
 """
 
 from __future__ import annotations

@@ -25,8 +25,8 @@ def chain(robot: str, q: np.ndarray) -> np.ndarray:
     for i, (along, alpha) in enumerate(((d, -90), (0, 90), (l1, 90), (0, -90), (l2, -90), (0, 90), (l4, 0))):
         c, s, zero = np.cos(q[:, i]), np.sin(q[:, i]), np.zeros(len(q))
         cos, sin = np.cos(np.radians(alpha)), np.sin(np.radians(alpha))
-        rows = ((c, -s * cos, s * sin, zero), (s, c * cos, -c * sin, zero), (zero, zero + sin, zero + cos, zero + along),
-                (zero, zero, zero, zero + 1))
+        rows = ((c, -s * cos, s * sin, zero), (s, c * cos, -c * sin, zero),
+                (zero, zero + sin, zero + cos, zero + along), (zero, zero, zero, zero + 1))
         frame = frame @ np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
         found.append(frame)
     return np.stack(found, axis=1)

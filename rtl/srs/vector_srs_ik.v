@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of seven joints in unit vectors, one of eight branches: spherical shoulder, elbow, spherical wrist.
+// Inverse kinematics of seven joints in unit vectors, one of eight branches: spherical shoulder and wrist, an elbow.
 //   in_branch[0]: sin q2 < 0; [1]: sin q4 < 0; [2]: sin q6 < 0. (in_cs, in_ns) turns the elbow about the line from the
 //   shoulder to the wrist's centre; at (1, 0) the elbow with sin q4 < 0 is straight above that line
 // Formats: in_r*, row and column of the rotation matrix, in_cs and in_ns, s2.U; in_x, in_y, in_z s(W-F).F; out_c*,
-// out_n* cosine and sine of a joint, s2.U, rounded to nearest; cfg_* by srs.config, cfg_margin and cfg_slack in LSB of a
-// coordinate. Error: bounds.srs, orientation and position. Latency and II: 121.
+// out_n* cosine and sine of a joint, s2.U, rounded to nearest; cfg_* by srs.config, cfg_margin and cfg_slack in LSB of
+// a coordinate. Error: bounds.srs, orientation and position. Latency and II: 121.
 // Status: unreachable (the nearest pose is answered; cfg_slack as in vector_ur_ik), singular (the wrist's centre or the
 // upper arm is on axis 1, or joint 5 has no direction: the last one is held, (1, 0) after a reset; or a singularity is
 // nearer than cfg_margin), no rotation (bit 3: the matrix or the swivel is off by 16 units of 2^-U). Model: srs.ik

@@ -32,8 +32,8 @@ def orientation(p: Params, singular: ArrayLike = False) -> Floats:
 
     Seven rounded vectors; the matrix words as in `bounds.six.orientation`; the lengths of the vectors of joints 1 to 5,
     each of which multiplies one coordinate twice. These are products: of the lengths of (ca, na) and (ct, nt) for joint
-    1; of (cb, nb), (ce, ne) and (ct, nt) for joint 2; of (cb, nb) once more for joint 3; joints 4 and 5 are a root and a
-    unit vector. The swivel's length, half a unit of both its words, is in joints 2 and 3.
+    1; of (cb, nb), (ce, ne) and (ct, nt) for joint 2; of (cb, nb) once more for joint 3; joints 4 and 5 are a root and
+    a unit vector. The swivel's length, half a unit of both its words, is in joints 2 and 3.
     """
     unit = 2.0 ** -p["U"]
     turn, two, three = ROOT + MINUS_TO_2, 2 * ROOT + MINUS_TO_2, 3 * ROOT + MINUS_TO_2
