@@ -290,6 +290,7 @@ MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
     **{f"vector_rates6_program{grade}": product(range(2, 11)) for grade in GRADES},
     **{f"vector_ur_ik_program{grade}": product(range(2, 14), margins=True) for grade in GRADES},
     **{f"vector_ur_ik_all_program{grade}": product(range(48, 64), margins=True) for grade in GRADES},
+    **{f"vector_srs_ik_program{grade}": product(range(2, 16), margins=True) for grade in GRADES},
     **{f"vector_ur_fk_program{grade}": product(range(2, 14), roots=False) for grade in GRADES},
     **{f"vector_{kind}_program{grade}": product(range(2, 5), roots=False) for grade in GRADES
        for kind in ("xyzac", "xyzbc")}}

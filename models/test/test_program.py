@@ -236,7 +236,7 @@ def test_no_word_leaves_the_range_that_is_proved(path):
     if "r11" in program.inputs:
         matrix = np.linalg.qr(rng.normal(size=(n, 3, 3)))[0]
         inputs |= {f"r{i + 1}{j + 1}": matrix[:, i, j] for i in range(3) for j in range(3)}
-    for i in (*range(1, 7), "a", "b", "c"):
+    for i in (*range(1, 7), "a", "b", "c", "s"):
         if f"c{i}" in program.inputs:
             angle = rng.choice(8, n) * np.pi / 4 + rng.normal(size=n) * rng.choice([0, 1], n)
             inputs |= {f"c{i}": np.cos(angle), f"n{i}": np.sin(angle)}

@@ -28,7 +28,8 @@ def literal(port: Port, value: int) -> str:
 
 
 STREAMED = "its link lengths come with the samples (in_l), not as configuration words"
-NO_ARM = {"chain": STREAMED, "mff": STREAMED,
+NO_ARM = {"srs_ik": "no key of an arm file says the lengths of seven axes; quadrance.srs.config computes its words",
+          "chain": STREAMED, "mff": STREAMED,
           "fk5": "no key of an arm file says where its joints four and five are (cfg_d4, cfg_d5)"}
 
 

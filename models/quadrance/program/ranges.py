@@ -34,6 +34,7 @@ class _Proof:
         self.range: dict[str, Interval] = {name: FORMATS[port.format] for name, port in program.inputs.items()}
         self.range[ONE] = (1.0, 1.0)
         self.norms: dict[frozenset[str], float] = {}
+        self.found: dict[tuple[str, ...], float] = {}  # norms that were asked for since one was added
         self.sums: list[tuple[str, Sum]] = []
         self.parts: dict[str, list[Part]] = {}
         self.number = {name: i for i, one in enumerate(program.statements) for name in one.names}
@@ -48,12 +49,18 @@ class _Proof:
         """The norm of some words, which bounds each of them."""
         key = frozenset(names)
         self.norms[key] = min(limit, self.norms.get(key, limit))
+        self.found.clear()
         for name in names:
             low, high = self.range[name]
             self.range[name] = max(low, -limit), min(high, limit)
 
     def norm(self, names: tuple[str, ...]) -> float:
         """Of some words: known norms cover disjoint groups of them; the newest word is traced to its own."""
+        if (key := tuple(sorted(names))) not in self.found:
+            self.found[key] = self.search(names)
+        return self.found[key]
+
+    def search(self, names: tuple[str, ...]) -> float:
         self.work += 1
         best = math.sqrt(sum(self.top(name) ** 2 for name in names))
         if self.work >= WORK or len(set(names)) < len(names):
@@ -102,6 +109,7 @@ class _Proof:
         """norm(words) is at most factor * norm(of)."""
         for word in words:
             self.parts.setdefault(word, []).append((frozenset(words), of, factor))
+            self.found.clear()
             low, high = self.range[word]
             top = factor * self.norm(of) + ROUNDED
             self.range[word] = max(low, -top), min(high, top)
@@ -111,6 +119,10 @@ class _Proof:
         if len(terms) == 1 and terms[0].b is not None:
             for a, b in itertools.permutations(terms[0].names):
                 self.part((name,), (a,), self.top(b))
+        if len(terms) == 2 and all(term.b is not None for term in terms):
+            for left, right in itertools.permutations(zip(*(term.names for term in terms))):
+                if (limit := self.norm(right)) <= UNIT:
+                    self.part((name,), left, limit)
         for other, before in self.sums:
             if len(terms) == len(before) == 2 and all(term.b is not None for term in (*terms, *before)):
                 self.rotation((name, other), terms, before)

@@ -32,7 +32,7 @@ def _held(program: Program, lines: Sequence[Line], fixed: dict[str, int]) -> dic
         if line.hold >= 0:
             pairs.setdefault(line.hold, []).append(line.dest)
     flags: dict[int, str] = {}
-    for names in pairs.values():
+    for names in sorted(pairs.values(), key=lambda names: names[0] not in fixed):  # results first: theirs are given
         c, n = names[:2]
         if (c in fixed) != (n in fixed) or c in fixed and (fixed[c] % 2 or fixed[n] != fixed[c] + 1):
             raise Wrong(f"{program.path.name}: {c} and {n} are held: both are results, one after the other, the first "
