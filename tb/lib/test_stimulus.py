@@ -35,11 +35,14 @@ def _few(core) -> float:
     """How far below an end the greatest result that fits may be, LSB: words of a sample are not dense everywhere.
 
     A spread of S bits next to 0 is a cosine or a sine of 2^(-S / 2), each joint's of a tip that far away. A joint word
-    of 10 bits next to an eighth of a turn moves a tip by whole LSB, and length words are whole.
+    of 10 bits next to an eighth of a turn moves a tip by whole LSB, and length words are whole. Where a coordinate has
+    many bits more than a joint word, a step of the latter is 2 pi 2^(W - 1 - A) LSB; the nearest of the corners lies
+    within a twelfth of that.
     """
     if core.family == "paper" and core.function != "mff":
         return max(len(core.inputs) * 2.0 ** (core.params["W"] - 1 - core.params["S"] / 2), 1)
-    return int(core.params.get("A", 16) <= 10)
+    w, a = core.params["W"], core.params.get("A", 16)
+    return 2 ** (w - 1 - a) / 2 if w > 16 and w - a > 1 else int(a <= 10)
 
 
 def _alike(core) -> tuple:
