@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterable
+from itertools import groupby
 from pathlib import Path
 
 import numpy as np
@@ -96,10 +97,19 @@ def _cost(found: Figures) -> tuple[str, ...]:
 COST = ("LUT", "MULT18X18", "EBR", "cycles", "ns")
 
 
+def _limits(targets: Iterable[str]) -> str:
+    """The targets in one cell of the column "at most LSB"."""
+    return ", ".join(target.removesuffix(" LSB") for target in targets)
+
+
 def _reached(verdict: dict) -> list[tuple[str, Figures]]:
-    """Target and figures of every core that reaches it, function by function, the widest target first."""
-    return [(target.removesuffix(" LSB"), found) for function in KINEMATIC for target in TARGETS
-            for found in reaching(verdict, function, target)]
+    """Every set and the targets for which it is the shortest, function by function, the widest target first."""
+    sets: dict[str, tuple[list[str], Figures]] = {}
+    for function in KINEMATIC:
+        for target in TARGETS:
+            for found in reaching(verdict, function, target):
+                sets.setdefault(found["id"], ([], found))[0].append(target)
+    return [(_limits(targets), found) for targets, found in sets.values()]
 
 
 def target_table(verdict: dict) -> Table:
@@ -109,10 +119,9 @@ def target_table(verdict: dict) -> Table:
 
 
 def cyclonev_table(verdict: dict) -> Table:
-    """The same sets on Cyclone V, each once."""
-    sets = {found["id"]: found for _, found in _reached(verdict)}
-    lines = tuple((name, *(str(found[key]) for key in ("alut", "alut_dsp", "m10k", "nodsp")))
-                  for name, found in sets.items())
+    """The same sets on Cyclone V."""
+    lines = tuple((found["id"], *(str(found[key]) for key in ("alut", "alut_dsp", "m10k", "nodsp")))
+                  for _, found in _reached(verdict))
     return Table("The same words on Cyclone V", ("core", "ALUT", "DSP", "M10K", "ALUT, no DSP"), lines)
 
 
@@ -149,12 +158,14 @@ def _least(found: list[Figures], key: str) -> str:
 
 
 def winners_table(verdict: dict, device: str) -> Table:
-    """Who has the least of every figure, for every function and target."""
+    """Who has the least of every figure, for every function and target; targets with the same answer share a row."""
     lines = []
     for function in KINEMATIC:
+        least = {}
         for target in TARGETS if plain(verdict, function) else ():
             found = [one | {"price": price(one)} for one in reaching(verdict, function, target)]
-            lines.append((function, target.removesuffix(" LSB"), *(_least(found, key) for key, _ in WINS[device])))
+            least[target] = tuple(_least(found, key) for key, _ in WINS[device])
+        lines += [(function, _limits(targets), *wins) for wins, targets in groupby(least, key=least.get)]
     return Table(f"The family with the least, on {device}", ("", "at most LSB", *(text for _, text in WINS[device])),
                  tuple(lines), text=2 + len(WINS[device]))
 

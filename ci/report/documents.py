@@ -40,7 +40,7 @@ ECP5 (`synth_ecp5`, nextpnr):
 - **ns**: the latency at that clock (of a combinational part: one period).
 - **LUT**: four-input tables as nextpnr counts them: two for each carry cell, six for each small memory. **FF**:
   registers. **MULT18X18**: multipliers of 18 x 18 bits; a product of 27 x 27 bits takes four.
-- **EBR**: memories of 18 kbit. **LUTRAM**: small memories of 16 words of 4 bits (`TRELLIS_DPR16X4`), in LUTs.
+- **EBR**: memories of 18 kbit. LUTRAM: small memories of 16 words of 4 bits (`TRELLIS_DPR16X4`), in LUTs.
 
 Cyclone V (`synth_intel_alm`):
 
@@ -51,11 +51,10 @@ Cyclone V (`synth_intel_alm`):
 
 iCE40 (`synth_ice40`):
 
-- **LC**: logic cells with plain `abc -lut 4`, within 20 % of its default, either way. **FF**: registers. **RAM4K**:
-  memories of 4 kbit."""
+- **LC**: logic cells with plain `abc -lut 4`, within 20 % of its default, either way. **RAM4K**: memories of 4 kbit."""
 
 ERROR_COLUMNS = """\
-Errors are distances at the tip of the arm; one LSB is 2^-F units.
+Errors are distances at the tip of the arm; one LSB is 2^-F units. Modes and PIPE have the same bits: one row a core.
 
 - **arithmetic**: the greatest error against float64 on the same input words, along the trajectory and over random and
   border inputs. **rms**: the root mean square of that error along the trajectory.
@@ -160,14 +159,15 @@ def markdown(report: dict) -> str:
     if kinematic:
         parts += [*_section("Kinematic cores", COST_COLUMNS, *cost_tables("Kinematic cores", kinematic)),
                   "![Area against latency](area_latency.png)",
-                  *_section("Accuracy at the tip", ERROR_COLUMNS, accuracy_table("Accuracy at the tip", kinematic)),
+                  *_section("Accuracy at the tip", ERROR_COLUMNS,
+                            accuracy_table("Accuracy at the tip", leading(kinematic, ()))),
                   "![Accuracy](accuracy.png)",
                   "Over the workspace of two joints (elbow 0), the same scale everywhere:",
                   "![Tip error over the workspace](tip_error_map.png)", MAP_NOTE]
     if report.get("verdict"):
         parts += _verdict(report)
-    parts += _section("Parts and further cores", "The columns are those above.",
-                      *cost_tables("Parts and further cores", others), primitive_table(others))
+    parts += _section("Parts and further cores", "The columns are those above; `quadrance show` has iCE40.",
+                      *cost_tables("Parts and further cores", others)[:2], primitive_table(leading(others, ())))
     parts += _section("Any number of joints", CHAIN_NOTE, comparison.chain_table(report))
     parts += _section("Engines that iterate, and the closed form", ENGINE_NOTE, comparison.engine_table(report))
     parts += _section("Beside the paper", PAPER_NOTE, *comparison.paper_tables(report))

@@ -51,10 +51,9 @@ def q7_8(rows: Iterable[Row]) -> list[Row]:
     return [row for row in rows if (row["params"].get("W"), row["params"].get("F")) == (16, 8)]
 
 
-def leading(rows: Iterable[Row]) -> list[Row]:
+def leading(rows: Iterable[Row], apart: Iterable[str] = ("MODE", "PIPE")) -> list[Row]:
     """The first parameter set of each core and of each MODE and PIPE of it, which is the one that is compared."""
-    return list({(row["core"], *map(row["params"].get, ("MODE", "PIPE"))): row
-                 for row in reversed(list(rows))}.values())[::-1]
+    return list({(row["core"], *map(row["params"].get, apart)): row for row in reversed(list(rows))}.values())[::-1]
 
 
 def leaders(report: dict) -> dict[str, dict[str, Row]]:
@@ -166,8 +165,12 @@ def cost_tables(title: str, rows: Iterable[Row]) -> list[Table]:
     """
     rows = list(rows)
 
+    def cell(row: Row, flow: str, key: str) -> str:
+        small = row["area"]["ecp5"]["lutram"] if (flow, key) == ("ecp5", "lut") else 0
+        return f"{row['area'][flow][key]}{f' ({small} LUTRAM)' if small else ''}"
+
     def table(device: str, columns: dict[str, str], more: dict[str, Callable[[Row], str]], flow: str) -> Table:
-        cells = more | {head: lambda row, key=key: str(row["area"][flow][key]) for key, head in columns.items()
+        cells = more | {head: lambda row, key=key: cell(row, flow, key) for key, head in columns.items()
                         if key in ("lut", "ff") or any(row["area"][flow][key] for row in rows)}
         cells |= {"ALUT, no DSP": lambda row: str(without_dsp(row))} if flow == "cyclonev" else {}
         return Table(f"{title}: {device}", ("core", *cells),
@@ -176,9 +179,9 @@ def cost_tables(title: str, rows: Iterable[Row]) -> list[Table]:
     times = {"cycles": cycles, "II": interval, "MHz": lambda row: number(row["fmax_mhz"]["ecp5"], 4),
              "ns": lambda row: number(row["latency_ns"])}
     return [
-        table("ECP5", {"lut": "LUT", "ff": "FF", "dsp": "MULT18X18", "mem": "EBR", "lutram": "LUTRAM"}, times, "ecp5"),
+        table("ECP5", {"lut": "LUT", "ff": "FF", "dsp": "MULT18X18", "mem": "EBR"}, times, "ecp5"),
         table("Cyclone V", {"lut": "ALUT", "ff": "FF", "dsp": "DSP", "mem": "M10K"}, {}, "cyclonev"),
-        table("iCE40", {"lut": "LC", "ff": "FF", "mem": "RAM4K"}, {}, "ice40")]
+        table("iCE40", {"lut": "LC", "mem": "RAM4K"}, {}, "ice40")]
 
 
 def accuracy_table(title: str, rows: Iterable[Row]) -> Table:

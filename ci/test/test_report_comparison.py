@@ -63,7 +63,8 @@ def report(found, *rows):
 
 def winners(found, device="ECP5"):
     table = comparison.winners_table(found, device)
-    return {line[:2]: dict(zip(table.head[2:], line[2:])) for line in table.rows}
+    return {(line[0], target): dict(zip(table.head[2:], line[2:]))
+            for line in table.rows for target in line[1].split(", ")}
 
 
 def test_an_infeasible_core_is_not_among_the_winners(found):
@@ -89,6 +90,11 @@ def test_every_figure_has_its_own_winner(found):
     found["parts"]["c"] |= {"cycles": 3, "fmax_mhz": 200.0}
     now = winners(found)["fk1", "1"]
     assert (now["cycles"], now["ns"]) == ("table,classic", "classic")
+
+
+def test_targets_with_the_same_winners_share_a_row(found):
+    rows = [line[1] for line in comparison.winners_table(found, "Cyclone V").rows if line[0] == "fk2"]
+    assert rows == ["0.1 mm, 2", "1", "1/2"], "no core reaches the first two here, nor the last"
 
 
 def test_a_clock_that_is_not_known_is_no_figure(found):
@@ -149,6 +155,8 @@ def test_tables_have_every_core_and_target(found):
         found["designs"]["rational_fk1"]["picks"][target] = found["designs"]["rational_fk1"]["picks"]["2 LSB"]
     assert "rational_fk1" not in comparison.missed_table(found).markdown()
     assert len({line.count("|") for line in text.splitlines()}) == 1
+    found["designs"]["table_fk1"]["picks"]["0.1 mm"] = found["designs"]["table_fk1"]["picks"]["2 LSB"]
+    assert "| 0.1 mm, 2 | `table_fk1-W16F8A15` | 1.9 |" in comparison.target_table(found).markdown()
     once = [line[0] for line in comparison.cyclonev_table(found).rows]
     assert len(once) == len(set(once)) and "`rational_fk1-W16F8A26`" in once
 
