@@ -16,11 +16,13 @@ CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_all_program": "vector_i
          "vector_rates6_program": "vector_rates6", "vector_xyzac_program": "vector_xyzac",
          "vector_xyzbc_program": "vector_xyzbc", "vector_ur_fk_program": "vector_ur_fk",
          "vector_ur_ik_program": "vector_ur_ik", "vector_ur_ik_all_program": "vector_ur_ik_all",
+         "vector_srs_ik_program": "vector_srs_ik",
          "engine_delta_program": "engine_delta_fk",
          "engine_gd_n_program": "engine_quaternion_gd_n", "engine_rus_fk_program": "engine_rus_fk",
          **{f"{core}_program_{pipe}": f"{core}-PIPE{pipe}" for pipe in (1, 2)
             for core in ("vector_ik6", "vector_ik6_all", "vector_fk6", "vector_velocity6", "vector_rates6",
-                         "vector_xyzac", "vector_xyzbc", "vector_ur_fk", "vector_ur_ik", "vector_ur_ik_all")}}
+                         "vector_xyzac", "vector_xyzbc", "vector_ur_fk", "vector_ur_ik", "vector_ur_ik_all",
+                         "vector_srs_ik")}}
 
 
 @functools.cache
