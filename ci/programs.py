@@ -15,7 +15,7 @@ from pathlib import Path
 
 from pyslang.driver import Driver
 from quadrance.cores import ROOT, RTL, Core
-from quadrance.program import checker, product_engine
+from quadrance.program import checker, product_engine, table
 from quadrance.program.checker import Line, Program, Read, Write
 
 PLAYERS = ("engine_program", "schedule", "schedule_counter")  # their TABLE is played
@@ -39,6 +39,10 @@ class Played:
     words: tuple[int, ...]
     pipe: int = 0
 
+    def text(self) -> str:
+        """What the module's file says of it: of a table for each PIPE, the one that is played."""
+        return table.branch(self.path.read_text(), self.pipe)
+
 
 def elaborated(core: Core) -> tuple[object, list]:
     """slang's compilation of a core at its parameters, and every instance in it."""
@@ -58,8 +62,8 @@ def elaborated(core: Core) -> tuple[object, list]:
     return compilation, found
 
 
-def _cut(table: int, lines: int, bits: int) -> tuple[int, ...]:
-    return tuple(table >> bits * (lines - 1 - i) & (1 << bits) - 1 for i in range(lines))
+def _cut(values: int, lines: int, bits: int) -> tuple[int, ...]:
+    return tuple(values >> bits * (lines - 1 - i) & (1 << bits) - 1 for i in range(lines))
 
 
 def played(core: Core) -> list[Played]:
@@ -72,14 +76,14 @@ def played(core: Core) -> list[Played]:
     for one in instances:
         name, body = one.definition.name, one.body
         if name in PLAYERS:
-            lines, bits, table = (int(body.find(key).value.value) for key in ("LINES", "BITS", "TABLE"))
+            lines, bits, values = (int(body.find(key).value.value) for key in ("LINES", "BITS", "TABLE"))
             path = Path(compilation.sourceManager.getFileName(one.location)).resolve()
             found.append(Played(path.stem, path, compilation.sourceManager.getLineNumber(one.location), name,
-                                _cut(table, lines, bits), pipe))
+                                _cut(values, lines, bits), pipe))
         elif name.endswith("_program") and "reg " in re.sub(r"output\s+reg", "", sources[name].read_text()):
-            table, bits = body.find("LINES"), body.find("out_op").type.bitWidth
-            lines = table.type.bitWidth // bits
-            found.append(Played(name, sources[name], 0, name, _cut(int(table.value.value), lines, bits)))
+            values, bits = body.find("LINES"), body.find("out_op").type.bitWidth
+            lines = values.type.bitWidth // bits
+            found.append(Played(name, sources[name], 0, name, _cut(int(values.value.value), lines, bits)))
     return found
 
 
@@ -280,25 +284,22 @@ def parallel(one: Played, text: str) -> list[str]:
                                      frozenset(results), titles, tuple(line for line, _, _ in nodes)))
 
 
-GRADES = ("", "_1", "_2")  # a program's module for each PIPE of the product engine
 MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
     "engine_delta_program": product((3, 7, 11)), "engine_gd_n_program": space, "engine_rus_fk_program": parallel,
-    **{f"vector_ik6_program{grade}": product(range(2, 14)) for grade in GRADES},
-    **{f"vector_ik6_all_program{grade}": product(range(48, 64)) for grade in GRADES},
-    **{f"vector_fk6_program{grade}": product(range(2, 14), roots=False) for grade in GRADES},
-    **{f"vector_velocity6_program{grade}": product(range(2, 8), roots=False) for grade in GRADES},
-    **{f"vector_rates6_program{grade}": product(range(2, 11)) for grade in GRADES},
-    **{f"vector_ur_ik_program{grade}": product(range(2, 14), margins=True) for grade in GRADES},
-    **{f"vector_ur_ik_all_program{grade}": product(range(48, 64), margins=True) for grade in GRADES},
-    **{f"vector_srs_ik_program{grade}": product(range(2, 16), margins=True) for grade in GRADES},
-    **{f"vector_ur_fk_program{grade}": product(range(2, 14), roots=False) for grade in GRADES},
-    **{f"vector_{kind}_program{grade}": product(range(2, 5), roots=False) for grade in GRADES
-       for kind in ("xyzac", "xyzbc")}}
+    "vector_ik6_program": product(range(2, 14)), "vector_ik6_all_program": product(range(48, 64)),
+    "vector_fk6_program": product(range(2, 14), roots=False),
+    "vector_velocity6_program": product(range(2, 8), roots=False), "vector_rates6_program": product(range(2, 11)),
+    "vector_ur_fk_program": product(range(2, 14), roots=False),
+    "vector_ur_ik_program": product(range(2, 14), margins=True),
+    "vector_ur_ik_all_program": product(range(48, 64), margins=True),
+    "vector_srs_ik_program": product(range(2, 16), margins=True),
+    "vector_xyzac_program": product(range(2, 5), roots=False),
+    "vector_xyzbc_program": product(range(2, 5), roots=False)}
 
 
 def problems(one: Played, text: str | None = None) -> list[str]:
     """What is wrong with a program; `text` instead of the module's."""
-    text = one.path.read_text() if text is None else text
+    text = one.text() if text is None else text
     where = one.path.relative_to(ROOT)
     if one.module not in MACHINES:
         return [f"{where}: nothing says what the words of this program do: ci.programs.MACHINES"]

@@ -2,10 +2,12 @@
 // Assembled from vector_xyzbc.kin and vector_xyzbc.order by `quadrance assemble`; do not edit.
 //   Axes of a machine tool from a point of its workpiece: a table that turns about z on one that tilts about y
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
-// a word of capitals and a small letter is one that the assembler has added. Latency of a core that plays it: 21.
-// For product_engine with PIPE = 0. Model: quadrance.program.meaning
+// a word of capitals and a small letter is one that the assembler has added.
+// Latency of a core that plays it: 21 at PIPE 0, 22 at PIPE 1, 24 at PIPE 2. Model: quadrance.program.meaning
 `default_nettype none
-module vector_xyzbc_program (
+module vector_xyzbc_program #(
+    parameter PIPE = 0  // registers behind the products of product_engine: 0 or 1 or 2 (default 0)
+) (
     input  wire        clk,
     input  wire        rst,
     input  wire        in_start,
@@ -13,6 +15,8 @@ module vector_xyzbc_program (
     output wire        out_done,
     output wire [46:0] out_op
 );
+    generate
+    if (PIPE == 0) begin : g_pipe0
     localparam [1:0] REG = 2'd0, PORT = 2'd1;
     localparam OF = 1'd0, BY = 1'd1;
     localparam [5:0] NIL = 6'd0, PLUS = 6'd32, MINUS = 6'd36;
@@ -46,5 +50,80 @@ module vector_xyzbc_program (
     engine_program #(.LINES(17), .BITS(36), .TABLE(LINES)) control (
         .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(op));
     assign out_op = {op[35:6], 2'b00, op[5:0], 9'd0};
+    end
+    if (PIPE == 1) begin : g_pipe1
+    localparam [1:0] REG = 2'd0, PORT = 2'd1;
+    localparam OF = 1'd0, BY = 1'd1;
+    localparam [5:0] NIL = 6'd0, PLUS = 6'd32, MINUS = 6'd36;
+    localparam [1:0] LONE = 2'd0, ADD = 2'd2, SUB = 2'd3;
+    localparam DONE = 1'd0, KEEP = 1'd1;
+    localparam [5:0]
+        X = 6'd2, Y = 6'd3, Z = 6'd4, NC = 6'd5, AY = 6'd6, AX = 6'd7, NB = 6'd8, CB = 6'd9, T = 6'd10,
+        AZ = 6'd11;
+    localparam [5:0]
+        I_CB = 6'd0, I_NB = 6'd1, I_CC = 6'd2, I_NC = 6'd3, I_PX = 6'd4, I_PY = 6'd5, I_PZ = 6'd6, I_XR = 6'd7,
+        I_YR = 6'd8, I_D = 6'd9, I_ZS = 6'd10;
+    localparam [17*36-1:0] LINES = {
+    /* nc                  */ {PORT, I_NC, BY, PLUS,  NIL, NIL, LONE, DONE, NC},
+    /* ay: py              */ {PORT, I_PY, BY, PLUS,  NIL, NIL, LONE, KEEP, NIL},
+    /* ay = .. - yr        */ {PORT, I_YR, BY, MINUS, NIL, NIL, LONE, DONE, AY},
+    /* ax: px              */ {PORT, I_PX, BY, PLUS,  NIL, NIL, LONE, KEEP, NIL},
+    /* ax = .. - xr        */ {PORT, I_XR, BY, MINUS, NIL, NIL, LONE, DONE, AX},
+    /* nb                  */ {PORT, I_NB, BY, PLUS,  NIL, NIL, LONE, DONE, NB},
+    /* cb                  */ {PORT, I_CB, BY, PLUS,  NIL, NIL, LONE, DONE, CB},
+    /* t: -d - nc*ay       */ {PORT, I_D,  BY, MINUS, NC,  AY,  SUB,  KEEP, NIL},
+    /* t = .. + cc*ax      */ {PORT, I_CC, OF, AX,    NIL, NIL, LONE, DONE, T},
+    /* az: pz              */ {PORT, I_PZ, BY, PLUS,  NIL, NIL, LONE, KEEP, NIL},
+    /* az = .. - zs        */ {PORT, I_ZS, BY, MINUS, NIL, NIL, LONE, DONE, AZ},
+    /* y: yr + nc*ax       */ {PORT, I_YR, BY, PLUS,  NC,  AX,  ADD,  KEEP, NIL},
+    /* y = .. + cc*ay      */ {PORT, I_CC, OF, AY,    NIL, NIL, LONE, DONE, Y},
+    /* x: d + cb*t         */ {PORT, I_D,  BY, PLUS,  CB,  T,   ADD,  KEEP, NIL},
+    /* x = .. + xr + nb*az */ {PORT, I_XR, BY, PLUS,  NB,  AZ,  ADD,  DONE, X},
+    /* z: zs - nb*t        */ {PORT, I_ZS, BY, PLUS,  NB,  T,   SUB,  KEEP, NIL},
+    /* z = .. + cb*az      */ {REG,  CB,   OF, AZ,    NIL, NIL, LONE, DONE, Z}};
+    wire [35:0] op;
+    engine_program #(.LINES(17), .DRAIN(4), .BITS(36), .TABLE(LINES)) control (
+        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(op));
+    assign out_op = {op[35:6], 2'b00, op[5:0], 9'd0};
+    end
+    if (PIPE == 2) begin : g_pipe2
+    localparam [1:0] REG = 2'd0, PORT = 2'd1;
+    localparam OF = 1'd0, BY = 1'd1;
+    localparam [5:0] NIL = 6'd0, PLUS = 6'd32, MINUS = 6'd36;
+    localparam [1:0] LONE = 2'd0, ADD = 2'd2, SUB = 2'd3;
+    localparam DONE = 1'd0, KEEP = 1'd1;
+    localparam [5:0]
+        X = 6'd2, Y = 6'd3, Z = 6'd4, NC = 6'd5, AY = 6'd6, AX = 6'd7, NB = 6'd8, CB = 6'd9, T = 6'd10,
+        AZ = 6'd11;
+    localparam [5:0]
+        I_CB = 6'd0, I_NB = 6'd1, I_CC = 6'd2, I_NC = 6'd3, I_PX = 6'd4, I_PY = 6'd5, I_PZ = 6'd6, I_XR = 6'd7,
+        I_YR = 6'd8, I_D = 6'd9, I_ZS = 6'd10;
+    localparam [17*36-1:0] LINES = {
+    /* nc                  */ {PORT, I_NC, BY, PLUS,  NIL, NIL, LONE, DONE, NC},
+    /* ay: py              */ {PORT, I_PY, BY, PLUS,  NIL, NIL, LONE, KEEP, NIL},
+    /* ay = .. - yr        */ {PORT, I_YR, BY, MINUS, NIL, NIL, LONE, DONE, AY},
+    /* ax: px              */ {PORT, I_PX, BY, PLUS,  NIL, NIL, LONE, KEEP, NIL},
+    /* ax = .. - xr        */ {PORT, I_XR, BY, MINUS, NIL, NIL, LONE, DONE, AX},
+    /* nb                  */ {PORT, I_NB, BY, PLUS,  NIL, NIL, LONE, DONE, NB},
+    /* cb                  */ {PORT, I_CB, BY, PLUS,  NIL, NIL, LONE, DONE, CB},
+    /* t: -d - nc*ay       */ {PORT, I_D,  BY, MINUS, NC,  AY,  SUB,  KEEP, NIL},
+    /* t = .. + cc*ax      */ {PORT, I_CC, OF, AX,    NIL, NIL, LONE, DONE, T},
+    /* az: pz              */ {PORT, I_PZ, BY, PLUS,  NIL, NIL, LONE, KEEP, NIL},
+    /* az = .. - zs        */ {PORT, I_ZS, BY, MINUS, NIL, NIL, LONE, DONE, AZ},
+    /* y: yr + nc*ax       */ {PORT, I_YR, BY, PLUS,  NC,  AX,  ADD,  KEEP, NIL},
+    /* y = .. + cc*ay      */ {PORT, I_CC, OF, AY,    NIL, NIL, LONE, DONE, Y},
+    /* z: zs - nb*t        */ {PORT, I_ZS, BY, PLUS,  NB,  T,   SUB,  KEEP, NIL},
+    /* z = .. + cb*az      */ {REG,  CB,   OF, AZ,    NIL, NIL, LONE, DONE, Z},
+    /* x: d + cb*t         */ {PORT, I_D,  BY, PLUS,  CB,  T,   ADD,  KEEP, NIL},
+    /* x = .. + xr + nb*az */ {PORT, I_XR, BY, PLUS,  NB,  AZ,  ADD,  DONE, X}};
+    wire [35:0] op;
+    engine_program #(.LINES(17), .DRAIN(6), .REGISTER(1), .BITS(36), .TABLE(LINES)) control (
+        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(op));
+    assign out_op = {op[35:6], 2'b00, op[5:0], 9'd0};
+    end
+    if (PIPE != 0 && PIPE != 1 && PIPE != 2) begin : g_illegal
+        vector_xyzbc_program_needs_PIPE_0_or_1_or_2 rule ();
+    end
+    endgenerate
 endmodule
 `default_nettype wire

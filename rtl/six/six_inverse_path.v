@@ -38,22 +38,8 @@ module six_inverse_path #(
     wire [46:0] op;
     wire [26:0] port;
     reg  [2:0]  signs;
-    generate
-        case (PIPE)
-            0: begin : g_program
-                vector_ik6_program control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
-                    .out_done(out_done), .out_op(op));
-            end
-            1: begin : g_program
-                vector_ik6_program_1 control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
-                    .out_done(out_done), .out_op(op));
-            end
-            default: begin : g_program
-                vector_ik6_program_2 control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
-                    .out_done(out_done), .out_op(op));
-            end
-        endcase
-    endgenerate
+    vector_ik6_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
+        .out_done(out_done), .out_op(op));
     six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(in_start), .in_matrix(in_matrix), .in_tip(in_tip),
         .in_lengths(in_lengths), .in_cp(in_cp), .in_np(in_np), .in_r(in_r), .in_e(in_e), .in_select(op[43:39]),
         .out_word(port));

@@ -63,22 +63,8 @@ module vector_fk6 #(
     wire        accept = in_valid && in_ready;
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
-    generate
-        case (PIPE)
-            0: begin : g_program
-                vector_fk6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-                    .out_op(op));
-            end
-            1: begin : g_program
-                vector_fk6_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-                    .out_op(op));
-            end
-            default: begin : g_program
-                vector_fk6_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-                    .out_op(op));
-            end
-        endcase
-    endgenerate
+    vector_fk6_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+        .out_done(done), .out_op(op));
 
     // The ports as 27-bit words of the product engine
     reg  [12*U+23:0]  joints;

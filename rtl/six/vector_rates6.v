@@ -72,22 +72,8 @@ module vector_rates6 #(
     wire [26:0] port, word;
     wire [5:0]  dest;
     assign      in_ready = idle && (!out_valid || out_ready);
-    generate
-        case (PIPE)
-            0: begin : g_program
-                vector_rates6_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                    .out_done(done), .out_op(op));
-            end
-            1: begin : g_program
-                vector_rates6_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                    .out_done(done), .out_op(op));
-            end
-            default: begin : g_program
-                vector_rates6_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                    .out_done(done), .out_op(op));
-            end
-        endcase
-    endgenerate
+    vector_rates6_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+        .out_done(done), .out_op(op));
 
     six_motion #(.W(W), .U(U), .FINE(W-V)) operands (.clk(clk), .in_take(accept),
         .in_joints({in_n5, in_c5, in_n4, in_c4, in_n3, in_c3, in_n2, in_c2, in_n1, in_c1}),

@@ -49,22 +49,8 @@ module vector_xyzac #(
     wire [26:0] port, word;
     wire [5:0]  dest;
     assign      in_ready = idle && (!out_valid || out_ready);
-    generate
-        case (PIPE)
-            0: begin : g_program
-                vector_xyzac_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                    .out_done(done), .out_op(op));
-            end
-            1: begin : g_program
-                vector_xyzac_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                    .out_done(done), .out_op(op));
-            end
-            default: begin : g_program
-                vector_xyzac_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                    .out_done(done), .out_op(op));
-            end
-        endcase
-    endgenerate
+    vector_xyzac_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+        .out_done(done), .out_op(op));
 
     // The ports as 27-bit words of the product engine
     reg  [4*U+7:0]   vectors;

@@ -68,22 +68,8 @@ module vector_ur_ik #(
     wire        accept = in_valid && in_ready;
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
-    generate
-        case (PIPE)
-            0: begin : g_program
-                vector_ur_ik_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                    .out_done(done), .out_op(op));
-            end
-            1: begin : g_program
-                vector_ur_ik_program_1 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                    .out_done(done), .out_op(op));
-            end
-            default: begin : g_program
-                vector_ur_ik_program_2 control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-                    .out_done(done), .out_op(op));
-            end
-        endcase
-    endgenerate
+    vector_ur_ik_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+        .out_done(done), .out_op(op));
 
     reg  [2:0]  signs;
     wire [26:0] port, word;

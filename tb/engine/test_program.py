@@ -67,8 +67,8 @@ def played(program, inputs, branch, folder, pipe):
     one = assembler.assemble(program, pipe, order=schedule.listed(program, found, len(lines(program)), 3))
     assert assembler.problems(one) == []
     count, samples = len(program.inputs) + 1, len(branch)
-    module = table.table_path(program.path, pipe).stem
-    (folder / f"{module}.v").write_text(table.verilog(one))
+    module = table.table_path(program.path).stem
+    (folder / f"{module}.v").write_text(table.verilog([one]))
     (folder / "top.v").write_text(TOP.format(count=count, samples=samples, module=module, pipe=pipe,
                                              roots=int(one.roots), first=FIRST, last=FIRST + len(program.results)))
     columns = [np.broadcast_to(inputs[name], samples) for name in program.inputs] + [np.full(samples, 1 << 25)]

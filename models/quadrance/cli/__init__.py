@@ -384,7 +384,7 @@ def _track(args: argparse.Namespace) -> None:
 def _assemble(args: argparse.Namespace) -> None:
     path = Path(args.program)
     one, about = assemble.assemble(path, args.pipe, args.seconds, args.write)
-    written = assemble.write(one, about["verilog"]) if args.write else []
+    written = assemble.write(one, args.seconds) if args.write else []
     if args.image:
         about["image"] = assemble.image(one, Path(args.image), args.start, args.release)
         written.append(Path(args.image))

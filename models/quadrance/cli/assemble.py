@@ -13,6 +13,16 @@ from quadrance.program.language import Wrong
 from quadrance.program.parser import load
 
 
+def _made(path: Path, pipe: int, seconds: float, anew: bool) -> Assembled:
+    """A program in its committed order; `anew`: in a new one where that is none of the text."""
+    try:
+        return assembler.assembled(path, pipe, seconds)
+    except Wrong:
+        if not anew:
+            raise
+        return assembler.assemble(load(path), pipe, None, seconds)
+
+
 def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS,
              anew: bool = False) -> tuple[Assembled, dict[str, object]]:
     """A program, and what is to be said of it; `anew`: an order that is none of the text is looked for again.
@@ -25,13 +35,8 @@ def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS,
     try:
         program = load(path)
         intervals = ranges.proved(program)
-        try:
-            one = assembler.assembled(path, pipe, seconds)
-        except Wrong:
-            if not anew:
-                raise
-            one = assembler.assemble(program, pipe, None, seconds)
-        text = table.verilog(one)
+        one = _made(path, pipe, seconds, anew)
+        text = table.verilog([one])
     except Wrong as error:
         raise Refused(str(error)) from None
     if wrong := assembler.problems(one):
@@ -42,14 +47,22 @@ def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS,
                  "argued": list(program.argued), "words": [f"{word:012x}" for word in one.words], "verilog": text}
 
 
-def write(one: Assembled, text: str) -> list[Path]:
-    """Write the order of the lines and the table beside the text."""
-    program, pipe, every = one.program, one.pipe, {}
-    for other in range(3):
-        if other != pipe and (order := assembler.read_order(program, other)):
-            every[other] = order
-    paths = {assembler.order_path(program): assembler.order_text(dict(sorted({**every, pipe: one.order}.items())))}
-    paths[table.table_path(program.path, pipe)] = text
+def write(one: Assembled, seconds: float = assembler.SECONDS) -> list[Path]:
+    """Write the orders of the lines, and the table of every PIPE that has an order, beside the text.
+
+    Raises
+    ------
+    Refused
+        One line: file and reason.
+    """
+    program, path = one.program, one.program.path
+    try:
+        others = [_made(path, pipe, seconds, True) for pipe in assembler.orders(program) if pipe != one.pipe]
+        every = sorted([one, *others], key=lambda other: other.pipe)
+        paths = {assembler.order_path(program): assembler.order_text({other.pipe: other.order for other in every}),
+                 table.table_path(path): table.verilog(every)}
+    except Wrong as error:
+        raise Refused(str(error)) from None
     for path, content in paths.items():
         try:
             path.write_text(content)

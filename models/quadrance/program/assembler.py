@@ -177,6 +177,11 @@ def read_order(program: Program, pipe: int = 0) -> Order | None:
     return [None if one == "-" else int(one) for row in found for one in row] or None
 
 
+def orders(program: Program) -> list[int]:
+    """Every PIPE for which an order is committed."""
+    return [pipe for pipe in range(3) if read_order(program, pipe)]
+
+
 def order_text(every: dict[int, Order]) -> str:
     """The file of the orders by `pipe`."""
     text = "# Order of the program's lines by `quadrance assemble`, for each number of registers after the products\n"

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from quadrance.program.assembler import FIELDS, NIL, Assembled, assembled, read_order
+from quadrance.program.assembler import FIELDS, NIL, Assembled, assembled, orders
 from quadrance.program.language import ONE, Wrong
 from quadrance.program.parser import load
 from quadrance.program.ranges import proved
@@ -17,10 +17,12 @@ _HEAD = """\
 // Assembled from {name}.kin and {name}.order by `quadrance assemble`; do not edit.
 //   {title}
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
-// a word of capitals and a small letter is one that the assembler has added. Latency of a core that plays it: {clocks}.
-// For product_engine with PIPE = {pipe}. Model: quadrance.program.meaning
+// a word of capitals and a small letter is one that the assembler has added.
+// Latency of a core that plays it: {clocks}. Model: quadrance.program.meaning
 `default_nettype none
-module {module} (
+module {name}_program #(
+    parameter PIPE = {pipe}  // registers behind the products of product_engine: {pipes}
+) (
     input  wire        clk,
     input  wire        rst,
     input  wire        in_start,
@@ -28,6 +30,7 @@ module {module} (
     output wire        out_done,
     output wire [46:0] out_op
 );
+    generate
 """
 
 
@@ -61,15 +64,9 @@ def _row(label: str, cells: Iterable[str], widths: list[int], comment: int) -> s
     return f"    /* {label.ljust(min(comment, WIDTH - len(body) - 9))} {body}"
 
 
-def verilog(one: Assembled) -> str:
-    """The module NAME_program.
-
-    Raises
-    ------
-    Wrong
-        Where a line of it would be too long.
-    """
-    name, at = one.program.name, one.rules.timing
+def _branch(one: Assembled) -> str:
+    """The table of one PIPE and its player, for the block that bears its name."""
+    at = one.rules.timing
     kept = range(11) if one.roots else [i for i, (key, _, _) in enumerate(FIELDS) if key not in ("align", "act")]
     rows = [(label, [cells[i] for i in kept]) for label, cells in one.rows]
     widths = [max(len(cells[i]) for _, cells in rows) for i in range(len(kept))]
@@ -80,9 +77,7 @@ def verilog(one: Assembled) -> str:
         raise Wrong(f"{one.program.path.name}: the line '{long[0]}' is printed in more than {WIDTH} columns: take "
                     "shorter names")
     drain = ("", ".DRAIN({}), ", ".DRAIN({}), .REGISTER(1), ")[one.pipe].format(at.drain)
-    head = _HEAD.format(name=name, title=one.program.title[:WIDTH - 7], clocks=one.clocks, pipe=one.pipe,
-                        module=table_path(one.program.path, one.pipe).stem)
-    table = head + "\n".join(_numbers(one)) + (f"\n    localparam [{len(rows)}*{bits}-1:0] LINES = {{\n{table}}};\n")
+    table = "\n".join(_numbers(one)) + f"\n    localparam [{len(rows)}*{bits}-1:0] LINES = {{\n{table}}};\n"
     op = "out_op"
     if not one.roots:  # no ALIGN and no ACT
         op, table = "op", table + f"    wire [{bits - 1}:0] op;\n"
@@ -91,26 +86,54 @@ def verilog(one: Assembled) -> str:
     table += f"{op}));\n"
     if not one.roots:
         table += f"    assign out_op = {{op[{bits - 1}:6], 2'b00, op[5:0], 9'd0}};\n"
-    return table + "endmodule\n`default_nettype wire\n"
+    return f"{_block(one.pipe)}\n{table}"
 
 
-def table_path(path: Path, pipe: int = 0) -> Path:
-    """The file of the module of a program: NAME_program.v, or with registers NAME_program_PIPE.v."""
-    return path.with_name(f"{path.stem}_program{f'_{pipe}' if pipe else ''}.v")
+def _block(pipe: int) -> str:
+    """The first line of the block of a PIPE."""
+    return f"    if (PIPE == {pipe}) begin : g_pipe{pipe}"
+
+
+def branch(text: str, pipe: int) -> str:
+    """What stands in the block of a PIPE; the whole text where it has no such blocks."""
+    parts = text.split(_block(pipe) + "\n")
+    return parts[1].split("\n    end\n")[0] + "\n" if len(parts) == 2 else text
+
+
+def verilog(program: Sequence[Assembled]) -> str:
+    """The module NAME_program of a program that was assembled for one PIPE or more.
+
+    Raises
+    ------
+    Wrong
+        Where a line of it would be too long.
+    """
+    name, pipes = program[0].program.name, [str(one.pipe) for one in program]
+    head = _HEAD.format(name=name, title=program[0].program.title[:WIDTH - 7], pipe=pipes[0],
+                        pipes=" or ".join(pipes) + f" (default {pipes[0]})" * (len(pipes) > 1),
+                        clocks=", ".join(f"{one.clocks} at PIPE {one.pipe}" for one in program))
+    wrong = " && ".join(f"PIPE != {pipe}" for pipe in pipes)
+    return (head + "".join(f"{_branch(one)}    end\n" for one in program) + f"    if ({wrong}) begin : g_illegal\n"
+            f"        {name}_program_needs_PIPE_{'_or_'.join(pipes)} rule ();\n    end\n    endgenerate\n"
+            "endmodule\n`default_nettype wire\n")
+
+
+def table_path(path: Path) -> Path:
+    """The file of the module of a program, NAME_program.v."""
+    return path.with_name(f"{path.stem}_program.v")
 
 
 def stale(folder: Path) -> list[str]:
-    """A line for each program of a folder whose table is not what its text and its order give."""
+    """A line for each program of a folder whose table is not what its text and its orders give."""
     wrong = []
     for path in sorted(folder.glob("*.kin")):
         try:
             proved(load(path))
-            if not path.with_suffix(".order").exists():
+            if not (pipes := orders(load(path))):
                 wrong.append(f"{path.name}: no order is committed: quadrance assemble {path.name} --write")
-            for pipe in (one for one in range(3) if read_order(load(path), one)):
-                at = table_path(path, pipe)
-                if not at.exists() or at.read_text() != verilog(assembled(path, pipe)):
-                    wrong.append(f"{at.name}: stale: quadrance assemble {path.name} --pipe {pipe} --write")
+            elif not (at := table_path(path)).exists() or at.read_text() != verilog(
+                    [assembled(path, pipe) for pipe in pipes]):
+                wrong.append(f"{at.name}: stale: quadrance assemble {path.name} --pipe {pipes[0]} --write")
         except Wrong as error:
             wrong.append(str(error))
     return wrong
