@@ -118,7 +118,7 @@ def section(found: dict[str, Counter[Point]]) -> list[str]:
 
 
 def main() -> int:
-    cores: list[Core] = [find(name) for name in sys.argv[1:]] or list(all_cores())
+    cores: list[Core] = checks.named("coverage", sys.argv[1:]) or list(all_cores())
     answers = pool.run(measure, [(core.id,) for core in cores], name="coverage")
     found = {core.id: answers[core.id,] for core in cores}
     for core, total in found.items():

@@ -317,7 +317,7 @@ def main() -> int:
     args = parser.parse_args()
     seed = int(os.environ.get("SEED") or today())
     every = [core for core in all_cores() if core.first_set]
-    cores = [find(name) for name in args.core] or every
+    cores = checks.named("mutants", args.core) or every
     verdicts = known()
     old = stale(verdicts, every, args.count)
     if args.page:

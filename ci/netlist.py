@@ -218,7 +218,7 @@ def main() -> int:
     parser.add_argument("--target", choices=TARGETS, action="append", help="one flow; both by default")
     args = parser.parse_args()
     seed = int(os.environ.get("SEED") or 2026)
-    cores = [find(name) for name in args.core] or [core for core in all_cores() if core.first_set]
+    cores = checks.named("netlist", args.core) or [core for core in all_cores() if core.first_set]
     for target in args.target or TARGETS:
         models(target)  # before the workers, which would all write it
     jobs = [(core.id, target, seed) for core in cores for target in args.target or TARGETS]

@@ -14,7 +14,7 @@ import yaml
 from quadrance import cores
 from quadrance.cores import ROOT, Port
 
-from ci import summary
+from ci import coverage, mutants, netlist, summary
 from tb.lib import blame, simulate, tools
 from tb.lib.suite import simulators
 
@@ -158,6 +158,13 @@ def test_a_new_core_without_configuration_words_is_named():
 WORKFLOW = ROOT / ".github" / "workflows" / "regression.yml"
 MAKEFILE = (ROOT / "Makefile").read_text()
 FLOW = yaml.safe_load(WORKFLOW.read_text())
+
+
+@pytest.mark.parametrize("tool", [coverage, mutants, netlist], ids=lambda tool: tool.__name__)
+def test_a_core_that_is_not_listed_ends_a_long_run_in_one_line(tool, monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["run", "vector_ik22"])
+    with pytest.raises(SystemExit, match=r"^\w+: .*'vector_ik22'.*vector_ik2"):
+        tool.main()
 
 
 def test_every_command_of_the_workflow_is_a_target():
