@@ -14,6 +14,7 @@ from quadrance.cores import RTL
 from quadrance.fixed import Ints, hold_last, ints
 from quadrance.product_engine import ONE, H, fold
 from quadrance.program import meaning, parser
+from quadrance.program.language import Program
 from quadrance.program.meaning import MORE
 
 Params = dict[str, int]
@@ -134,28 +135,37 @@ def rates6(p: Params, **ports: Ints) -> dict[str, Ints]:
 # With the angle codec
 
 
-def table_fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
-    """`fk6` of binary angles, each by angle_to_vector."""
+def vectors_of(p: Params, ports: dict[str, Ints]) -> dict[str, Ints]:
+    """Ports of an `fk` of unit vectors from those of one of binary angles: each joint by angle_to_vector."""
     words = {name: word for name, word in ports.items() if name.startswith("cfg_")}
     for i in range(1, 7):
         vectors = conversion.angle_to_vector(p, in_j=ports[f"in_j{i}"])
         words |= {f"in_{letter}{i}": vectors[f"out_{letter}"] for letter in "cn"}
-    return fk6(p, **words)
+    return words
 
 
-FORMED = (1, 3, 2, 4, 5, 6)  # joints of table_ik6 in the order in which its codec takes their vectors
+def table_fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """`fk6` of binary angles."""
+    return fk6(p, **vectors_of(p, ports))
 
 
-def table_ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
-    """`ik6` to binary angles: one vector_to_angle takes the vectors of a sample in turn.
+def to_angles(program: Program, p: Params, **ports: Ints) -> dict[str, Ints]:
+    """One branch in binary angles: one vector_to_angle takes the vectors of a sample as the program forms them.
 
     A held joint has its last word, and the codec does not take it again unless it never had a direction.
     """
-    vectors, outcome, none = _branch(p, **ports)
-    c, n = (np.stack([vectors[f"out_{letter}{joint}"] for joint in FORMED], axis=-1) for letter in "cn")
-    held = np.stack([none >> joint - 1 & 1 > 0 for joint in FORMED], axis=-1)
+    outcome = meaning.fixed(program, p, **ports)
+    vectors, _ = meaning.results(program, p, outcome.words)
+    formed = [cosine for cosine, _ in program.order]
+    c, n = (np.stack([vectors[f"out_{letter}{cosine[1:]}"] for cosine in formed], axis=-1) for letter in "cn")
+    held = np.stack([np.broadcast_to(outcome.none.get(cosine, False), c.shape[:-1]) for cosine in formed], axis=-1)
     taken = ~(held & np.logical_or.accumulate(~held))
     words = np.zeros_like(c)
     words[taken] = conversion.vector_to_angle(p, in_c=c[taken], in_n=n[taken])["out_j"]
-    angles = {f"out_j{joint}": hold_last(words[:, i], taken[:, i]) for i, joint in enumerate(FORMED)}
+    angles = {f"out_j{cosine[1:]}": hold_last(words[:, i], taken[:, i]) for i, cosine in enumerate(formed)}
     return angles | {"out_status": outcome.status}
+
+
+def table_ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """`ik6` to binary angles."""
+    return to_angles(parser.load(INVERSE), p, **ports)

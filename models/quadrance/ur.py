@@ -11,7 +11,7 @@ from quadrance.cores import RTL
 from quadrance.fixed import Ints, ints
 from quadrance.program import meaning, parser
 from quadrance.program.meaning import MORE
-from quadrance.six import triangle
+from quadrance.six import to_angles, triangle, vectors_of
 
 Params = dict[str, int]
 FORWARD, INVERSE, ALL = (RTL / "program" / f"vector_ur_{name}.kin" for name in ("fk", "ik", "ik_all"))
@@ -38,6 +38,16 @@ def fk(p: Params, **ports: Ints) -> dict[str, Ints]:
 def ik(p: Params, **ports: Ints) -> dict[str, Ints]:
     """One branch of a pose."""
     return meaning.answer(parser.load(INVERSE), p, **ports)
+
+
+def table_fk(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """`fk` of binary angles."""
+    return fk(p, **vectors_of(p, ports))
+
+
+def table_ik(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """`ik` to binary angles."""
+    return to_angles(parser.load(INVERSE), p, **ports)
 
 
 def ik_all(p: Params, **ports: Ints) -> dict[str, Ints]:

@@ -55,38 +55,17 @@ module table_fk6 #(
         end
     endgenerate
 
-    reg  [6*A-1:0]      angles;  // the joint being converted is in the lowest bits
-    reg  [6:1]          left;    // one-hot: the joint that the codec gives next, 0 between samples
-    reg                 feed;    // a joint is offered to the codec
-    reg  [2:0]          fed;     // joints that the codec has accepted
-    wire                take, ready, have, kernel_ready;
-    wire signed [U+1:0] c, n;
-    wire                accept = in_valid && in_ready;
-    assign              in_ready = left == 6'd0 && kernel_ready;
-    assign              take = feed && ready;
-    angle_to_vector #(.A(A), .U(U)) codec (.clk(clk), .rst(rst), .in_valid(feed), .in_ready(ready),
-        .in_j(angles[A-1:0]), .out_valid(have), .out_ready(1'b1), .out_c(c), .out_n(n));
-
-    reg  [10*U+19:0] first;  // vectors of joints 1 to 5, the last one in the highest bits
-    always @(posedge clk) begin
-        if (accept)
-            angles <= {in_j6, in_j5, in_j4, in_j3, in_j2, in_j1};
-        else if (take)
-            angles <= angles >> A;
-        if (have)
-            first <= {n, c, first[10*U+19:2*U+4]};
-        fed <= accept ? 3'd0 : fed + {2'd0, take};
-        feed <= !rst && (accept || feed && !(take && fed == 3'd5));
-        left <= rst ? 6'd0 : accept ? 6'd1 : have ? left << 1 : left;
-    end
+    wire signed [U+1:0] c1, n1, c2, n2, c3, n3, c4, n4, c5, n5, c6, n6;
+    wire                have, ready;
+    engine_vectors #(.A(A), .U(U)) joints (.clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
+        .in_angles({in_j6, in_j5, in_j4, in_j3, in_j2, in_j1}), .out_valid(have), .out_ready(ready),
+        .out_vectors({n6, c6, n5, c5, n4, c4, n3, c3, n2, c2, n1, c1}));
     vector_fk6 #(.W(W), .F(F), .U(U), .PIPE(PIPE)) kernel (.clk(clk), .rst(rst), .cfg_a1(cfg_a1), .cfg_a2(cfg_a2),
-        .cfg_b(cfg_b), .cfg_c1(cfg_c1), .cfg_c2(cfg_c2), .cfg_c3(cfg_c3), .cfg_c4(cfg_c4), .in_valid(have && left[6]),
-        .in_ready(kernel_ready), .in_c1(first[0 +: U+2]), .in_n1(first[U+2 +: U+2]),
-        .in_c2(first[2*U+4 +: U+2]), .in_n2(first[3*U+6 +: U+2]), .in_c3(first[4*U+8 +: U+2]),
-        .in_n3(first[5*U+10 +: U+2]), .in_c4(first[6*U+12 +: U+2]), .in_n4(first[7*U+14 +: U+2]),
-        .in_c5(first[8*U+16 +: U+2]), .in_n5(first[9*U+18 +: U+2]), .in_c6(c), .in_n6(n), .out_valid(out_valid),
-        .out_ready(out_ready), .out_r11(out_r11), .out_r12(out_r12), .out_r13(out_r13), .out_r21(out_r21),
-        .out_r22(out_r22), .out_r23(out_r23), .out_r31(out_r31), .out_r32(out_r32), .out_r33(out_r33), .out_x(out_x),
-        .out_y(out_y), .out_z(out_z), .out_status(out_status));
+        .cfg_b(cfg_b), .cfg_c1(cfg_c1), .cfg_c2(cfg_c2), .cfg_c3(cfg_c3), .cfg_c4(cfg_c4), .in_valid(have),
+        .in_ready(ready), .in_c1(c1), .in_n1(n1), .in_c2(c2), .in_n2(n2), .in_c3(c3), .in_n3(n3), .in_c4(c4),
+        .in_n4(n4), .in_c5(c5), .in_n5(n5), .in_c6(c6), .in_n6(n6), .out_valid(out_valid), .out_ready(out_ready),
+        .out_r11(out_r11), .out_r12(out_r12), .out_r13(out_r13), .out_r21(out_r21), .out_r22(out_r22),
+        .out_r23(out_r23), .out_r31(out_r31), .out_r32(out_r32), .out_r33(out_r33), .out_x(out_x), .out_y(out_y),
+        .out_z(out_z), .out_status(out_status));
 endmodule
 `default_nettype wire

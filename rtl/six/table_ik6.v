@@ -43,13 +43,13 @@ module table_ik6 #(
     input  wire signed [W-1:0] in_y,
     input  wire signed [W-1:0] in_z,
     input  wire [2:0]          in_branch,
-    output reg                 out_valid,
+    output wire                out_valid,
     input  wire                out_ready,
-    output reg  [A-1:0]        out_j1,
-    output reg  [A-1:0]        out_j2,
-    output reg  [A-1:0]        out_j3,
-    output reg  [A-1:0]        out_j4,
-    output reg  [A-1:0]        out_j5,
+    output wire [A-1:0]        out_j1,
+    output wire [A-1:0]        out_j2,
+    output wire [A-1:0]        out_j3,
+    output wire [A-1:0]        out_j4,
+    output wire [A-1:0]        out_j5,
     output wire [A-1:0]        out_j6,
     output wire [3:0]          out_status
 );
@@ -64,47 +64,15 @@ module table_ik6 #(
     wire        accept = in_valid && in_ready;
     wire [26:0] word;
     wire [5:0]  dest;
-    reg         busy;  // a sample is being solved, or its result waits
-    assign      in_ready = !busy || out_valid && out_ready;
     /* verilator lint_off PINCONNECTEMPTY */
     six_inverse_path #(.W(W), .U(U), .PIPE(PIPE)) path (.clk(clk), .rst(rst), .in_start(accept),
         .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
         .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
         .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_signs(in_branch), .out_idle(), .out_done(done),
         .out_word(word), .out_dest(dest), .out_status(out_status));
-
-    // One pair of registers holds one vector after the other. The codec gives an angle three clocks after the second
-    // word of a vector, cosine or sine, and before the next vector is complete
-    wire                part = dest[5:4] == 2'd0 && dest[3:1] != 3'd0 && dest[3:1] != 3'd7;
-    wire signed [U+1:0] c, n;
-    reg                 half, both;  // the first word of the vector is loaded; both words are
-    reg  [2:0]          joint;
-    wire                have;
-    reg  [1:0]          wait6;       // the codec converts joint 6
-    wire                late = wait6[1] || out_valid;  // no vector is accepted then: a proof cannot see that none comes
-    engine_results #(.COUNT(2), .U(U)) vector (.clk(clk), .in_word(word), .in_dest({4'd0, part, dest[0]}),
-        .out_words({n, c}));
-    vector_to_angle #(.U(U), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(both && !late), .in_ready(), .in_c(c),
-        .in_n(n), .out_valid(have), .out_ready(1'b1), .out_j(out_j6), .out_status());
     /* verilator lint_on PINCONNECTEMPTY */
-
-    always @(posedge clk) begin
-        if (part && half)
-            joint <= dest[3:1];
-        half <= !accept && (half ^ part);
-        if (have && !late)
-            case (joint)
-                3'd1: out_j1 <= out_j6;
-                3'd2: out_j2 <= out_j6;
-                3'd3: out_j3 <= out_j6;
-                3'd4: out_j4 <= out_j6;
-                3'd5: out_j5 <= out_j6;
-                default: ;
-            endcase
-        both      <= !rst && part && half;
-        wait6     <= rst ? 2'b00 : {wait6[0], done};
-        out_valid <= !rst && (wait6[1] || out_valid && !out_ready);
-        busy      <= !rst && (accept || busy && !(out_valid && out_ready));
-    end
+    engine_angles #(.A(A), .U(U)) joints (.clk(clk), .rst(rst), .in_start(accept), .in_done(done), .in_word(word),
+        .in_dest(dest), .out_idle(in_ready), .out_valid(out_valid), .out_ready(out_ready),
+        .out_angles({out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}));
 endmodule
 `default_nettype wire

@@ -25,7 +25,7 @@ def arms(core: Core) -> list[Ur]:
 
 
 def _words(core: Core, arm: Ur, rng: np.random.Generator) -> dict[str, int]:
-    if core.function == "ur_fk":
+    if core.function.startswith("ur_fk"):
         return ur.forward_config(core.params, **arm._asdict())
     units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
     margin, slack = units * 2.0 ** -rng.uniform(2, 10, 2) * (rng.random(2) < 0.7)
@@ -67,7 +67,7 @@ def poses(core: Core, cfg: dict[str, int], q: np.ndarray, rng: np.random.Generat
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Forward: all borders and vectors of any length. Inverse: poses, half of them disturbed in one way or another."""
     rng = np.random.default_rng(1)
-    if core.function == "ur_fk":
+    if core.function.startswith("ur_fk"):
         q, found = angles(400, rng), {}
         for i, joint in enumerate(joints(core.inputs)):
             found |= codecs.encode(joint, q[:, i])

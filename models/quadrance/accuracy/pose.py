@@ -27,7 +27,7 @@ from quadrance.fixed import Ints, to_fixed, to_float
 from quadrance.truth import Floats
 
 FUNCTIONS = {"arm_fk3": 3, "arm_ik3": 3, "fk6": 6, "fk6_of_angles": 6, "ik6": 6, "ik6_all": 6, "ik6_to_angles": 6,
-             "ur_fk": 6, "ur_ik": 6, "ur_ik_all": 6}
+             "ur_fk": 6, "ur_fk_of_angles": 6, "ur_ik": 6, "ur_ik_all": 6, "ur_ik_to_angles": 6}
 AT_ONCE = 8192  # samples: a model of six axes holds all its words
 
 
