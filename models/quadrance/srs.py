@@ -9,7 +9,7 @@ from quadrance.cores import RTL
 from quadrance.fixed import Ints
 from quadrance.program import meaning, parser
 from quadrance.program.meaning import MORE
-from quadrance.six import triangle
+from quadrance.six import to_angles, triangle
 
 Params = dict[str, int]
 INVERSE = RTL / "program" / "vector_srs_ik.kin"
@@ -27,3 +27,8 @@ def config(p: Params, *, d: float, l1: float, l2: float, l4: float, margin: floa
 def ik(p: Params, **ports: Ints) -> dict[str, Ints]:
     """One branch of a pose, for one swivel."""
     return meaning.answer(parser.load(INVERSE), p, **ports)
+
+
+def table_ik(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """`ik` to binary angles."""
+    return to_angles(parser.load(INVERSE), p, **ports)

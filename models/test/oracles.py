@@ -6,6 +6,7 @@ nothing of the model that it judges.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -56,3 +57,16 @@ BITS = {"unreachable": 1, "singular": 2, "overflow": 4, "not_converged": 8, "no_
 def flags(core: Core, rows: Sequence[Row], cfg: Row | None = None, bit: str = "overflow") -> list[bool]:
     """A status bit of every sample."""
     return [bool(row["status"] & BITS[bit]) for row in ask(core, rows, cfg)]
+
+
+def turned(core: Core, answer: Row, joint: int, end: str = "") -> float:
+    """An answered joint, radians: a binary angle, or cosine and sine with `end` behind their names."""
+    if f"j{joint}" in answer:
+        return answer[f"j{joint}"] * 2 * math.pi / 2 ** core.params["A"]
+    return math.atan2(answer[f"n{joint}{end}"], answer[f"c{joint}{end}"])
+
+
+def near(core: Core, answer: Row, q: Sequence[float], end: str = "") -> bool:
+    """The answered joints are these, to a hundredth of a radian."""
+    return all(abs(math.remainder(turned(core, answer, i, end) - one, 2 * math.pi)) < 0.01
+               for i, one in enumerate(q, 1))

@@ -11,7 +11,7 @@ from quadrance.program import meaning, parser
 from quadrance.six import AXES
 from quadrance.truth_srs import Srs
 
-INVERSE = pytest.mark.parametrize("core", [core for core in all_cores() if core.family == "srs"
+INVERSE = pytest.mark.parametrize("core", [core for core in all_cores() if core.function == "srs_ik"
                                            and not core.params["PIPE"]], ids=lambda core: core.id)
 # KUKA LBR iiwa 7 R800 and 14 R820: base to shoulder, to elbow, to wrist, to flange, mm
 MAKER = {"iiwa7": (340, 400, 400, 126), "iiwa14": (360, 420, 400, 126)}

@@ -68,30 +68,17 @@ module vector_srs_ik #(
 
     wire        idle, done;
     wire        accept = in_valid && in_ready;
-    wire [46:0] op;
-    assign      in_ready = idle && (!out_valid || out_ready);
-    vector_srs_ik_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-        .out_done(done), .out_op(op));
-
-    reg  [2:0]     signs;
-    reg  [2*U+3:0] swivel;
-    wire [26:0]    port, word;
-    wire [5:0]     dest;
-    six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(accept),
+    wire [26:0] word;
+    wire [5:0]  dest;
+    srs_inverse_path #(.W(W), .U(U), .PIPE(PIPE)) path (.clk(clk), .rst(rst), .in_start(accept),
         .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
-        .in_tip({in_z, in_y, in_x}),
-        .in_lengths({cfg_slack, 4'd0, cfg_margin, 4'd0, cfg_l4, cfg_l2, cfg_l1, cfg_d}),
-        .in_cp({swivel[U+1:0], {(25-U){1'b0}}}), .in_np({swivel[2*U+3:U+2], {(25-U){1'b0}}}), .in_r(cfg_r),
-        .in_e(cfg_e), .in_select(op[43:39]), .out_word(port));
-    product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U), .MARGINS(1)) engine (.clk(clk), .rst(rst),
-        .in_start(accept), .in_run(!idle), .in_op(op), .in_port(port), .in_signs(signs), .out_word(word),
-        .out_dest(dest), .out_status(out_status));
+        .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_l4, cfg_l2, cfg_l1, cfg_d}), .in_margin(cfg_margin),
+        .in_slack(cfg_slack), .in_swivel({in_ns, in_cs}), .in_r(cfg_r), .in_e(cfg_e), .in_signs(in_branch),
+        .out_idle(idle), .out_done(done), .out_word(word), .out_dest(dest), .out_status(out_status));
+    assign      in_ready = idle && (!out_valid || out_ready);
     engine_results #(.COUNT(14), .U(U)) joints (.clk(clk), .in_word(word), .in_dest(dest), .out_words({out_n7, out_c7,
         out_n6, out_c6, out_n5, out_c5, out_n4, out_c4, out_n3, out_c3, out_n2, out_c2, out_n1, out_c1}));
-    always @(posedge clk) begin
-        if (accept)
-            {swivel, signs} <= {in_ns, in_cs, in_branch};
+    always @(posedge clk)
         out_valid <= !rst && (done || out_valid && !out_ready);
-    end
 endmodule
 `default_nettype wire

@@ -92,7 +92,9 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
     if core.family == "ur":
         lengths = {name: length / arm.mm_per_unit for name, length in arm.ur.items()}
         margin = (arm.singular[1] or 0.0) / arm.mm_per_unit
-        return ur.forward_config(p, **lengths) if function.startswith("ur_fk") else ur.config(p, **lengths, margin=margin)
+        if function.startswith("ur_fk"):
+            return ur.forward_config(p, **lengths)
+        return ur.config(p, **lengths, margin=margin)
     if function in ("arm_fk3", "arm_ik3"):
         return arm_model.words(p, arm, inverse=function == "arm_ik3")
     if function == "keep3":
