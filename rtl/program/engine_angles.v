@@ -32,7 +32,7 @@ module engine_angles #(
     endgenerate
 
     localparam [31:0]   TOP = JOINTS;
-    wire                part = in_dest[5:4] == 2'd0 && in_dest[3:1] != 3'd0 && in_dest[3:1] <= TOP[2:0];
+    wire                part = in_dest[5:1] != 5'd0 && in_dest[5:1] <= TOP[4:0];
     wire signed [U+1:0] c, n;
     wire [A-1:0]        angle;
     reg                 busy;        // a sample is being solved, or its result waits
