@@ -44,7 +44,7 @@ class Six(NamedTuple):
 
 def known() -> list[str]:
     """Names of the arms of the library that have a spherical wrist."""
-    return [name for name in arms.known() if arms.load(name).flange is not None]
+    return [name for name in arms.known() if arms.load(name).axes == 6 and arms.load(name).flange is not None]
 
 
 def load(name: str) -> tuple[Six, float]:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quadrance import arms
 from quadrance.truth import Floats, floats
 
 TWISTS = (-90, 90, 90, -90, -90, 90, 0)
@@ -24,6 +25,17 @@ class Srs(NamedTuple):
     l1: float  # upper arm
     l2: float  # forearm
     l4: float  # from the wrist's centre to the flange
+
+
+def known() -> list[str]:
+    """Names of the arms of the library that have seven axes."""
+    return [name for name in arms.known() if arms.load(name).upper_limit]
+
+
+def load(name: str) -> tuple[Srs, float]:
+    """The four lengths (mm) of an arm, and the millimetres in one coordinate unit."""
+    arm = arms.load(name)
+    return Srs(**arm.srs), arm.mm_per_unit
 
 
 def frames(q: ArrayLike, arm: Srs) -> list[Floats]:

@@ -13,16 +13,14 @@ from quadrance.truth_srs import Srs
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
 
-ROBOTS = (Srs(36, 42, 40, 12.6), Srs(34, 40, 40, 12.6))  # units of 10 mm
-
 
 def arms(core: Core) -> list[Srs]:
     """Robots as large as the word, lengths of either sign, of zero and of a word's range."""
     units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
     share = [(0, 0.1, 0.2, 0), (-0.1, 0.3, 0.3, -0.125), (0.3, 0.4, 0.1, 0.25), (0, 0, 0, 0), (0.01, 0.01, 0.01, 0.01),
              (0, 0.99, 0.99, 0.2)]
-    return [Srs(*(length * units / 128 for length in one)) for one in ROBOTS] \
-        + [Srs(*(units * part for part in one)) for one in share]
+    found = [Srs(*(length / mm * units / 128 for length in one)) for one, mm in map(truth_srs.load, truth_srs.known())]
+    return found + [Srs(*(units * part for part in one)) for one in share]
 
 
 def _words(core: Core, arm: Srs, rng: np.random.Generator) -> dict[str, int]:

@@ -7,7 +7,7 @@ import inspect
 import math
 
 from quadrance import arm as arm_model
-from quadrance import arm_keep, six, ur
+from quadrance import arm_keep, six, srs, ur
 from quadrance.arms import Arm, ArmError
 from quadrance.cores import Core, Joint, joints
 from quadrance.fixed import to_fixed, to_float
@@ -80,6 +80,9 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
         For a core with words that no arm file says.
     """
     p, function = core.params, core.function
+    if core.family == "srs":
+        lengths = {name: length / arm.mm_per_unit for name, length in arm.srs.items()}
+        return srs.config(p, **lengths, margin=(arm.singular[1] or 0.0) / arm.mm_per_unit)
     if core.family == "six" and function in ("velocity6", "rates6"):
         lengths = {name: length / arm.mm_per_unit for name, length in arm.six.items() if name != "c1"}
         if function == "velocity6":

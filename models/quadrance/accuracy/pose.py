@@ -1,4 +1,4 @@
-"""Total errors of the cores that have a whole arm inside: those of rtl/arm (three joints), of rtl/six and of rtl/ur.
+"""Total errors of the cores that have a whole arm inside: those of rtl/arm (three joints), rtl/six, rtl/ur and rtl/srs.
 
 As in `tip`, with words and arithmetic together: of a forward core the distance from the answered tip to the float64 tip
 of the unrounded joints; of an inverse one from the float64 tip of the answered words to the unrounded tip. Six axes
@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quadrance import codecs, six, truth_arm, truth_six, truth_ur
+from quadrance import codecs, six, truth_arm, truth_six, truth_srs, truth_ur
 from quadrance.accuracy.arm import config
 from quadrance.accuracy.of_core import modelled
 from quadrance.arms import Arm
@@ -27,7 +27,8 @@ from quadrance.fixed import Ints, to_fixed, to_float
 from quadrance.truth import Floats
 
 FUNCTIONS = {"arm_fk3": 3, "arm_ik3": 3, "fk6": 6, "fk6_of_angles": 6, "ik6": 6, "ik6_all": 6, "ik6_to_angles": 6,
-             "ur_fk": 6, "ur_fk_of_angles": 6, "ur_ik": 6, "ur_ik_all": 6, "ur_ik_to_angles": 6}
+             "ur_fk": 6, "ur_fk_of_angles": 6, "ur_ik": 6, "ur_ik_all": 6, "ur_ik_to_angles": 6,
+             "srs_ik": 7, "srs_ik_to_angles": 7}
 AT_ONCE = 8192  # samples: a model of six axes holds all its words
 
 
@@ -46,11 +47,13 @@ class Worst:
 def motion(arm: Arm, count: int, rng: np.random.Generator) -> Floats:
     """Joints (N, 6) within the limits, radians: shoulder, elbow, yaw as the arm file has them, and a wrist.
 
+    Of seven axes (N, 7): the turn of the upper arm is the last.
+
     Uniform; each joint of a third of them near a multiple of a right angle, the elbow and joint 5 of a quarter near
     straight or folded (log-uniform from 2^-20 rad, both sides).
     """
-    ranges = np.radians([*arm.limits[:3], *[(-180.0, 180.0)] * 3])
-    theta = rng.uniform(*ranges.T, (count, 6))
+    ranges = np.radians([*arm.limits[:3], *[(-180.0, 180.0)] * 3, *[arm.upper_limit] * (arm.upper_limit is not None)])
+    theta = rng.uniform(*ranges.T, (count, len(ranges)))
 
     def near(step: float, share: float) -> Floats:
         off = rng.choice([-1, 1], theta.shape) * 2.0 ** -rng.uniform(0, 20, theta.shape)
@@ -117,14 +120,18 @@ def _three(core: Core, arm: Arm, theta: Floats) -> Errors:
 
 
 def _six(core: Core, arm: Arm, theta: Floats) -> Errors:
-    """Errors of the cores of six axes."""
-    cfg, lengths = config(core, arm), arm.ur if core.family == "ur" else arm.six
-    parameters = (truth_ur.Ur if core.family == "ur" else truth_six.Six)(
-        **{name: length / arm.mm_per_unit for name, length in lengths.items()})
+    """Errors of the cores of six and seven axes."""
+    cfg, lengths, kind = config(core, arm), *{
+        "six": lambda: (arm.six, truth_six.Six), "ur": lambda: (arm.ur, truth_ur.Ur),
+        "srs": lambda: (arm.srs, truth_srs.Srs)}[core.family]()
+    parameters = kind(**{name: length / arm.mm_per_unit for name, length in lengths.items()})
     shoulder, elbow, yaw = theta[:, :3].T
     if core.family == "ur":
         forward, branch_of, in_plane = truth_ur.fk, _branch_ur, _in_plane
         q = np.stack([yaw, shoulder + math.pi, elbow, *theta[:, 3:].T], axis=-1)
+    elif core.family == "srs":
+        forward, branch_of, in_plane = truth_srs.fk, _branch_srs, _from_axis
+        q = np.stack([yaw, math.pi / 2 - shoulder, theta[:, 6], elbow, *theta[:, 3:6].T], axis=-1)
     else:
         forward, branch_of, in_plane = truth_six.fk6, _branch, _from_axis
         q = np.stack([yaw, math.pi / 2 - shoulder, -elbow - parameters.psi, *theta[:, 3:].T], axis=-1)
@@ -137,6 +144,9 @@ def _six(core: Core, arm: Arm, theta: Floats) -> Errors:
     else:
         words = _target(core, tip) | dict(zip((f"in_r{axis}" for axis in six.AXES),
                                               to_fixed(rotation, core.params["U"]).reshape(-1, 9).T))
+        if core.family == "srs":
+            turn = truth_srs.swivel(q, parameters)
+            words |= {f"in_{name}s": to_fixed(of(turn), core.params["U"]) for name, of in (("c", np.cos), ("n", np.sin))}
         every, found = core.function.endswith("_all"), []
         answer = modelled(core, words if every else words | {"in_branch": branch_of(q, parameters)}, cfg)
         for branch in range(8 if every else 1):
@@ -154,9 +164,10 @@ def _held_out_of_reach(core: Core, answer: dict[str, Ints]) -> np.ndarray:
     return (core.family == "ur") & (answer["out_status"] & 3 == 3)
 
 
-def _from_axis(rotation: Floats, tip: Floats, arm: truth_six.Six) -> Floats:
+def _from_axis(rotation: Floats, tip: Floats, arm: truth_six.Six | truth_srs.Srs) -> Floats:
     """Distance of the wrist's centre from axis 1."""
-    return np.hypot(*np.moveaxis(tip - arm.c4 * rotation[..., 2], -1, 0)[:2])
+    flange = arm.l4 if isinstance(arm, truth_srs.Srs) else arm.c4
+    return np.hypot(*np.moveaxis(tip - flange * rotation[..., 2], -1, 0)[:2])
 
 
 def _in_plane(rotation: Floats, tip: Floats, arm: truth_ur.Ur) -> Floats:
@@ -178,3 +189,8 @@ def _branch_ur(q: Floats, arm: truth_ur.Ur) -> Ints:
     fore = q[:, 1] + q[:, 2]
     x1 = arm.d5 * np.sin(fore + q[:, 3]) - arm.l2 * np.cos(q[:, 1]) - arm.l3 * np.cos(fore)
     return (x1 < 0) * truth_ur.BACK + (np.sin(q[:, 2]) < 0) * truth_ur.DOWN + (np.sin(q[:, 4]) < 0) * truth_ur.FLIP
+
+
+def _branch_srs(q: Floats, arm: truth_srs.Srs) -> Ints:
+    """The branch of vector_srs_ik that the joints are on."""
+    return sum((np.sin(q[:, 2 * bit + 1]) < 0) * (1 << bit) for bit in range(3))

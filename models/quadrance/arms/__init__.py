@@ -23,6 +23,7 @@
     elbow = [-150, 150]
     yaw = [-180, 180]       left out for a SCARA, whose two links move in the horizontal plane
     forearm = [-100, 0]     optional, of an absolute elbow alone: the forearm from the horizontal
+    upper = [-170, 170]     optional: the arm has seven axes, of which the third turns the upper arm about itself
     [singular]              optional: where the velocity cores limit the rates; axis is the margin of rtl/ur
     elbow = 5.0             degrees from the stretched and the folded arm
     axis = 20.0             mm from the yaw axis; a SCARA has none
@@ -32,8 +33,8 @@
 A joint of the machine is sign * (its own angle) + zero, in degrees, as seen by the cores: `yaw` from the x axis,
 counter-clockwise from above; `shoulder` from the horizontal upwards; `elbow` from link 1 to the forearm itself, without
 the turn of the elbow's offset (of an absolute elbow: from the horizontal); `tool` of the link l3, from link 2; `j4`,
-`j5`, `j6` of a wrist as rtl/six or, where it is parallel, rtl/ur has them. Without the table the machine's joints are
-the cores' own.
+`j5`, `j6` of a wrist as rtl/six or, where it is parallel, rtl/ur has them; of seven axes `upper`, and `j5`, `j6`, `j7`
+of the wrist, as rtl/srs has them. Without the table the machine's joints are the cores' own.
 """
 
 from __future__ import annotations
@@ -49,6 +50,10 @@ REACH = 128 - 2**-8  # units: the largest coordinate of Q7.8
 MOST = 1e9  # mm: no length is beyond it
 TOP = ("name", "source", "mm_per_unit", "links", "constants", "wrist", "limits", "singular", "joints")
 WRIST = ("j4", "j5", "j6")
+WRIST_OF_SEVEN = ("j5", "j6", "j7")
+
+
+SEVEN = "limits.upper: is given, and this core has no joint that turns the upper arm"
 
 
 class ArmError(ValueError):
@@ -70,6 +75,7 @@ class Arm:
     """One arm. Lengths in millimetres, limits in degrees; `l1`, `l2` are what the cores see.
 
     limits : of shoulder, elbow and, but of a SCARA, yaw. forearm_limit : of an absolute elbow, from the horizontal.
+    upper_limit : of the turn of the upper arm about itself, of an arm with seven axes.
     l3, flange, spherical, singular : None where the file does not say it; `flange` is that of a spherical wrist.
     d5, d6 : offset and flange of a parallel wrist; None for any other.
     """
@@ -88,6 +94,7 @@ class Arm:
     absolute_elbow: bool
     limits: tuple[tuple[float, float], ...]
     forearm_limit: tuple[float, float] | None = None
+    upper_limit: tuple[float, float] | None = None
     l3: float | None = None
     spherical: bool | None = None
     flange: float | None = None
@@ -113,8 +120,8 @@ class Arm:
 
     @property
     def axes(self) -> int:
-        """Joints that the cores serve: two of a SCARA, three, or six with a wrist."""
-        return 6 if self.flange is not None or self.d6 is not None else len(self.limits)
+        """Joints that the cores serve: two of a SCARA, three, six with a wrist, or seven."""
+        return 7 if self.upper_limit else 6 if self.flange is not None or self.d6 is not None else len(self.limits)
 
     @property
     def six(self) -> dict[str, float]:
@@ -125,6 +132,8 @@ class Arm:
         ArmError
             For an arm that has no spherical wrist.
         """
+        if self.upper_limit:
+            raise ArmError(f"{self.id}: {SEVEN}")
         if self.flange is None:
             raise ArmError(f"{self.id}: " + (
                 "wrist: is missing, and six axes want a spherical one" if self.spherical is None else
@@ -146,6 +155,19 @@ class Arm:
             said = "is missing" if self.spherical is None else f"spherical is {str(self.spherical).lower()}"
             raise ArmError(f"{self.id}: wrist: {said}, and this core wants parallel = true")
         return {"d1": self.base, "d4": self.lateral, "d5": self.d5, "d6": self.d6, "l2": self.l1, "l3": self.l2}
+
+    @property
+    def srs(self) -> dict[str, float]:
+        """The four lengths of rtl/srs, mm.
+
+        Raises
+        ------
+        ArmError
+            For an arm that has not seven axes.
+        """
+        if not self.upper_limit:
+            raise ArmError(f"{self.id}: limits.upper: is missing, and this core wants seven axes")
+        return {"d": self.base, "l1": self.l1, "l2": self.l2, "l4": self.flange}
 
     def joint(self, key: str) -> Joint:
         """A joint of the machine; where the file has none, the core's own by the name of its key."""
@@ -282,7 +304,7 @@ def parse(path: Path, text: bytes) -> Arm:
     only(links, "links.", {"l1", "l2", "l3"})
     only(constants, "constants.", {"base", "shoulder", "lateral", "elbow", "absolute_elbow"})
     only(wrist, "wrist.", {"spherical", "parallel", "offset", "flange"})
-    only(limits, "limits.", {"shoulder", "elbow", "yaw", "forearm"})
+    only(limits, "limits.", {"shoulder", "elbow", "yaw", "forearm", "upper"})
     only(singular, "singular.", {"elbow", "axis"})
     l1, forearm = length(links, "links.", "l1"), length(links, "links.", "l2")
     l3 = length(links, "links.", "l3") if "l3" in links else None
@@ -310,6 +332,12 @@ def parse(path: Path, text: bytes) -> Arm:
     flange = take(wrist, "wrist.", "flange", float) if spherical else None
     if flange is not None and flange < 0:
         fail("wrist.flange", f"must not be negative, not {flange:g}")
+    if "upper" in limits:
+        if flange is None:
+            fail("limits.upper", "is of an arm with seven axes, and these have wrist.spherical = true")
+        for key in ("shoulder", "lateral", "elbow", "absolute_elbow"):
+            if constants.get(key):
+                fail(f"constants.{key}", "is not 0, and an arm with seven axes has none")
     if "forearm" in limits and not absolute:
         fail("limits.forearm", "is of an absolute elbow, and constants.absolute_elbow is not true")
     if (spherical or parallel) and "yaw" not in limits:
@@ -319,8 +347,10 @@ def parse(path: Path, text: bytes) -> Arm:
         fail("singular.elbow", f"must lie between 0 and 90 degrees, not {singular['elbow']:g}")
     near = (float(singular["elbow"]) if "elbow" in singular else None,
             length(singular, "singular.", "axis") if "axis" in singular else None)
-    wanted = ["yaw"] * ("yaw" in limits) + ["shoulder", "elbow"] + ["tool"] * (l3 is not None) \
-        + [*WRIST] * (flange is not None or parallel)
+    wanted = [*["yaw"] * ("yaw" in limits), "shoulder", *["upper"] * ("upper" in limits), "elbow",
+              *["tool"] * (l3 is not None)]
+    if flange is not None or parallel:
+        wanted += WRIST_OF_SEVEN if "upper" in limits else WRIST
     only(joints, "joints.", set(wanted))
     machine = tuple(joint(key) for key in wanted) if joints else ()
     for i, one in enumerate(machine):
@@ -328,5 +358,6 @@ def parse(path: Path, text: bytes) -> Arm:
             fail(f"joints.{one.key}.name", f"'{one.name}' is the name of another joint")
     return Arm(id=path.stem, name=name, source=source, mm_per_unit=unit, l1=l1, l2=l2, **offset,
                elbow_angle=math.degrees(math.atan2(offset["elbow"], forearm)), absolute_elbow=absolute, limits=room,
-               forearm_limit=limit("forearm") if "forearm" in limits else None, l3=l3, spherical=spherical,
+               forearm_limit=limit("forearm") if "forearm" in limits else None,
+               upper_limit=limit("upper") if "upper" in limits else None, l3=l3, spherical=spherical,
                flange=flange, d5=d5, d6=d6, singular=near, joints=machine)

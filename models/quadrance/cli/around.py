@@ -10,12 +10,12 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-from quadrance.arms import WRIST, Arm, Joint
+from quadrance.arms import WRIST, WRIST_OF_SEVEN, Arm, Joint
 from quadrance.cores import Core
 
 PLANE = ("fk1", "fk2", "ik1", "ik2", "ik3r", "keep2", "velocity2", "rates2")  # in a plane: of a yawing arm its own
 INSIDE = ("arm_fk3", "arm_ik3", "keep3")  # cores that have the constants inside
-SIX = ("six", "ur")  # families of six axes
+WRISTED = ("six", "ur", "srs")  # families that serve an arm with its wrist
 SPACE = ("fk3", "ik3", "velocity3", "rates3")
 
 
@@ -63,6 +63,9 @@ def joints(core: Core, arm: Arm) -> list[tuple[Joint, str]]:
         turned = [replace(one, sign=-one.sign, zero=-one.zero) for one in (shoulder, elbow)]
         joints = replace(yaw, zero=yaw.zero - 180), *turned, *(arm.joint(key) for key in WRIST)
         return [(replace(one, zero=(one.zero + 180) % 360 - 180), "") for one in joints]
+    if core.family == "srs":
+        second = replace(shoulder, sign=-shoulder.sign, zero=90 - shoulder.zero)
+        return [(one, "") for one in (yaw, second, arm.joint("upper"), elbow, *map(arm.joint, WRIST_OF_SEVEN))]
     if core.function in ("fk1", "ik1"):
         return [(shoulder, "")]
     found = [(shoulder, "")]
@@ -102,6 +105,8 @@ def around(core: Core, arm: Arm) -> Around:
     names = [f"j{i}" for i in range(1, len(machine) + 1)]
     if core.function == "ik3" and yaw:
         names[2] = f"j3 - {yaw}"
+    if core.family == "srs":
+        remarks = ("in_cs and in_ns are cosine and sine of the swivel, which turns the elbow: rtl/srs/README.md",)
     if core.function in ("ik6_all", "ur_ik_all"):
         remarks = (*remarks, "j1 to j6 are those of each of the eight branches")
     return Around(before, tuple(_given(*one, name) for one, name in zip(machine, names)), remarks)

@@ -7,14 +7,14 @@ from dataclasses import asdict
 
 from quadrance import arms
 from quadrance.arms import REACH, Arm, ArmError
-from quadrance.cli.around import PLANE, SIX
+from quadrance.cli.around import PLANE, WRISTED
 from quadrance.cli.catalogue import Refused, choose, find
 from quadrance.cli.verilog import config, fitted, takes_an_arm
 from quadrance.cores import all_cores
 
 STEPS = (1.0, 1.25, 2.0, 2.5, 4.0, 5.0, 8.0, 10.0)
 F = 8  # fraction bits of the cores' first sets
-STRUCTURE = ("limits.yaw", "links.l3", "wrist")  # keys that an arm does not have because it is built otherwise
+STRUCTURE = ("limits.yaw", "links.l3", "wrist", "limits.upper: is missing")  # of an arm that is built otherwise
 
 
 def load(name_or_path: str) -> Arm:
@@ -49,14 +49,14 @@ def functions(arm: Arm) -> tuple[list[str], dict[str, list[str]]]:
     """
     found, refused = [], {}
     listed = {core.function: core for core in all_cores() if core.first_set and takes_an_arm(core)}
-    for function, core in sorted(listed.items(), key=lambda one: (one[1].family not in SIX, one[0] in PLANE,
+    for function, core in sorted(listed.items(), key=lambda one: (one[1].family not in WRISTED, one[0] in PLANE,
                                                                   one[0] in ("fk1", "ik1"))):
         try:
             config(fitted(core, arm, {}), arm)
             found.append(function)
         except Refused as error:
             reason = str(error).partition(f"{arm.id}: ")[2]
-            if reason.partition(":")[0] not in STRUCTURE:
+            if reason.partition(":")[0] not in STRUCTURE and reason.partition(",")[0] not in STRUCTURE:
                 refused.setdefault(reason, []).append(function)
     return found, refused
 

@@ -8,7 +8,8 @@ from quadrance.arms import Arm
 from quadrance.cli.catalogue import Refused, timing
 from quadrance.cores import Core
 
-SERVED = (*accuracy.JOINTS, "arm_fk3", "arm_ik3", "fk6", "ik6", "ur_fk", "ur_ik")  # functions that have an error in mm
+# functions that have an error in mm
+SERVED = (*accuracy.JOINTS, "arm_fk3", "arm_ik3", "fk6", "ik6", "ur_fk", "ur_ik", "srs_ik")
 
 
 def measured(core: Core, arm: Arm) -> dict:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from quadrance import accuracy, six
 from quadrance import arm as arm_model
-from quadrance.arms import Arm, ArmError
-from quadrance.cli.around import INSIDE, PLANE, SIX, SPACE, around, plus
+from quadrance.arms import SEVEN, Arm, ArmError
+from quadrance.cli.around import INSIDE, PLANE, SPACE, WRISTED, around, plus
 from quadrance.cli.catalogue import Refused, at, compile_order, timing
 from quadrance.cores import Core, Port, all_cores
 
@@ -28,14 +28,13 @@ def literal(port: Port, value: int) -> str:
 
 
 STREAMED = "its link lengths come with the samples (in_l), not as configuration words"
-NO_ARM = {"srs_ik": "no key of an arm file says the lengths of seven axes; quadrance.srs.config computes its words",
-          "chain": STREAMED, "mff": STREAMED,
+NO_ARM = {"chain": STREAMED, "mff": STREAMED,
           "fk5": "no key of an arm file says where its joints four and five are (cfg_d4, cfg_d5)"}
 
 
 def takes_an_arm(core: Core) -> bool:
     """Whether an arm file can say the core's configuration words."""
-    return core.function in (*PLANE, *SPACE, *INSIDE) or core.family in SIX
+    return core.function in (*PLANE, *SPACE, *INSIDE) or core.family in WRISTED
 
 
 def _refuse(core: Core, arm: Arm) -> None:
@@ -43,6 +42,8 @@ def _refuse(core: Core, arm: Arm) -> None:
         other = "its configuration is a solver's or a parallel robot's, which no arm file says" \
             if core.family == "engine" and core.cfg else "it is no kinematics of an arm"
         raise Refused(f"{core.name} takes no arm: {NO_ARM.get(core.function, other)}")
+    if arm.upper_limit and core.family != "srs":
+        raise Refused(f"{core.name} on arm {arm.id}: {SEVEN}")
     if core.function not in PLANE and not arm.yaws:
         raise Refused(f"{core.name} on arm {arm.id}: limits.yaw: is missing, and a joint of the core yaws; fk2, ik2 "
                       "and other cores of a plane take this arm")
@@ -97,6 +98,9 @@ def _lengths(core: Core, arm: Arm) -> dict[str, tuple[float, str]]:
     if core.family == "ur":
         keys = ("constants.base", "constants.lateral", "wrist.offset", "wrist.flange", "links.l1", "links.l2")
         found = {f"cfg_{name}": (length, key) for (name, length), key in zip(arm.ur.items(), keys)}
+    if core.family == "srs":
+        keys = ("constants.base", "links.l1", "links.l2", "wrist.flange")
+        found = {f"cfg_{name}": (length, key) for (name, length), key in zip(arm.srs.items(), keys)}
     return found
 
 
@@ -107,7 +111,7 @@ def _note(core: Core, port: Port, arm: Arm, value: int) -> str:
         return f"not built: {switch} is 0"
     if known := _lengths(core, arm).get(port.name):
         length, key = known
-        more = six.MORE if core.family in SIX and port.name != "cfg_radius" else 0
+        more = six.MORE if core.family in WRISTED and port.name != "cfg_radius" else 0
         held = value * 2.0 ** -(core.params["F"] + more) * arm.mm_per_unit
         said, kept = f"{length:.6g}", f"{held:.6g}"
         return f"{said} mm, {key}" + ("" if said == kept else f", held as {kept} mm")
