@@ -18,9 +18,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from quadrance import arms, bounds, codecs, truth_arm, truth_six, truth_ur
+from quadrance import arms, bounds, codecs, truth_arm, truth_six, truth_srs, truth_ur
 from quadrance.bounds import arm as arm_bounds
 from quadrance.bounds import six as six_bounds
+from quadrance.bounds import srs as srs_bounds
 from quadrance.bounds import ur as ur_bounds
 from quadrance.cli import main
 from quadrance.cli.words import number
@@ -34,7 +35,8 @@ NEVER = ("chain", "mff", "fk5")  # kinematics whose lengths are not an arm file'
 PLANE = ("fk1", "fk2", "ik1", "ik2", "ik3r", "keep2", "velocity2", "rates2")
 CLEAR, FEW = 12.0, 60  # degrees from the stretched and the folded arm; samples an arm
 CORES = [core if core.family != "paper" else find(f"{core.name}-S24") for core in all_cores()
-         if core.first_set and core.family in ("vector", "table", "rational", "classic", "paper", "arm", "six", "ur")
+         if core.first_set and core.family in ("vector", "table", "rational", "classic", "paper", "arm", "six", "ur",
+                                               "srs")
          and core.function not in (*NEVER, "root", "sign", "quotient")]
 
 # The arm, from its file alone
@@ -98,7 +100,8 @@ class Machine:
             return found @ turned("z", q["tool"]) @ moved(self.key("links", "l3")) if links > 2 else found
         base, a, b = (self.key("constants", key) for key in ("base", "shoulder", "lateral"))
         found = moved(z=base) @ turned("z", q["yaw"] * (not plane)) @ moved(a, b)
-        found = found @ turned("y", -q["shoulder"]) @ moved(l1)
+        found = found @ turned("y", -q["shoulder"])
+        found = (found @ turned("x", q["upper"]) if "upper" in q else found) @ moved(l1)
         if links > 1:
             found = found @ turned("y", -q["elbow"]) @ moved(l2, 0, self.key("constants", "elbow"))
         if links > 3:  # the wrist, whose z axis is along the forearm
@@ -108,8 +111,9 @@ class Machine:
                 found = found @ turned("z", q["j4"]) @ turned("x", np.full(len(found), 90.0)) @ turned("z", q["j5"])
                 found = found @ moved(z=wrist["offset"]) @ turned("x", np.full(len(found), -90.0))
                 return found @ turned("z", q["j6"]) @ moved(z=wrist["flange"])
-            found = found @ turned("y", np.full(len(found), 90.0)) @ turned("z", q["j4"]) @ turned("y", q["j5"])
-            found = found @ turned("z", q["j6"]) @ moved(z=self.key("wrist", "flange"))
+            one, two, three = (q[key] for key in (("j5", "j6", "j7") if "upper" in q else ("j4", "j5", "j6")))
+            found = found @ turned("y", np.full(len(found), 90.0)) @ turned("z", one) @ turned("y", two)
+            found = found @ turned("z", three) @ moved(z=self.key("wrist", "flange"))
         return found
 
     def sample(self, count: int, rng: np.random.Generator, anywhere: bool = False) -> dict[str, Floats]:
@@ -118,7 +122,8 @@ class Machine:
         room = {key: (-180.0, 180.0) if anywhere else ends for key, ends in limits.items()}
         size = 60 * count
         seen = {key: rng.uniform(low + 1, high - 1, size) for key, (low, high) in room.items() if key != "forearm"}
-        seen |= {key: rng.uniform(-150, 150, size) for key in ("j4", "j5", "j6", "tool") if key in self.file["joints"]}
+        seen |= {key: rng.uniform(-150, 150, size) for key in ("j4", "j5", "j6", "j7", "tool")
+                 if key in self.file["joints"]}
         line = seen["elbow"]
         fine = np.abs(np.sin(np.radians(line))) > math.sin(math.radians(CLEAR))
         seen["elbow"] = line - self.psi
@@ -127,7 +132,7 @@ class Machine:
             forearm = seen["elbow"] + seen["shoulder"]
             fine &= (forearm > low + 1) & (forearm < high - 1)
         if "j5" in seen:
-            fine &= np.abs(np.sin(np.radians(seen["j5"]))) > 0.2
+            fine &= np.abs(np.sin(np.radians(seen["j6" if "upper" in seen else "j5"]))) > 0.2
         return self.named({key: angle[fine][:count] for key, angle in seen.items()})
 
 
@@ -344,7 +349,9 @@ def rounding(core: Core, arm: Machine) -> float:
 
 def takes(core: Core, arm: Machine) -> str:
     """The key that is missing for this core, or nothing."""
-    yaws = "yaw" in arm.file["limits"]
+    yaws, upper = "yaw" in arm.file["limits"], "upper" in arm.file["limits"]
+    if upper != (core.family == "srs"):
+        return "limits.upper" if upper or yaws else "limits.yaw"
     if core.family == "six":
         wrist = arm.file.get("wrist", {})
         return "" if "flange" in wrist and "parallel" not in wrist else "wrist" if yaws else "limits.yaw"
@@ -352,6 +359,8 @@ def takes(core: Core, arm: Machine) -> str:
         return "" if "parallel" in arm.file.get("wrist", {}) else "wrist" if yaws else "limits.yaw"
     if core.function not in PLANE and not yaws:
         return "limits.yaw"
+    if core.family == "srs":
+        return ""
     if core.function == "ik3r" and "l3" not in arm.file["links"]:
         return "links.l3"
     absolute = arm.key("constants", "absolute_elbow", False)
@@ -385,8 +394,8 @@ def kind(core: Core) -> str:
         return "six_" * (core.family == "six") + core.function[:-1]
     if core.family == "six":
         return "six_" + core.function[:2]
-    if core.family == "ur":
-        return core.function[:5]
+    if core.family in ("ur", "srs"):
+        return "_".join(core.function.split("_")[:2])
     return "keep" if core.function.startswith("keep") else "fk" if "fk" in core.function else "ik"
 
 
@@ -616,12 +625,14 @@ def lengths_of_ur(core: Core, arm: Machine) -> truth_ur.Ur:
 
 def ur_forward_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -> tuple[Floats, Floats]:
     frame = arm.chain(case["angles"], links=6)
+    p, size = core.params, lengths_of_ur(core, arm)
+    codec = 6 * math.sqrt(2) * bounds.codec.angle_to_vector(p) if "A" in p else 0.0
     tip = np.stack([out[f"out_{axis}"] for axis in "xyz"], axis=-1)
     off = np.abs(tip - frame[:, :3, 3] / lsb(core, arm)).max(axis=1)
     matrix = np.stack([out[f"out_r{i}{k}"] for i in "123" for k in "123"], axis=-1).reshape(-1, 3, 3)
-    turned_by = np.abs(matrix - frame[:, :3, :3] * 2.0 ** core.params["U"]).max(axis=(1, 2))
-    assert np.all(turned_by <= ur_bounds.forward_matrix(core.params))
-    return off, np.full(len(off), ur_bounds.forward_coordinate(core.params, lengths_of_ur(core, arm)))
+    turned_by = np.abs(matrix - frame[:, :3, :3] * 2.0 ** p["U"]).max(axis=(1, 2))
+    assert np.all(turned_by <= ur_bounds.forward_matrix(p) + codec)
+    return off, np.full(len(off), ur_bounds.forward_coordinate(p, size) + codec * 2.0 ** -p["U"] * sum(map(abs, size)))
 
 
 def ur_inverse_case(core: Core, arm: Machine, text: Printed, rng: np.random.Generator) -> dict:
@@ -646,13 +657,65 @@ def ur_inverse_judge(core: Core, arm: Machine, text: Printed, case: dict, out: d
     step, p, size = lsb(core, arm), core.params, lengths_of_ur(core, arm)
     want, got = (arm.chain({name: angles[name] for name in case["angles"]}, links=6) for angles in
                  (case["angles"], found))
-    assert np.all(truth_six.turned(want[:, :3, :3], got[:, :3, :3]) <= ur_bounds.orientation(p) + 3 * 2.0 ** -p["U"])
+    codec = 6 * 0.89 * 2 * math.pi / 2 ** p["A"] if "A" in p else 0.0
+    turn = truth_six.turned(want[:, :3, :3], got[:, :3, :3])
+    assert np.all(turn <= ur_bounds.orientation(p) + codec + 3 * 2.0 ** -p["U"])
     for name, angle in case["angles"].items():
         assert np.abs((found[name] - angle + 180) % 360 - 180).max() < CLEAR, f"{name}: another branch"
     exact = np.stack([case["elbow"]] * 6, axis=-1)
     law = ur_bounds.position(p, size, want[:, :3, :3], want[:, :3, 3] / step, exact)
     off = np.linalg.norm(want[:, :3, 3] - got[:, :3, 3], axis=1) / step
-    return off, law + math.sqrt(3) / 2 + 2.0 ** -p["U"] * abs(size.d6)
+    return off, law + math.sqrt(3) / 2 + codec * sum(map(abs, size)) + 2.0 ** -p["U"] * abs(size.d6)
+
+
+# Seven axes
+
+
+def lengths_of_srs(core: Core, arm: Machine) -> truth_srs.Srs:
+    """The parameters of the bounds, LSB."""
+    keys = (("constants", "base"), ("links", "l1"), ("links", "l2"), ("wrist", "flange"))
+    return truth_srs.Srs(*(arm.key(*key) / lsb(core, arm) for key in keys))
+
+
+def srs_case(core: Core, arm: Machine, text: Printed, rng: np.random.Generator) -> dict:
+    """Poses away from axis 1, with the swivel as the core's page defines it."""
+    angles, step, scale = arm.sample(6 * FEW, rng), lsb(core, arm), 2.0 ** core.params["U"]
+    frame, q = arm.chain(angles, links=6), {key: np.radians(angle) for key, angle in arm.seen(angles).items()}
+    shoulder = np.array([0, 0, arm.key("constants", "base")])
+    elbow = arm.chain(angles, links=1)[:, :3, 3] - shoulder
+    centre = frame[:, :3, 3] - arm.key("wrist", "flange") * frame[:, :3, 2] - shoulder
+    line = centre / np.linalg.norm(centre, axis=1, keepdims=True)
+    above = np.array([0, 0, 1]) - line[:, 2:] * line
+    above = above / np.linalg.norm(above, axis=1, keepdims=True)
+    side = np.where(np.sin(q["elbow"]) > 0, -1, 1)  # that elbow counts from straight below the line
+    swivel = np.arctan2(side * (elbow * np.cross(line, above)).sum(1), side * (elbow * above).sum(1))
+    clear = 0.2 * arm.key("links", "l1")
+    fine = np.all(np.abs(frame[:, :3, 3]) < step * 32760, axis=1) & (np.hypot(*centre[:, :2].T) > clear)
+    fine &= np.hypot(*elbow[:, :2].T) > clear
+    pick = np.flatnonzero(fine)[:FEW // 2]
+    assert len(pick) > FEW // 4
+    branch = ((np.cos(q["shoulder"]) < 0) + 2 * (np.sin(q["elbow"]) < 0) + 4 * (np.sin(q["j6"]) < 0))[pick]
+    words = {f"in_{axis}": np.rint(frame[pick, i, 3] / step) for i, axis in enumerate("xyz")}
+    words |= {f"in_r{i + 1}{k + 1}": np.rint(frame[pick, i, k] * scale) for i in range(3) for k in range(3)}
+    words |= {"in_cs": np.rint(np.cos(swivel[pick]) * scale), "in_ns": np.rint(np.sin(swivel[pick]) * scale)}
+    words |= {"in_branch": branch}
+    return {"angles": {name: angle[pick] for name, angle in angles.items()},
+            "words": {port.name: words[port.name].astype(np.int64) for port in core.inputs}}
+
+
+def srs_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -> tuple[Floats, Floats]:
+    found = followed(text.after, answered(core, out))
+    step, p, size = lsb(core, arm), core.params, lengths_of_srs(core, arm)
+    want, got = (arm.chain({name: angles[name] for name in case["angles"]}, links=6) for angles in
+                 (case["angles"], found))
+    codec = 7 * 0.89 * 2 * math.pi / 2 ** p["A"] if "A" in p else 0.0
+    turn = truth_six.turned(want[:, :3, :3], got[:, :3, :3])
+    assert np.all(turn <= srs_bounds.orientation(p) + codec + 3 * 2.0 ** -p["U"])
+    for name, angle in case["angles"].items():
+        assert np.abs((found[name] - angle + 180) % 360 - 180).max() < CLEAR, f"{name}: another branch"
+    law = srs_bounds.position(p, size, want[:, :3, :3], want[:, :3, 3] / step)
+    off = np.linalg.norm(want[:, :3, 3] - got[:, :3, 3], axis=1) / step
+    return off, law + math.sqrt(3) / 2 + codec * sum(map(abs, size)) + 2.0 ** -p["U"] * abs(size.l4)
 
 
 # Velocities
@@ -785,11 +848,11 @@ def six_rates_judge(core: Core, arm: Machine, text: Printed, case: dict, out: di
 
 
 CASES = {"fk": forward_case, "ik": inverse_case, "keep": inverse_case, "six_fk": forward_case,
-         "six_ik": six_inverse_case, "ur_fk": forward_case, "ur_ik": ur_inverse_case,
+         "six_ik": six_inverse_case, "ur_fk": forward_case, "ur_ik": ur_inverse_case, "srs_ik": srs_case,
          "velocity": velocity_case, "rates": velocity_case,
          "six_velocity": six_motion_case, "six_rates": six_motion_case}
 JUDGES = {"fk": forward_judge, "ik": inverse_judge, "keep": keep_judge, "six_fk": six_forward_judge,
-          "six_ik": six_inverse_judge, "ur_fk": ur_forward_judge, "ur_ik": ur_inverse_judge,
+          "six_ik": six_inverse_judge, "ur_fk": ur_forward_judge, "ur_ik": ur_inverse_judge, "srs_ik": srs_judge,
           "velocity": velocity_judge, "rates": velocity_judge,
           "six_velocity": six_velocity_judge, "six_rates": six_rates_judge}
 

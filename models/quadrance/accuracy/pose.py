@@ -146,9 +146,12 @@ def _six(core: Core, arm: Arm, theta: Floats) -> Errors:
                                               to_fixed(rotation, core.params["U"]).reshape(-1, 9).T))
         if core.family == "srs":
             turn = truth_srs.swivel(q, parameters)
-            words |= {f"in_{name}s": to_fixed(of(turn), core.params["U"]) for name, of in (("c", np.cos), ("n", np.sin))}
+            c, n = to_fixed(np.array([np.cos(turn), np.sin(turn)]), core.params["U"])
+            words |= {"in_cs": c, "in_ns": n}
         every, found = core.function.endswith("_all"), []
-        answer = modelled(core, words if every else words | {"in_branch": branch_of(q, parameters)}, cfg)
+        if not every:
+            words |= {"in_branch": branch_of(q, parameters)}
+        answer = modelled(core, words, cfg)
         for branch in range(8 if every else 1):
             ports = [joint for joint in joints(core.outputs) if not every or joint[0].name.endswith(str(branch))]
             kept = answer["out_far"] >> branch & 1 == 0 if every else ~_held_out_of_reach(core, answer)
