@@ -383,8 +383,8 @@ def test_ur5e_is_the_arm_of_the_library(urdf, tmp_path):
     """By its maker's table; a full turn is kept of two."""
     rows = ((162.5, 0, 90), (0, -425, 0), (0, -392.2, 0), (133.3, 0, 90), (99.7, 0, -90), (99.6, 0, 0))
     table = 'convention = "standard"\n' + "".join(
-        f'[[joint]]\nname = "{one}"\nd = {d}\na = {a}\nalpha = {alpha}\nlimits = [-360, 360]\n' for one, (d, a, alpha) in
-        zip(("base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"), rows))
+        f'[[joint]]\nname = "{one}"\nd = {d}\na = {a}\nalpha = {alpha}\nlimits = [-360, 360]\n'
+        for one, (d, a, alpha) in zip(("base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"), rows))
     run("import", "--dh", urdf(table, "table.toml"), "--out", tmp_path / "ur.toml")
     same(arms.load(tmp_path / "ur.toml"), arms.load("ur5e"))
 

@@ -146,7 +146,7 @@ def _six(core: Core, arm: Arm, theta: Floats) -> Errors:
                                               to_fixed(rotation, core.params["U"]).reshape(-1, 9).T))
         if core.family == "srs":
             turn = truth_srs.swivel(q, parameters)
-            words |= {f"in_{name}s": to_fixed(of(turn), core.params["U"]) for name, of in (("c", np.cos), ("n", np.sin))}
+            words |= {name: to_fixed(of(turn), core.params["U"]) for name, of in (("in_cs", np.cos), ("in_ns", np.sin))}
         every, found = core.function.endswith("_all"), []
         answer = modelled(core, words if every else words | {"in_branch": branch_of(q, parameters)}, cfg)
         for branch in range(8 if every else 1):

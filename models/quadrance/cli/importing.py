@@ -174,7 +174,8 @@ def _upright(axes: list[Axis], target: Floats, way: Floats | None = None) -> tup
     y = axes[1].way - (axes[1].way @ z) * z
     y = y / np.linalg.norm(y)
     ahead = np.cross(y, z) @ (axes[1].point - o)
-    if (ahead if abs(ahead) > 1e-3 else np.cross(y, z) @ (target - o)) < -1e-6:  # the shoulder is in front
+    ahead = ahead if abs(ahead) > 1e-3 else 0.0
+    if (ahead or np.cross(y, z) @ (target - o)) < -1e-6:  # the shoulder is in front
         y = -y
     x = np.cross(y, z)
     two, three, end = (np.stack([x, y, z]) @ (point - o) for point in (axes[1].point, axes[2].point, target))
@@ -186,7 +187,7 @@ def _upright(axes: list[Axis], target: Floats, way: Floats | None = None) -> tup
     parts = [Part(key, i, _sign(positive @ axes[i].way), zero) for i, (key, positive, zero) in
              enumerate((("yaw", z, yaw), ("shoulder", -y, one), ("elbow", -y, both - one)))]
     return Built({"links": {"l1": abs(upper), "l2": fore.real}, "constants": {
-        "base": two[2], "shoulder": two[0], "lateral": end[1], "elbow": fore.imag}}, parts, base), y
+        "base": two[2], "shoulder": abs(ahead), "lateral": end[1], "elbow": fore.imag}}, parts, base), y
 
 
 def _three(axes: list[Axis], tip: Floats) -> Built:
