@@ -524,8 +524,10 @@ def test_limits_are_those_of_the_cores(urdf, tmp_path):
         run("import", urdf(text), "--out", file)
         arm = arms.load(file)
         own = {joint.get("name"): joint.find("limit") for joint in chain_of(text, base, tip)}
-        for key, pair in zip(("shoulder", "elbow", "yaw"), arm.limits):
+        for key, pair in zip(("shoulder", "elbow", "yaw", "upper"), (*arm.limits, arm.upper_limit)):
             joint = arm.joint(key)
+            if pair is None:
+                continue
             if own[joint.name] is None:
                 assert pair == (-180, 180)
                 continue
