@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from quadrance import truth
-from quadrance.arms import Arm, ArmError
+from quadrance.arms import SEVEN, Arm, ArmError
 from quadrance.truth import Floats
 
 TURNTABLE = (-170.0, 170.0)  # degrees: yaw of an arm that has none (a SCARA's two links on a turntable)
@@ -83,6 +83,8 @@ def trajectory(arm: Arm, joints: int = 3, samples: int = 1000) -> tuple[Floats, 
     """
     if joints not in (1, 2, 3) or samples < 12:
         raise ValueError(f"trajectory: joints must be 1, 2 or 3 and samples at least 12, not {joints}, {samples}")
+    if arm.upper_limit:
+        raise ArmError(f"{arm.id}: {SEVEN}; its trajectory wants none")
     low, high = limits(arm)
     elbow, paths = int(high[1] <= 0), max(joints, 2)
     thirds = [smooth(np.linspace(0, 1, count)) for count in (samples // 3, samples // 3, samples - 2 * (samples // 3))]

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from quadrance import arms, truth, truth_arm, truth_six, truth_ur
+from quadrance import arms, truth, truth_arm, truth_six, truth_srs, truth_ur
 from quadrance.arms import ArmError
 from quadrance.trajectory import limits, smooth, trajectory
 
@@ -12,6 +12,7 @@ MATHS = {  # L1, L2 (mm) of the table of real arms
     "cobra600": (325, 275), "linuxcnc_scara": (340, 250), "staubli_tx40": (225, 225),
     "puma560": (431.8, math.hypot(20.3, 431.8)), "kr6_r700": (315, math.hypot(35, 365)), "ur5": (425, 392.25),
     "ur3e": (243.55, 213.2), "ur5e": (425, 392.2), "ur10e": (612.7, 571.55),
+    "iiwa7": (400, 400), "iiwa14": (420, 400),
     "uarm_swift_pro": (142.07, 158.81), "dobot_magician": (135, 147), "geomagic_touch": (135, 135),
     "phantomx_leg": (66.2, 132.7)}
 
@@ -124,6 +125,24 @@ def test_a_wrong_file_names_file_key_and_reason(tmp_path, old, new, key, reason)
     assert str(error.value).startswith(f"{file}: {key}: ") and reason in str(error.value)
 
 
+@pytest.mark.parametrize("old, new, key, reason", [
+    ("base = 340.0", "shoulder = 25", "constants.shoulder", "is not 0, and an arm with seven axes has none"),
+    ("base = 340.0", "lateral = 1", "constants.lateral", "is not 0"),
+    ("base = 340.0", "elbow = 1", "constants.elbow", "is not 0"),
+    ("base = 340.0", "absolute_elbow = true", "constants.absolute_elbow", "is not 0"),
+    ("spherical = true\nflange = 126.0", "spherical = false", "limits.upper", "have wrist.spherical = true"),
+    ("upper = [-170, 170]", "upper = [170, -170]", "limits.upper", "must be below"),
+    ("upper = [-170, 170]", "", "joints.j7", "is not a key"), ("j7 =", "j4 =", "joints.j4", "is not a key"),
+    ('"A3"', '"A2"', "joints.upper.name", "'A2' is the name of another joint")])
+def test_a_wrong_file_of_seven_axes(tmp_path, old, new, key, reason):
+    text, file = arms.path_of("iiwa7").read_text(), tmp_path / "wrong.toml"
+    assert text.count(old) == 1
+    file.write_text(text.replace(old, new))
+    with pytest.raises(ArmError) as error:
+        arms.load(file)
+    assert str(error.value).startswith(f"{file}: {key}: ") and reason in str(error.value)
+
+
 def test_unknown_and_absent_arms(tmp_path):
     with pytest.raises(ArmError, match="no arm 'cobra': known arms are cobra600, dobot_magician, "):
         arms.load("cobra")
@@ -184,6 +203,16 @@ def _kuka(*q):
     return found
 
 
+def _iiwa(base, upper):
+    """KUKA's drawing: 126 mm to the flange; at 0 upright, A2 and A6 turn forward, A4 back, the others to the left."""
+    def pose(*q):
+        found = np.eye(4)
+        for height, axis, angle in zip((0, base, 0, upper, 0, 400, 0), (Z, Y, Z, -Y, Z, Y, Z), q):
+            found = found @ _move(z=height) @ _turn(axis, angle)
+        return found @ _move(z=126)
+    return pose
+
+
 def _scara(a, b, c):
     """LinuxCNC, scarakins.c, forward: D2 = 340, D4 = 250, D6 = 50; joints 0, 1 and 3."""
     angles = np.radians([a, a + b, a + b + c])
@@ -228,6 +257,8 @@ CITED = {  # the joints' names in the order of the chain, the chain, what is beh
         (0, 0, 0, 320), (-90, 0, -90, 35), (0, 225, -90, 0), (-90, 0, 0, 225), (90, 0, 0, 0), (-90, 0, 180, 65)),
         np.eye(4)),
     "kr6_r700": (("A1", "A2", "A3", "A4", "A5", "A6"), _kuka, UPRIGHT),
+    **{name: (tuple(f"A{i}" for i in range(1, 8)), _iiwa(*lengths), None) for name, *lengths in (
+        ("iiwa7", 340, 400), ("iiwa14", 360, 420))},
     "ur5": (("base", "shoulder", "elbow"), _dh(  # Universal Robots, UR5 series 3, wrist 1 at 0: it moves no place
         (89.159, 0, 90), (0, -425, 0), (0, -392.25, 0), (109.15, 0, 90)), None),
     **{name: (("base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"), _dh(  # Universal Robots, e-Series
@@ -257,6 +288,11 @@ def test_every_arm_is_the_machine_of_its_source(name):
     for q in np.random.default_rng(3).uniform(-150, 150, (20, len(names))):
         seen = _cores_joints(arm, dict(zip(names, q)))
         want = pose(*q, *[0.0] * (name == "ur5"))
+        if arm.axes == 7:
+            rotation, tip = truth_srs.fk([seen["yaw"], math.pi / 2 - seen["shoulder"], *(
+                seen[key] for key in ("upper", "elbow", *arms.WRIST_OF_SEVEN))], truth_srs.load(name)[0])
+            assert tip == pytest.approx(want[:3, 3], abs=1e-6) and np.allclose(rotation, want[:3, :3], atol=1e-9)
+            continue
         if flange is not None:
             six, _ = truth_six.load(name)
             rotation, tip = truth_six.fk6([seen["yaw"], math.pi / 2 - seen["shoulder"],
@@ -284,7 +320,7 @@ def test_every_arm_is_the_machine_of_its_source(name):
 
 
 @pytest.mark.parametrize("joints", (1, 2, 3))
-@pytest.mark.parametrize("name", arms.known())
+@pytest.mark.parametrize("name", [name for name in arms.known() if arms.load(name).axes < 7])
 def test_trajectory_keeps_the_limits_and_the_kinematics(name, joints):
     arm = arms.load(name)
     angles, tip = trajectory(arm, joints)
@@ -322,6 +358,8 @@ def test_trajectory_refuses_what_it_cannot_do(tmp_path):
         with pytest.raises(ValueError, match="joints must be 1, 2 or 3"):
             trajectory(arm, joints, samples)
     assert trajectory(arm, 2, 12)[0].shape == (12, 2)
+    with pytest.raises(ArmError, match="iiwa7: limits.upper: is given"):
+        trajectory(arms.load("iiwa7"), 2)
     file = tmp_path / "stiff.toml"
     file.write_text(GOOD.replace("[-150, 150.5]", "[-5, 5]"))
     with pytest.raises(ArmError, match=r"limits.elbow: \[-5, 5\] leaves no room"):

@@ -15,7 +15,7 @@ from quadrance.cli.catalogue import Refused
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-ffp-contract=off")
 STANDARDS = {"c": ("gcc", "-std=c99"), "cpp": ("g++", "-std=c++17", "-xc++")}
 ARMED = [core for core in cores.all_cores() if core.clocked and core.first_set and core.cfg
-         and verilog.takes_an_arm(core) and core.family != "ur"]  # the header of those has constants alone
+         and verilog.takes_an_arm(core) and core.family not in c.CONSTANT]
 SHAPES = list({(core.function if core.family in ("arm", "six") else "", core.family,
                 tuple(port.name for port in core.cfg)): core for core in reversed(ARMED)}.values())
 FIELDS = ("mm_per_unit", "l1", "l2", "l3", "base", "shoulder", "lateral", "elbow", "flange", "singular_elbow",
@@ -115,7 +115,7 @@ def test_every_header_compiles_strictly(standard, tmp_path):
     for core in cores.all_cores():
         if core.clocked and core.first_set:
             try:
-                arm = arms.load("cobra600" if core.family != "six" else "puma560")
+                arm = arms.load({"six": "puma560", "ur": "ur5e", "srs": "iiwa7"}.get(core.family, "cobra600"))
                 verilog.config(core, arm)
             except (Refused, ArmError):
                 arm = None

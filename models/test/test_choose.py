@@ -116,6 +116,14 @@ def test_a_robot_of_three_parallel_axes_gets_its_core(quadrance):
     assert "no core of ur_ik with vector:16 serves kr6_r700" in refusal and "parallel = true" in out
 
 
+def test_a_robot_of_seven_axes_gets_its_core(quadrance):
+    fit = json.loads(quadrance(*_ask("srs_ik", "iiwa7", "vector:16", mm=0.1), "--json"))["fit"]
+    assert "vector_srs_ik" in {one["core"] for one in fit} <= {"vector_srs_ik", "table_srs_ik"}
+    out, refusal = quadrance(*_ask("srs_ik", "kr6_r700", "vector:16", mm=0.1), code=2)
+    assert "no core of srs_ik with vector:16 serves kr6_r700" in refusal and "limits.upper: is missing" in out
+    assert "no core of ik6 with vector:16 serves iiwa7" in quadrance(*_ask("ik6", "iiwa7", "vector:16"), code=2)[1]
+
+
 def test_an_area_is_measured_or_said_to_be_an_estimate(quadrance):
     area = {one.core.params["A"]: one.area["ecp5"]["lut"] for one in choose.rows()
             if one.core.name == "classic_ik2" and one.core.params["MODE"] == 0 and one.core.params["W"] == 16}

@@ -290,6 +290,25 @@ def test_a_wrist_that_is_not_spherical_is_no_six_axes(quadrance):
     assert "wrist.spherical: is false" in quadrance("instance", "vector_ik6", "--arm", "ur5", code=2)
 
 
+def test_seven_axes_are_served_by_their_cores_alone(quadrance, tmp_path):
+    text, served = quadrance("check", "iiwa7"), json.loads(quadrance("check", "iiwa7", "--json"))["functions"]
+    assert served == ["srs_ik", "srs_ik_to_angles"] and "yaw -170 to 170, upper -170 to 170 degrees" in text
+    assert re.search(r"^  not +fk6, .*ur_ik, .*arm_ik3, .*ik2, .*ik1: limits.upper: is given, and", text, re.M)
+    assert "not " not in "".join(line for line in quadrance("check", "kr6_r700").splitlines() if "srs_ik" in line)
+    assert [one["axes"] for one in json.loads(quadrance("arms", "--json"))].count(7) == 2
+    for core in ("vector_ik6", "table_fk6", "vector_ur_ik", "arm_ik3", "table_ik2"):
+        assert "limits.upper: is given" in quadrance("instance", core, "--arm", "iiwa14", code=2)
+    for arm in ("kr6_r700", "ur5e", "uarm_swift_pro"):
+        assert "limits.upper: is missing, and this core" in quadrance("instance", "vector_srs_ik", "--arm", arm, code=2)
+    for word, value, found in (("cfg_l4", "126", "51610 (20'h0c99a)  =  12.600098 units, 126.0010 mm"),
+                               ("cfg_d", "340", "139264 (20'h22000)"), ("cfg_margin", "20", "512 (16'h0200)"),
+                               ("cs", "-0.5", "-32768 (18'h38000)  =  -0.500000"), ("x", "400", "10240 (16'h2800)")):
+        assert found in quadrance("encode", f"vector_srs_ik.{word}", value, "--arm", "iiwa7")
+    file = tmp_path / "long.toml"
+    file.write_text(arms.path_of("iiwa7").read_text().replace("flange = 126.0", "flange = 1e9"))
+    assert "  cores    none serves it\n" in quadrance("check", str(file))
+
+
 @pytest.mark.parametrize(("word", "value", "found"), [
     ("vector_fk6.r11", "0.5", "32768 (18'h08000)  =  0.500000"), ("vector_ik6.r23", "-1", "-65536 (18'h30000)"),
     ("vector_ik6.cfg_c1", "400", "163840 (20'h28000)  =  40.000000 units, 400.0000 mm"),

@@ -142,10 +142,11 @@ def of_file(path, samples):
         at = {one.key: one.sign * q[one.name] + math.radians(one.zero) for one in arm.joints}
         if arm.yaws:  # about z, then upwards: about -y; the elbow's offset is to the left of the forearm
             pose = turn(Z, at["yaw"]) @ move(arm.shoulder, arm.lateral, arm.base) @ turn(-Y, at["shoulder"]) \
+                @ turn(X, at.get("upper", 0.0)) \
                 @ move(arm.l1) @ turn(-Y, at["elbow"]) @ move(arm.l2 * math.cos(lean), 0, arm.l2 * math.sin(lean))
             if arm.flange is not None:
-                pose = pose @ turn(Y, math.pi / 2) @ turn(Z, at["j4"]) @ turn(Y, at["j5"]) @ turn(Z, at["j6"]) \
-                    @ move(z=arm.flange)
+                one, two, three = (at[key] for key in (("j5", "j6", "j7") if "upper" in at else ("j4", "j5", "j6")))
+                pose = pose @ turn(Y, math.pi / 2) @ turn(Z, one) @ turn(Y, two) @ turn(Z, three) @ move(z=arm.flange)
             if arm.d6 is not None:  # frame 3 of the makers' table: x back along the forearm, z to the left
                 pose = pose @ turn(Y, math.pi) @ turn(X, -math.pi / 2) @ turn(Z, at["j4"]) @ turn(X, math.pi / 2) \
                     @ turn(Z, at["j5"]) @ move(z=arm.d5) @ turn(X, -math.pi / 2) @ turn(Z, at["j6"]) @ move(z=arm.d6)
@@ -258,6 +259,32 @@ UR = robot(
     joint_("elbow", "u", "f", xyz=(0, -0.1197, 0.425), axis=(0, 1, 0)),
     joint_("w1", "f", "v", xyz=(0, 0, 0.39225), angles=(0, math.pi / 2, 0), axis=(0, 1, 0)),
     joint_("w2", "v", "w", xyz=(0, 0.093, 0)), joint_("w3", "w", "ee", xyz=(0, 0, 0.09465), axis=(0, 1, 0)))
+IIWA = robot(  # as iiwa_stack has it; the axes 5 and 7 are drawn beside the wrist's centre
+    joint_("base", "world", "link_0", "fixed"), *(
+        joint_(f"A{i}", f"link_{i - 1}", f"link_{i}", xyz=xyz, angles=np.multiply(quarters, math.pi / 2),
+               limit=(-math.radians(most), math.radians(most))) for i, (xyz, quarters, most) in enumerate((
+                   ((0, 0, 0.15), (0, 0, 0), 170), ((0, 0, 0.19), (1, 0, 2), 120), ((0, 0.21, 0), (1, 0, 2), 170),
+                   ((0, 0, 0.19), (1, 0, 0), 120), ((0, 0.21, 0), (-1, 2, 0), 170), ((0, 0.0607, 0.19), (1, 0, 0), 120),
+                   ((0, 0.081, 0.0607), (-1, 2, 0), 175)), 1)),
+    joint_("flange", "link_7", "ee", "fixed", (0, 0, 0.045)))
+
+
+def turned_round(text, *numbers):
+    """Some axes in the other sense."""
+    for i in numbers:
+        before, name, after = text.partition(f'name="A{i}"')
+        text = before + name + after.replace('xyz="0.0 0.0 1.0"', 'xyz="0 0 -1"', 1)
+    return text
+
+
+def mounted(text, xyz=(0, 0, 0), angles=(0, 0, 0)):
+    """The iiwa on a base that is moved and turned."""
+    def numbers(some):
+        return " ".join(repr(float(one)) for one in some)
+
+    return text.replace('xyz="0.0 0.0 0.0" rpy="0.0 0.0 0.0"', f'xyz="{numbers(xyz)}" rpy="{numbers(angles)}"', 1)
+
+
 ROBOTS = {"scara": (scara((math.pi, 0, 0)), "world", "tool0", "a SCARA"),
           "kr6": (KR6, "base_link", "tool0", "an ortho-parallel arm with a spherical wrist"),
           "puma": (PUMA, "b", "tip", "an ortho-parallel arm with a spherical wrist"),
@@ -266,7 +293,18 @@ ROBOTS = {"scara": (scara((math.pi, 0, 0)), "world", "tool0", "a SCARA"),
           "ur": (UR, "base_link", "ee", "an arm with three parallel axes"),
           "leaning": (UR.replace('rpy="0.0 0.0 0.0"', 'rpy="0.2 0.1 -0.3"', 1).replace("0.093", "-0.093").replace(
               '<axis xyz="0.0 0.0 1.0"/>', '<axis xyz="0 0 -1"/>'), "base_link", "ee",
-                      "an arm with three parallel axes")}
+                      "an arm with three parallel axes"),
+          "iiwa": (IIWA, "world", "ee", "an S-R-S arm"),
+          "hanging iiwa": (mounted(IIWA, (0.1, 0.2, 1.5), (math.pi, 0, 0)), "world", "ee", "an S-R-S arm"),
+          "iiwa on a wall": (mounted(IIWA, (0, 0.3, 1), (0, math.pi / 2, math.pi / 4)), "world", "ee", "an S-R-S arm"),
+          # turned by 45 degrees, bent at zero, axes 2, 3 and 6 the other way round, a hidden joint, the tip aside
+          "odd iiwa": (mounted(turned_round(IIWA, 2, 3, 6), (0.4, 0, 0), (0, 0, math.pi / 4)).replace(
+              'link="link_3"/><origin xyz="0.0 0.0 0.19" rpy="1.5707963267948966 0.0 0.0"',
+              'link="link_3"/><origin xyz="0.0 0.0 0.19" rpy="1.5707963267948966 0.0 0.8"').replace(
+              '<parent link="link_6"/>', '<parent link="hidden"/>').replace('xyz="0.0 0.0 0.045"',
+                                                                           'xyz="0.01 0.02 0.045"').replace(
+              "</robot>", joint_("more", "link_6", "hidden", "fixed") + '<link name="hidden"/></robot>'),
+                       "world", "ee", "an S-R-S arm")}
 
 
 @pytest.fixture
@@ -301,7 +339,8 @@ def test_the_matrices_are_pinocchio(name):
 @pytest.mark.parametrize(("name", "cores"), [
     ("scara", ("table_ik2", "rational_fk2")), ("kr6", ("vector_ik6", "table_fk6", "arm_ik3")),
     ("puma", ("vector_ik6_all", "arm_fk3")), ("planar", ("table_ik3r", "vector_ik2")),
-    ("leg", ("arm_ik3", "table_ik3")), ("ur", ("vector_ur_ik", "vector_ur_fk", "vector_ur_ik_all", "arm_ik3"))])
+    ("leg", ("arm_ik3", "table_ik3")), ("ur", ("vector_ur_ik", "vector_ur_fk", "vector_ur_ik_all", "arm_ik3")),
+    ("iiwa", ("vector_srs_ik", "table_srs_ik")), ("odd iiwa", ("vector_srs_ik",))])
 def test_an_imported_arm_goes_through_the_commands(urdf, tmp_path, name, cores):
     file = tmp_path / "arm.toml"
     run("import", urdf(ROBOTS[name][0]), "--out", file)
@@ -322,6 +361,32 @@ def test_kr6_is_the_arm_of_the_library(urdf, tmp_path):
                                                                       theirs.joints]
     assert np.allclose(ours.limits[0::2], theirs.limits[0::2], atol=0.1)
     assert ours.limits[1] == pytest.approx((-155.96 + 5.477, 119.98 + 5.477), abs=0.01), "to the line of L2"
+
+
+def same(ours, theirs):
+    """Two arms are equal but for their names."""
+    for key in ("l1", "l2", "base", "shoulder", "lateral", "elbow", "flange", "d5", "d6", "mm_per_unit", "spherical"):
+        assert getattr(ours, key) == pytest.approx(getattr(theirs, key), abs=1e-6), key
+    assert ours.joints == theirs.joints
+    assert np.allclose(ours.limits, theirs.limits) and ours.upper_limit == pytest.approx(theirs.upper_limit)
+
+
+@pytest.mark.parametrize("pi", ("3.141592653589793", "3.1416", "3.14159"))
+def test_iiwa_is_the_arm_of_the_library(urdf, tmp_path, pi):
+    text = IIWA.replace("3.141592653589793", pi).replace("1.5707963267948966", f"{round(float(pi) / 2, len(pi) - 2)}")
+    said = run("import", urdf(text), "--out", tmp_path / "iiwa.toml")[1]
+    same(arms.load(tmp_path / "iiwa.toml"), arms.load("iiwa7"))
+    assert ("# rounded: " in (tmp_path / "iiwa.toml").read_text()) == (len(pi) < 10), said
+
+
+def test_ur5e_is_the_arm_of_the_library(urdf, tmp_path):
+    """By its maker's table; a full turn is kept of two."""
+    rows = ((162.5, 0, 90), (0, -425, 0), (0, -392.2, 0), (133.3, 0, 90), (99.7, 0, -90), (99.6, 0, 0))
+    table = 'convention = "standard"\n' + "".join(
+        f'[[joint]]\nname = "{one}"\nd = {d}\na = {a}\nalpha = {alpha}\nlimits = [-360, 360]\n'
+        for one, (d, a, alpha) in zip(("base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"), rows))
+    run("import", "--dh", urdf(table, "table.toml"), "--out", tmp_path / "ur.toml")
+    same(arms.load(tmp_path / "ur.toml"), arms.load("ur5e"))
 
 
 @pytest.mark.parametrize("pi", ("3.1416", "3.14159", "3.1415", "3.141592654", "-3.1416"))
@@ -356,9 +421,13 @@ def wrist(offset=(0.0, 0.0, 0.0), tilt=0.0):
         'xyz="0.08 0.0 0.0" rpy="0.0 0.0 0.0"', f'xyz="0.08 {offset[0]!r} 0.0" rpy="0.0 0.0 {tilt!r}"')
 
 
-SRS = robot(*(joint_(f"a{i}", f"k{i}", f"k{i + 1}", xyz=(0, 0, height), angles=(lean, 0, 0)) for i, (height, lean) in
-              enumerate([(0.36, 0), (0, -math.pi / 2), (0, math.pi / 2), (0.42, math.pi / 2), (0, -math.pi / 2),
-                         (0.4, -math.pi / 2), (0, math.pi / 2)], 1)))
+def aside(joint, offset=0.0, tilt=0.0):
+    """The iiwa with a joint's axis moved, m, across itself and the one before, or leaning towards that one, rad."""
+    before, name, after = IIWA.partition(f'name="A{joint}"')
+    xyz, angles = (tuple(map(float, re.search(key + r'="([^"]*)"', after)[1].split())) for key in ("xyz", "rpy"))
+    roll = math.copysign(abs(angles[0]) - tilt, angles[0])
+    return before + name + re.sub('xyz="[^"]*" rpy="[^"]*"', f'xyz="{xyz[0] + offset!r} {xyz[1]!r} {xyz[2]!r}" '
+                                  f'rpy="{roll!r} {angles[1]!r} {angles[2]!r}"', after, count=1)
 
 
 @pytest.mark.parametrize(("text", "reason"), [
@@ -371,7 +440,14 @@ SRS = robot(*(joint_(f"a{i}", f"k{i}", f"k{i + 1}", xyz=(0, 0, height), angles=(
     (wrist(tilt=1e-5), "would be off by 0.0"),
     (UR.replace('xyz="0.0 0.093 0.0"', 'xyz="0.02 0.093 0.0"'),
      "it is not an arm with three parallel axes: axes 4 and 5 miss each other by 20 mm"),
-    (SRS, "is an S-R-S arm, for which there is no core yet"),
+    (aside(4, 0.0825), "it is not an S-R-S arm: axes 3, 4 and 5 miss a common point by 82.5 mm"),  # as Panda's elbow
+    (aside(7, 0.088), "it is not an S-R-S arm: axes 5, 6 and 7 miss a common point by 88 mm"),  # as Panda's wrist
+    (aside(2, 0.05), "it is not an S-R-S arm: axes 1, 2 and 3 miss a common point by 50 mm"),
+    (aside(4, 0.0003), "nearly an S-R-S arm, but not within 0.01 mm and 1e-06 rad: the tip would be off by"),
+    (aside(4, 0.0003), "axes 3, 4 and 5 miss a common point by 0.3 mm"),
+    *((aside(i, tilt=0.01), f"it is not an S-R-S arm: axes {i - 1} and {i} are 0.573 degrees from right angles")
+      for i in range(2, 8)),
+    (aside(5, tilt=1e-5), "would be off by 0.0"),
     (KR6.replace('joint_a6" type="revolute', 'joint_a6" type="prismatic'),
      "6 joints move (RRRRRP; R turns, P slides), and cores are for RR, RRR"),
     (scara().replace('"b" type="revolute"', '"b" type="prismatic"'), "4 joints move (RPPR"),
@@ -448,8 +524,10 @@ def test_limits_are_those_of_the_cores(urdf, tmp_path):
         run("import", urdf(text), "--out", file)
         arm = arms.load(file)
         own = {joint.get("name"): joint.find("limit") for joint in chain_of(text, base, tip)}
-        for key, pair in zip(("shoulder", "elbow", "yaw"), arm.limits):
+        for key, pair in zip(("shoulder", "elbow", "yaw", "upper"), (*arm.limits, arm.upper_limit)):
             joint = arm.joint(key)
+            if pair is None:
+                continue
             if own[joint.name] is None:
                 assert pair == (-180, 180)
                 continue
@@ -549,7 +627,7 @@ REAL = {  # a file of the package rtb-data, the tip, what it is or why it is ref
         ("kr3", "kr3r540.xacro"), ("kr5", "kr5_arc.xacro"), ("kr6", "kr6r700sixx.xacro"), ("kr6", "kr6r900sixx.xacro"),
         ("kr10", "kr10r1100sixx.xacro"), ("kr16", "kr16_2.urdf"), ("kr120", "kr120r2500pro.urdf"),
         ("kr150", "kr150_2.xacro"), ("kr210", "kr210l150.urdf"))},
-    "kuka_description/kuka_lbr_iiwa/urdf/lbr_iiwa_14_r820.urdf": ("tool0", "it is an S-R-S arm, for which there is no"),
+    "kuka_description/kuka_lbr_iiwa/urdf/lbr_iiwa_14_r820.urdf": ("tool0", "an S-R-S arm"),
     "lynxmotion_al5d_description/urdf/al5d_robot.urdf": ("link4", "4 joints move (RRRR;"),
     "qut_frankie_description/robots/panda_arm.urdf.xacro": ("panda_link8", NO_WRIST + "88 mm"),
     "qut_frankie_description/robots/frankie_arm.urdf.xacro": ("panda_link8", "9 joints move (RPRRRRRRR"),
@@ -731,7 +809,7 @@ frames_ = st.builds(lambda axis, angle, x, y, z: move(x, y, z) @ turn(axis, angl
 @st.composite
 def ideal(draw):
     """Letters, frames before (m) and axes of an arm that a core has, in frames of its own, and the frame behind."""
-    kind = draw(st.sampled_from(("planar", "scara", "three", "six")))
+    kind = draw(st.sampled_from(("planar", "scara", "three", "six", "ur", "srs")))
     a, b, c, d, e, f = (draw(numbers) * draw(signs) for _ in range(6))
     if kind in ("planar", "scara"):
         found = [("R", np.eye(4), Z), ("R", move(abs(a), 0, b), Z)]
@@ -740,10 +818,15 @@ def ideal(draw):
             found.insert(draw(st.integers(0, len(found))), ("P", np.eye(4), Z))
         return found, move(draw(st.sampled_from((abs(e), 0.0))) if len(found) > 2 and found[-1][0] == "R" and
                            sum(one[0] == "R" for one in found) > 2 else abs(e), 0, f)
-    found = [("R", np.eye(4), Z), ("R", move(a, b, c), -Y), ("R", move(abs(d)), -Y)]
+    flange = draw(st.sampled_from((abs(b), 0.0)))
+    if kind == "srs":
+        return [("R", np.eye(4), Z), ("R", move(z=c), Y), ("R", np.eye(4), X), ("R", move(abs(d)), Y),
+                ("R", np.eye(4), X), ("R", move(abs(e)), Y), ("R", np.eye(4), X)], move(flange)
+    found = [("R", np.eye(4), Z), ("R", move(0 if kind == "ur" else a, b, c), -Y), ("R", move(abs(d)), -Y)]
+    if kind == "ur":
+        return found + [("R", move(abs(e), f), Y), ("R", np.eye(4), Z), ("R", move(z=a), Y)], move(y=flange)
     if kind == "three":
         return found, move(abs(e), 0, 0)
-    flange = draw(st.sampled_from((abs(b), 0.0)))
     return found + [("R", move(abs(e), 0, f), X), ("R", np.eye(4), Y), ("R", np.eye(4), X)], move(flange)
 
 
@@ -851,7 +934,7 @@ def checked(text):
 @st.composite
 def broken(draw):
     """A URDF with some changes: values, pieces put in, elements left out or doubled, bytes."""
-    text = draw(st.sampled_from([one[0] for one in ROBOTS.values()] + [UR, SRS]))
+    text = draw(st.sampled_from([one[0] for one in ROBOTS.values()]))
     for _ in range(draw(st.integers(1, 4))):
         how, at = draw(st.integers(-2, 4)), draw(st.integers(0, 10_000))
         if how < 1 and (found := list(re.finditer(r'"([^"]*)"', text))):

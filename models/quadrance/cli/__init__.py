@@ -305,14 +305,16 @@ def _check(args: argparse.Namespace) -> None:
     if args.json:
         return _json(about)
     low, high = about["reach_mm"]
-    room = [f"{key} {a:g} to {b:g}" for key, (a, b) in zip(("shoulder", "elbow", "yaw"), about["limits_degrees"])]
+    names = ("shoulder", "elbow", "yaw", "upper")
+    room = [f"{key} {a:g} to {b:g}" for key, (a, b) in zip(names, about["limits_degrees"])]
     takes = ", ".join(f"{axis} to {units:.4g}" for axis, units in about["units"].items() if axis in ("x and y", "z"))
     print(f"{about['name']}: right\n"
           f"  links    {about['l1_mm']:g} and {about['l2_mm']:g} mm, reach {low:g} to {high:g} mm\n"
           f"  joints   {about['axes']}; {', '.join(room)} degrees\n"
           f"  scale    {about['mm_per_unit']:g} mm a unit: {takes} of {about['units']['largest']:g} units, "
           f"one LSB of Q7.8 is {about['lsb_mm'] * 1000:.4g} um\n"
-          f"  cores    {', '.join(about['functions'])}: quadrance cores --function {about['functions'][0]}")
+          "  cores    " + (f"{', '.join(about['functions'])}: quadrance cores --function {about['functions'][0]}"
+                           if about["functions"] else "none serves it"))
     for reason, names in about["refused"].items():
         print(f"  not      {', '.join(names)}: {reason}")
     for line in about["advice"]:
@@ -418,7 +420,7 @@ def parser() -> Parser:
     sub.add_argument("--arm", help="name of an arm, or its TOML file: the cores that it can use")
     sub.add_argument("--all", action="store_true", help="every parameter set, not the first of each core alone")
     sub = command("choose", _choose, "the cores that serve an arm as asked, the best first, and why not the others")
-    sub.add_argument("--function", required=True, help="fk1 to ik3, fk6, ik6, ur_ik")
+    sub.add_argument("--function", required=True, help="fk1 to ik3, fk6, ik6, ur_ik, srs_ik")
     sub.add_argument("--arm", required=True, help="name of an arm, or its TOML file")
     sub.add_argument("--word", required=True, help="the joint word: angle:18, vector:16, spread:24")
     sub.add_argument("--mm", help="greatest error at the tip, rounding of all words included")

@@ -197,9 +197,9 @@ def scale_of(core: Core, port: Port) -> tuple[int, str] | None:
     element of a matrix); None for any other word."""
     side, _, plain = port.name.partition("_")
     p = core.params
-    if core.family == "ur" and side == "cfg" and plain in ("margin", "slack"):
+    if core.family in ("ur", "srs") and side == "cfg" and plain in ("margin", "slack"):
         return p["F"], "units"
-    if core.family == "ur" and side == "cfg" and re.fullmatch(r"[dl]\d", plain):
+    if core.family in ("ur", "srs") and side == "cfg" and re.fullmatch(r"[dl]\d?", plain):
         return p["F"] + six.MORE, "units"
     if "F" in p and re.fullmatch(r"[xyz][45]?|l[123]?|d[45]", plain):
         return p["F"], "units"
@@ -212,7 +212,7 @@ def scale_of(core: Core, port: Port) -> tuple[int, str] | None:
         return p["F"], "units"
     if "V" in p and re.fullmatch(r"w[\dxyz]", plain):
         return p["V"], "rad"
-    if "U" in p and re.fullmatch(r"r\d\d", plain):
+    if "U" in p and re.fullmatch(r"r\d\d|[cn]s", plain):
         return p["U"], "1"
     return None
 

@@ -89,7 +89,8 @@ def check(arm: Arm) -> dict:
                       f"{arm.mm_per_unit / 2**F * 1000:.4g} um")
     if not arm.yaws and arm.base:
         advice.append("base is given and limits.yaw is not: a SCARA has no use for the shoulder's height")
-    if any(high - low > 360 for low, high in arm.limits):
+    limits = [*arm.limits, *[arm.upper_limit] * (arm.upper_limit is not None)]
+    if any(high - low > 360 for low, high in limits):
         advice.append("a joint turns by more than 360 degrees: its words are modulo a turn, count the turns outside")
     if not arm.joints:
         advice.append("joints is not given: the machine's joints are taken for the cores' own")
@@ -97,7 +98,7 @@ def check(arm: Arm) -> dict:
     return {"arm": arm.id, "name": arm.name, "source": arm.source, "joints": len(arm.limits),
             "axes": arm.axes,
             "l1_mm": arm.l1, "l2_mm": arm.l2, "reach_mm": [abs(arm.l1 - arm.l2), arm.l1 + arm.l2],
-            "limits_degrees": [list(pair) for pair in arm.limits], "mm_per_unit": arm.mm_per_unit,
+            "limits_degrees": [list(pair) for pair in limits], "mm_per_unit": arm.mm_per_unit,
             "machine": [asdict(one) for one in arm.joints],
             "units": {"l1": arm.links[0], "l2": arm.links[1], "reach": sum(arm.links), "largest": REACH}
             | {axis: length / arm.mm_per_unit for axis, length in found.items()},

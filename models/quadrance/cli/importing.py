@@ -1,6 +1,6 @@
 """This module makes an arm file of a chain of joints. It judges the chain by its axes, never by names.
 
-`KINDS` is the table of what a chain can be. A kind without `build` has no core yet and is refused by its name.
+`KINDS` is the table of what a chain can be.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from quadrance import arms, truth, truth_arm, truth_six, truth_ur
+from quadrance import arms, truth, truth_arm, truth_six, truth_srs, truth_ur
 from quadrance.arms import Arm
 from quadrance.cli import check, urdf
 from quadrance.cli.catalogue import Refused
@@ -62,8 +62,8 @@ class Kind(NamedTuple):
     name: str
     letters: tuple[str, ...]
     rules: tuple[tuple, ...]
-    build: Callable[[list[Axis], Floats], Built] | None = None
-    pose: Callable[[Arm, dict[str, Floats]], Floats] | None = None
+    build: Callable[[list[Axis], Floats], Built]
+    pose: Callable[[Arm, dict[str, Floats]], Floats]
 
 
 def _broken(rule: tuple, axes: list[Axis]) -> tuple[float, str]:
@@ -174,7 +174,8 @@ def _upright(axes: list[Axis], target: Floats, way: Floats | None = None) -> tup
     y = axes[1].way - (axes[1].way @ z) * z
     y = y / np.linalg.norm(y)
     ahead = np.cross(y, z) @ (axes[1].point - o)
-    if (ahead if abs(ahead) > 1e-3 else np.cross(y, z) @ (target - o)) < -1e-6:  # the shoulder is in front
+    ahead = ahead if abs(ahead) > 1e-3 else 0.0
+    if (ahead or np.cross(y, z) @ (target - o)) < -1e-6:  # the shoulder is in front
         y = -y
     x = np.cross(y, z)
     two, three, end = (np.stack([x, y, z]) @ (point - o) for point in (axes[1].point, axes[2].point, target))
@@ -186,7 +187,7 @@ def _upright(axes: list[Axis], target: Floats, way: Floats | None = None) -> tup
     parts = [Part(key, i, _sign(positive @ axes[i].way), zero) for i, (key, positive, zero) in
              enumerate((("yaw", z, yaw), ("shoulder", -y, one), ("elbow", -y, both - one)))]
     return Built({"links": {"l1": abs(upper), "l2": fore.real}, "constants": {
-        "base": two[2], "shoulder": two[0], "lateral": end[1], "elbow": fore.imag}}, parts, base), y
+        "base": two[2], "shoulder": abs(ahead), "lateral": end[1], "elbow": fore.imag}}, parts, base), y
 
 
 def _three(axes: list[Axis], tip: Floats) -> Built:
@@ -246,7 +247,37 @@ def _six_pose(arm: Arm, q: dict[str, Floats]) -> Floats:
     return _poses(rotation, *place.T)
 
 
-# A core for another kind puts its `build` and `pose` here, and nothing else has to change
+def _srs(axes: list[Axis], tip: Floats) -> Built:
+    """As in truth_srs: z2, z4 and z6 lead along upper arm, forearm and flange, z3 and z5 are the ways of 4 and 6."""
+    elbow, centre = _meeting(axes[2:5]), _meeting(axes[4:])
+    built, y = _upright([*axes[:2], axes[2]._replace(point=elbow)], centre)
+    z2 = axes[2].way * _sign((elbow - _meeting(axes[:3])) @ axes[2].way)
+    z4 = axes[4].way * _sign((centre - elbow) @ axes[4].way)
+    reach = (tip[:3, 3] - centre) @ axes[6].way
+    z6 = axes[6].way * _sign(reach if abs(reach) > 1e-3 else tip[:3, 2] @ axes[6].way)
+    z3, z5 = axes[3].way, axes[5].way
+    z3 = z3 * _sign(-y @ z3 if abs(y @ z3) > 1e-6 else np.cross(-y, z3) @ z2)
+    z5 = z5 * _sign(-z3 @ z5 if abs(z3 @ z5) > 1e-6 else np.cross(-z3, z5) @ z4)
+
+    def turned(one: Floats, other: Floats, about: Floats) -> float:
+        return math.atan2(np.cross(one, other) @ about, one @ other)
+
+    zeros = (turned(-y, z3, z2), turned(z2, z4, z3), turned(-z3, z5, z4), turned(z4, z6, z5),
+             turned(np.cross(z5, z6), tip[:3, 0], z6) if tip[:3, 2] @ z6 > 0.5 else 0.0)
+    parts = built.parts[:2] + [Part(key, i, _sign(way @ axes[i].way), zero) for key, i, way, zero in zip(
+        ("upper", "elbow", *arms.WRIST_OF_SEVEN), range(2, 7), (z2, z3, z4, z5, z6), zeros)]
+    return Built({"links": {"l1": built.tables["links"]["l1"], "l2": (centre - elbow) @ z4},
+                  "constants": {"base": built.tables["constants"]["base"]},
+                  "wrist": {"spherical": True, "flange": (tip[:3, 3] - centre) @ z6}}, parts, built.base)
+
+
+def _srs_pose(arm: Arm, q: dict[str, Floats]) -> Floats:
+    joints = [q["yaw"], np.pi / 2 - q["shoulder"], *(q[key] for key in ("upper", "elbow", *arms.WRIST_OF_SEVEN))]
+    rotation, place = truth_srs.fk(np.stack(joints, axis=-1), truth_srs.Srs(**arm.srs))
+    return _poses(rotation, *place.T)
+
+
+# Another kind of arm puts its `build` and `pose` here, and nothing else has to change
 ALONG = tuple(("parallel", 1, i) for i in (2, 3, 4))
 BASE = (("right angles", 1, 2), ("parallel", 2, 3))
 KINDS = (
@@ -259,7 +290,9 @@ KINDS = (
     Kind("an arm with three parallel axes", ("RRRRRR",),
          (*BASE, ("parallel", 3, 4), ("right angles", 4, 5), ("right angles", 5, 6), ("meet", 1, 2), ("meet", 4, 5),
           ("meet", 5, 6)), _ur, _ur_pose),
-    Kind("an S-R-S arm", ("RRRRRRR",), (("meet", 1, 2, 3), ("meet", 5, 6, 7))))
+    Kind("an S-R-S arm", ("RRRRRRR",),
+         (*(("right angles", i, i + 1) for i in range(1, 7)), ("meet", 1, 2, 3), ("meet", 3, 4, 5), ("meet", 5, 6, 7)),
+         _srs, _srs_pose))
 
 
 def classify(chain: Chain) -> tuple[Kind, str, list[Axis]]:
@@ -271,18 +304,15 @@ def classify(chain: Chain) -> tuple[Kind, str, list[Axis]]:
     near = []
     for kind in (kind for kind in KINDS if letters in kind.letters):
         found = sorted((_broken(rule, axes) for rule in kind.rules if max(rule[1:]) <= len(axes)), reverse=True)
-        near.append((sum(size > 1 for size, _ in found), not kind.build, kind, found[0][1]))
+        near.append((sum(size > 1 for size, _ in found), kind, found[0][1]))
     if not near:
-        known = ", ".join(dict.fromkeys(one for kind in KINDS if kind.build for one in kind.letters))
+        known = ", ".join(dict.fromkeys(one for kind in KINDS for one in kind.letters))
         raise Refused(f"{len(letters)} joints move ({letters[:40]}; R turns, P slides), and cores are for {known}; "
                       "another --base or --tip leaves joints out")
-    fits = min(near, key=lambda one: one[:2])
-    if not any(fits[:2]):
-        return *fits[2:], axes
-    _, _, other, worst = min(near, key=lambda one: (one[1], one[0]))
-    raise Refused(f"it is {fits[2].name}, for which there is no core yet" * (not fits[0])
-                  + "; " * (not fits[0] and other is not fits[2])
-                  + f"it is not {other.name}: {worst}" * bool(fits[0] or other is not fits[2]))
+    broken, kind, worst = min(near, key=lambda one: one[0])
+    if broken:
+        raise Refused(f"it is not {kind.name}: {worst}")
+    return kind, worst, axes
 
 
 def off(one: Floats, other: Floats) -> tuple[float, float]:
@@ -331,7 +361,7 @@ def arm_file(chain: Chain, source: str) -> dict:
     tables["limits"] = {}
     for part in built.parts:
         room, zeros[part.key] = _room(joints[part.joint], part, turn if part.key == "elbow" else 0.0)
-        if part.key in ("yaw", "shoulder", "elbow"):
+        if part.key in ("yaw", "shoulder", "elbow", "upper"):
             tables["limits"][part.key] = room
     rest = [part for part in built.parts if part.key == "slide" or part.key == "tool" and "l3" not in links]
 
