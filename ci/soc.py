@@ -124,25 +124,27 @@ def compiled(sources: Sequence[Path], *, include: Sequence[Path] = (), options: 
     return target
 
 
-def system(files: Sequence[Path] = (), *, memory: int = MEMORY) -> Path:
-    """Verilate soc.v; the executable. Without `files`, Verilog of the cores and what is around them, it has none."""
-    sources = [SOC / "soc.v", *files, picorv32()]
-    texts = [path.read_text() for path in sources]
-    main = SOC / "main.cpp"
-    with _made("system", texts, main.read_text(), memory) as folder:
-        target = folder / "system"
+def verilated(name: str, top: str, sources: Sequence[Path], main: str, options: Sequence[str] = ()) -> Path:
+    """Verilate a module and compile it with `main`, C++ that includes V<top>.h; the executable."""
+    with _made(name, [path.read_text() for path in sources], main, options) as folder:
+        target = folder / name
         if not target.exists():
-            tools.run("verilator", "-cc", "-Mdir", folder, "--prefix", "Vsoc", "--top-module", "soc", "-Wno-fatal",
-                      "-Wno-lint", "-Wno-style", "-GDIVIDE=1", f"-GWORDS={memory // 4}",
-                      f"-GCORES={int(bool(files))}", *sources)
-            parts = [*sorted(folder.glob("Vsoc*.cpp")), main]
-            (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts))
+            tools.run("verilator", "-cc", "-Mdir", folder, "--prefix", f"V{top}", "--top-module", top, "-Wno-fatal",
+                      "-Wno-lint", "-Wno-style", *options, *sources)
+            parts = sorted(folder.glob(f"V{top}*.cpp"))
+            (folder / "all.cpp").write_text("".join(f'#include "{part}"\n' for part in parts) + main)
             header, objects = program._runtime()
             partial = target.with_suffix(".partial")
             tools.run("g++", *program._flags(), "-include", header, "-I.", "all.cpp", *objects, "-lpthread", "-o",
                       partial, cwd=folder)
             partial.rename(target)
     return target
+
+
+def system(files: Sequence[Path] = (), *, memory: int = MEMORY) -> Path:
+    """Verilate soc.v; the executable. Without `files`, Verilog of the cores and what is around them, it has none."""
+    options = ["-GDIVIDE=1", f"-GWORDS={memory // 4}", f"-GCORES={int(bool(files))}"]
+    return verilated("system", "soc", [SOC / "soc.v", *files, picorv32()], (SOC / "main.cpp").read_text(), options)
 
 
 def run(system: Path, firmware: Path, limit: int = LIMIT) -> Ran:

@@ -96,8 +96,8 @@ def test_the_verilog_has_no_warning(tmp_path):
     waiver.write_text('`verilator_config\nlint_off -file "*picorv32.v"\n'
                       'lint_off -rule UNSIGNED -file "*register_control.v"\n')
     files = soc.hardware(tmp_path)
-    tools.run("verilator", "--lint-only", "-Wall", "-Wno-TIMESCALEMOD", "--top-module", "ulx3s", waiver, soc.SOC / "ulx3s.v",
-              soc.SOC / "soc.v", soc.picorv32(), *files)
+    tools.run("verilator", "--lint-only", "-Wall", "-Wno-TIMESCALEMOD", "--top-module", "ulx3s", waiver,
+              soc.SOC / "ulx3s.v", soc.SOC / "soc.v", soc.picorv32(), *files)
 
 
 @pytest.mark.slow
