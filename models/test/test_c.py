@@ -11,6 +11,8 @@ from quadrance import arms, codecs, cores, fixed
 from quadrance.arms import ArmError
 from quadrance.cli import c, catalogue, registers, verilog
 from quadrance.cli.catalogue import Refused
+from quadrance.program import assembler, image
+from quadrance.program.language import Wrong
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-ffp-contract=off")
 STANDARDS = {"c": ("gcc", "-std=c99"), "cpp": ("g++", "-std=c++17", "-xc++")}
@@ -133,6 +135,34 @@ def joint_program(headers):
                       '        printf("%ld %ld %lu %lu %.17g %.17g %.17g %ld\\n", (long)c, (long)n, (unsigned long)a,',
                       "            (unsigned long)s, table_ik2_degrees_of_angle(a), rational_ik2_degrees_of_spread(s),",
                       "            quadrance_vector_degrees(c, n), (long)TABLE_IK2_MM(degrees));", "    }", "}"]) + "\n"
+
+
+@pytest.mark.parametrize("standard", STANDARDS)
+@pytest.mark.parametrize("name", ("vector_ik6", "vector_xyzac"))
+def test_a_program_of_the_engine_is_a_header(name, standard, tmp_path):
+    """With a constant and without one: what the core loads, and where inputs and results are."""
+    made = image.image(assembler.assembled(cores.RTL / "program" / f"{name}.kin", 0), start=700, version=9)
+    ports = [port for port in (*made["inputs"], *made["outputs"]) if "word" not in port]
+    values = ["(long long)one->header", "one->count", "one->start", "one->one",
+              *(f"one->lines[{i}]" for i in range(len(made["lines"]))),
+              *(f"{name.upper()}_{port['name'].upper()}" for port in ports)]
+    prints = "".join(f'    printf("%lld\\n", (long long)({value}));\n' for value in values)
+    text = (f'#include <stdio.h>\n#include "{name}.h"\nint main(void) {{\n'
+            f"    const kinematics_engine_program *one = &{name};\n{prints}    return 0;\n}}\n")
+    core = cores.find("kinematics_engine")
+    headers = {"kinematics_engine.h": c.header(core), f"{name}.h": image.header(made)}
+    run = compiled(tmp_path, text, headers, standard)
+    found = list(map(int, subprocess.run([run], capture_output=True, check=True, text=True).stdout.split()))
+    assert found == [int(made["header"], 16), len(made["lines"]), 700, 22 if name == "vector_ik6" else -1,
+                     *(int(line, 16) for line in made["lines"]), *(port["at"] for port in ports)]
+    headers["kinematics_engine.h"] = c.header(catalogue.at(core, {"PIPE": 1}))
+    with pytest.raises(subprocess.CalledProcessError):
+        compiled(tmp_path, text, headers, standard)
+
+
+def test_a_program_whose_name_is_none_in_c_is_refused():
+    with pytest.raises(Wrong, match="^'my-pan' is no name in C"):
+        image.header({"program": "my-pan"})
 
 
 def test_joints_and_millimetres_are_those_of_python(tmp_path):
