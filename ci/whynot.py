@@ -10,7 +10,7 @@ import os
 import platform
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -19,6 +19,7 @@ from quadrance import arms, cores, truth, truth_six
 from quadrance.accuracy.arm import config
 from quadrance.accuracy.of_core import modelled as model_of
 from quadrance.cores import Core
+from quadrance.cli import c, registers
 from quadrance.fixed import Ints
 from quadrance.truth import Floats
 
@@ -29,7 +30,8 @@ SOURCE = tools.ROOT / "docs/why_not_c/kinematics.c"
 WORK = tools.BUILD / "whynot"
 SEED = 20261124
 UNIT, TURN = 2.0**-16, 2 * np.pi / 2**18  # what a word's last bit is in the C program's floats
-FLAGS = ("-O3", "-std=c11", "-Wall", "-Wextra", "-Werror", "-fno-math-errno", "-fno-trapping-math")
+FLAGS = ("-O3", "-std=c11", "-Wall", "-Wextra", "-Werror", "-fno-math-errno", "-fno-trapping-math",
+         "-fno-slp-vectorize")  # that pass of ziglang 0.17.1 (clang) miscompiles ik6 in fixed point for AVX-512
 HOST = ("-fPIC", "-shared")
 
 
@@ -55,8 +57,9 @@ class Row:
 
     @property
     def arm(self) -> arms.Arm:
-        """The arm."""
-        return arms.load("kr6_r700" if self.six else "cobra600")
+        """The arm; ik3 has the Cobra's two links on a turntable."""
+        arm = arms.load("kr6_r700" if self.six else "cobra600")
+        return arm if not self.name.startswith("ik3") else replace(arm, limits=(*arm.limits[:2], (-180.0, 180.0)))
 
 
 ROWS = (Row("fk2", "vector_fk2", 4, 2, "fk2"), Row("ik2", "vector_ik2", 2, 4, "ik2"),
@@ -79,10 +82,14 @@ def constants() -> list[str]:
     return [f"-D{name}={float(value)!r}" for name, value in values.items()]
 
 
-def compiled(fixed: bool, *options: str, suffix: str = ".so", source: Path = SOURCE) -> Path:
-    """The C program as float or in fixed point, by the compiler of the ziglang package; made once."""
+def compiled(fixed: bool, *options: str, suffix: str = ".so", source: Path = SOURCE,
+             text: Sequence[str] = ()) -> Path:
+    """The C program as float or in fixed point, by the compiler of the ziglang package; made once.
+
+    `text` is what `source` includes.
+    """
     words = [*FLAGS, *constants(), *(["-DFIXED"] if fixed else []), *(options or HOST)]
-    made = WORK / f"{cache.digest([source.read_text(), words, platform.node()])}{suffix}"
+    made = WORK / f"{cache.digest([source.read_text(), *text, words, platform.node()])}{suffix}"
     if not made.exists():
         WORK.mkdir(parents=True, exist_ok=True)
         part = made.with_name(f"{os.getpid()}-{made.name}")
@@ -185,3 +192,171 @@ def directions(vectors: Floats) -> Floats:
     """Angles (..., joints) of unit vectors (..., 2 * joints)."""
     pairs = vectors.reshape(*vectors.shape[:-1], -1, 2)
     return np.arctan2(pairs[..., 1], pairs[..., 0])
+
+
+# The soft CPU: PicoRV32 as one sets it up that computes, on a memory without wait states
+
+CPU = {"ENABLE_FAST_MUL": 1, "ENABLE_DIV": 1, "BARREL_SHIFTER": 1}
+FIRMWARE = ("-target", "riscv32-freestanding-none", "-mcpu=generic_rv32+m", "-ffreestanding", "-g0")
+JOBS, DATA, BASE = 0x20000, 0x21000, 0x40000000  # jobs, poses and what follows; registers of a core
+LINK = """ENTRY(_start)
+SECTIONS { .text 0 : { *(.start) *(.text*) *(.rodata*) *(.srodata*) *(.data*) *(.sdata*) }
+           .bss : { *(.sbss*) *(.bss*) *(COMMON) } /DISCARD/ : { *(.comment) *(.eh_frame*) *(.riscv.attributes) } }
+"""
+TOP = """module soc (input wire clk, input wire resetn, output wire trap, output wire la_read, output wire la_write,
+    output wire [31:0] la_addr, output wire [31:0] la_wdata, output wire [3:0] la_wstrb, input wire [31:0] rdata);
+  wire valid; wire [31:0] addr, wdata; wire [3:0] wstrb;
+  wire chosen = addr[31:30] == 2'd1, ack; wire [31:0] found;
+  picorv32 #({cpu}) cpu (.clk(clk), .resetn(resetn), .trap(trap), .mem_valid(valid), .mem_addr(addr),
+    .mem_wdata(wdata), .mem_wstrb(wstrb), .mem_ready(chosen ? ack : 1'b1), .mem_rdata(chosen ? found : rdata),
+    .mem_la_read(la_read), .mem_la_write(la_write), .mem_la_addr(la_addr), .mem_la_wdata(la_wdata),
+    .mem_la_wstrb(la_wstrb), .mem_instr(), .pcpi_valid(), .pcpi_insn(), .pcpi_rs1(), .pcpi_rs2(), .pcpi_wr(1'b0),
+    .pcpi_rd(32'd0), .pcpi_wait(1'b0), .pcpi_ready(1'b0), .irq(32'd0), .eoi(), .trace_valid(), .trace_data());
+  {core}
+endmodule
+"""
+ALONE = "assign ack = 1'b1, found = 32'd0;"
+BUS = """{top} core (.clk_i(clk), .rst_i(!resetn), .cyc_i(valid && chosen), .stb_i(valid && chosen && !ack),
+    .we_i(wstrb != 4'd0), .adr_i(addr[11:2]), .dat_i(wdata), .sel_i(wstrb != 4'd0 ? wstrb : 4'd15), .ack_o(ack),
+    .dat_o(found), .stall_o(), .irq());"""
+HARNESS = """#include "Vsoc.h"
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+int main(int, char **argv) {  // image in, image out: runs until the program's ebreak
+    std::vector<uint32_t> memory(4 << 20);
+    FILE *f = std::fopen(argv[1], "rb");
+    if (!f || !std::fread(memory.data(), 1, 16 << 20, f)) return 1;
+    std::fclose(f);
+    Vsoc t; t.resetn = 0;
+    uint32_t word = 0;
+    for (uint64_t clock = 0; clock < 4000000000; clock++) {
+        t.clk = 0; t.resetn = clock >= 8; t.rdata = word; t.eval();
+        if (t.resetn && t.trap) {
+            f = std::fopen(argv[2], "wb");
+            return std::fwrite(memory.data(), 1, 16 << 20, f) != 16 << 20 || std::fclose(f);
+        }
+        uint32_t at = t.la_addr >> 2;
+        if (t.resetn && at < memory.size()) {
+            if (t.la_read) word = memory[at];
+            if (t.la_write)
+                for (int i = 0; i < 4; i++)
+                    if (t.la_wstrb >> i & 1) memory[at] = (memory[at] & ~(255u << 8 * i)) | (t.la_wdata & 255u << 8 * i);
+        }
+        t.clk = 1; t.eval();
+    }
+    return 2;
+}
+"""
+
+
+def package(name: str) -> Path:
+    """Folder of an installed package."""
+    spec = find_spec(name)
+    if spec is None or spec.origin is None:
+        raise SystemExit(f"{name} is missing: run `make setup`")
+    return Path(spec.origin).parent
+
+
+def picorv32() -> Path:
+    """Its Verilog, in the repository: YoWASP sees nothing outside."""
+    source = package("pythondata_cpu_picorv32") / "verilog/picorv32.v"
+    WORK.mkdir(parents=True, exist_ok=True)
+    local = WORK / "picorv32.v"
+    if not local.exists() or local.read_text() != source.read_text():
+        local.write_text(source.read_text())
+    return local
+
+
+def simulator(core: str = ALONE, sources: Sequence[Path] = ()) -> Path:
+    """The soft CPU, alone or with a core behind Wishbone, as a program; made once."""
+    top = TOP.format(cpu=", ".join(f".{name}({value})" for name, value in CPU.items()), core=core)
+    cpu = picorv32()
+    key = [top, HARNESS, cpu.read_text(), *(path.read_text() for path in sources), tools.versions()["verilator"]]
+    folder = WORK / cache.digest(key)
+    if not (folder / "soc").exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "soc.v").write_text(top)
+        (folder / "main.cpp").write_text(HARNESS)
+        tools.run("verilator", "--cc", "--exe", "--build", "-O3", "-CFLAGS", "-O2", "-Wno-fatal", "-Wno-lint",
+                  "-Wno-style", "--Mdir", folder, "--prefix", "Vsoc", "--top-module", "soc", folder / "soc.v", cpu,
+                  *sources, folder / "main.cpp", "-o", folder / "soc")
+    return folder / "soc"
+
+
+def firmware(fixed: bool, source: Path = SOURCE, *options: str, text: Sequence[str] = ()) -> bytes:
+    """The program for the soft CPU, from address 0."""
+    WORK.mkdir(parents=True, exist_ok=True)
+    link = WORK / "link.ld"
+    link.write_text(LINK)
+    elf = compiled(fixed, *FIRMWARE, *options, f"-Wl,-T,{link}", suffix=".elf", source=source, text=text)
+    image = elf.with_suffix(".bin")
+    tools.run(sys.executable, "-m", "ziglang", "objcopy", "-O", "binary", str(elf), str(image))
+    return image.read_bytes()
+
+
+def on_cpu(run: Path, image: bytes, jobs: Sequence[tuple[int, np.ndarray, Ints, int]]) -> list[tuple[np.ndarray, Ints]]:
+    """Answers and clocks of jobs (function, inputs (count, ins), ways, words of an answer) on the soft CPU."""
+    memory = bytearray(16 << 20)
+    memory[:len(image)] = image
+    at, places = DATA, []
+    for number, (which, given, way, outs) in enumerate(jobs):
+        count, starts = len(given), []
+        for data in (given.tobytes(), way.astype("<i4").tobytes(), bytes(4 * outs * count), bytes(4 * count),
+                     bytes(4 * count)):
+            memory[at:at + len(data)] = data
+            starts.append(at)
+            at += len(data)
+        memory[JOBS + 28 * number:JOBS + 28 * (number + 1)] = np.array([which, count, *starts], "<i4").tobytes()
+        places.append((starts, count, outs, given.dtype))
+    if at > len(memory) or len(image) > JOBS // 2:
+        raise ValueError("the jobs do not fit into the memory of the soft CPU")
+    source, target = (WORK / f"{os.getpid()}.{name}" for name in ("in", "out"))
+    source.write_bytes(memory)
+    tools.run(str(run), source, target)
+    after = target.read_bytes()
+    source.unlink(), target.unlink()
+    found = []
+    for starts, count, outs, kind in places:
+        got = np.frombuffer(after, kind, count * outs, starts[2]).reshape(count, outs)
+        found.append((got, np.frombuffer(after, "<u4", count, starts[4]).astype(np.int64)))
+    return found
+
+
+# A core behind registers, called by the soft CPU
+
+DRIVER = """#include <stdint.h>
+#include "{core}.h"
+static __attribute__((noinline)) int call_core(const int32_t *in, int way, int32_t *out) {{
+    {core}_out o;
+    (void)way;
+    {core}_run((volatile uint32_t *){base:#x}u, {given}, &o);
+{taken}
+    return (int)o.status;
+}}
+#define MORE {{call_core, {ins}, {outs}}},
+#define SETUP {core}_configure((volatile uint32_t *){base:#x}u, &{core}_arm);
+#include "{source}"
+"""
+
+
+def by_bus(row: Row, words: Ints, way: Ints) -> tuple[np.ndarray, np.ndarray]:
+    """Answers (words) and clocks of the row's core that the soft CPU calls over Wishbone, by polling."""
+    core = cores.find(row.core)
+    folder = WORK / row.core
+    folder.mkdir(parents=True, exist_ok=True)
+    made = registers.files(core, "wishbone", config(core, row.arm))
+    driver = DRIVER.format(core=core.name, base=BASE, ins=row.ins, outs=row.outs, source=SOURCE, given=", ".join(
+        ["in[%d]" % i for i in range(row.ins)] + ["(uint32_t)way"] * (len(core.inputs) - row.ins)),
+        taken="\n".join(f"    out[{i}] = o.{port.name[4:]};" for i, port in enumerate(core.outputs[:row.outs])))
+    made |= {f"{core.name}.h": c.header(core, row.arm), "quadrance.h": c.SHARED.read_text(), "driver.c": driver}
+    for name, text in made.items():
+        (folder / name).write_text(text)
+    headers = package("ziglang") / "lib/libc/include"
+    image = firmware(True, folder / "driver.c", "-isystem", str(headers / "riscv32-linux-musl"), "-isystem",
+                     str(headers / "generic-musl"), text=[SOURCE.read_text(), *made.values()])
+    run = simulator(BUS.format(top=registers.top(core, "wishbone")), [folder / n for n in made if n.endswith(".v")])
+    nothing = np.zeros((len(words), 1), np.int32)
+    jobs = [(0, nothing, way, 1), (1 + len(ROWS), words.astype(np.int32), way, row.outs)]
+    (_, empty), (got, took) = on_cpu(run, image, jobs)
+    return got, took - empty.min()
