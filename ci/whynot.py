@@ -5,12 +5,16 @@
 
 from __future__ import annotations
 
+import argparse
 import ctypes
+import json
 import os
 import platform
 import sys
-from collections.abc import Sequence
+import time
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from datetime import UTC, datetime
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -18,12 +22,13 @@ import numpy as np
 from quadrance import arms, cores, truth, truth_six
 from quadrance.accuracy.arm import config
 from quadrance.accuracy.of_core import modelled as model_of
-from quadrance.cores import Core
 from quadrance.cli import c, registers
 from quadrance.fixed import Ints
 from quadrance.truth import Floats
+from rich.console import Console
 
-from ci import cache
+from ci import cache, soc, synth
+from ci.synth.__main__ import scratch_ports
 from tb.lib import tools
 
 SOURCE = tools.ROOT / "docs/why_not_c/kinematics.c"
@@ -146,7 +151,7 @@ def answered(row: Row, fixed: bool, words: Ints, way: Ints, program: ctypes.CDLL
              took: np.ndarray | None = None) -> tuple[Floats, Ints]:
     """Answers (count, outs) of the C program on this machine as reals, and its flags; fills `took` with ns."""
     program, count = program or library(fixed), len(words)
-    given = np.ascontiguousarray(words if fixed else real(row, words, False), np.int32 if fixed else np.float32)
+    given = given_to(row, fixed, words)
     got, flags = np.zeros((count, row.outs), given.dtype), np.zeros(count, np.int32)
     took = np.zeros(count, np.uint32) if took is None else took
     program.each(1 + ROWS.index(row), count, _at(given), _at(np.ascontiguousarray(way, np.int32)), _at(got), _at(flags),
@@ -196,8 +201,8 @@ def directions(vectors: Floats) -> Floats:
 
 # The soft CPU: PicoRV32 as one sets it up that computes, on a memory without wait states
 
-CPU = {"ENABLE_FAST_MUL": 1, "ENABLE_DIV": 1, "BARREL_SHIFTER": 1}
-FIRMWARE = ("-target", "riscv32-freestanding-none", "-mcpu=generic_rv32+m", "-ffreestanding", "-g0")
+CPU = {"ENABLE_FAST_MUL": 1, "ENABLE_DIV": 1, "BARREL_SHIFTER": 1, "ENABLE_COUNTERS64": 0}
+FIRMWARE = (*soc.TARGET, "-ffreestanding", "-g0")
 JOBS, DATA, BASE = 0x20000, 0x21000, 0x40000000  # jobs, poses and what follows; registers of a core
 LINK = """ENTRY(_start)
 SECTIONS { .text 0 : { *(.start) *(.text*) *(.rodata*) *(.srodata*) *(.data*) *(.sdata*) }
@@ -241,7 +246,8 @@ int main(int, char **argv) {  // image in, image out: runs until the program's e
             if (t.la_read) word = memory[at];
             if (t.la_write)
                 for (int i = 0; i < 4; i++)
-                    if (t.la_wstrb >> i & 1) memory[at] = (memory[at] & ~(255u << 8 * i)) | (t.la_wdata & 255u << 8 * i);
+                    if (t.la_wstrb >> i & 1)
+                        memory[at] = (memory[at] & ~(255u << 8 * i)) | (t.la_wdata & 255u << 8 * i);
         }
         t.clk = 1; t.eval();
     }
@@ -250,21 +256,12 @@ int main(int, char **argv) {  // image in, image out: runs until the program's e
 """
 
 
-def package(name: str) -> Path:
-    """Folder of an installed package."""
-    spec = find_spec(name)
-    if spec is None or spec.origin is None:
-        raise SystemExit(f"{name} is missing: run `make setup`")
-    return Path(spec.origin).parent
-
-
 def picorv32() -> Path:
     """Its Verilog, in the repository: YoWASP sees nothing outside."""
-    source = package("pythondata_cpu_picorv32") / "verilog/picorv32.v"
     WORK.mkdir(parents=True, exist_ok=True)
-    local = WORK / "picorv32.v"
-    if not local.exists() or local.read_text() != source.read_text():
-        local.write_text(source.read_text())
+    local, text = WORK / "picorv32.v", soc.picorv32().read_text()
+    if not local.exists() or local.read_text() != text:
+        local.write_text(text)
     return local
 
 
@@ -347,12 +344,12 @@ def by_bus(row: Row, words: Ints, way: Ints) -> tuple[np.ndarray, np.ndarray]:
     folder.mkdir(parents=True, exist_ok=True)
     made = registers.files(core, "wishbone", config(core, row.arm))
     driver = DRIVER.format(core=core.name, base=BASE, ins=row.ins, outs=row.outs, source=SOURCE, given=", ".join(
-        ["in[%d]" % i for i in range(row.ins)] + ["(uint32_t)way"] * (len(core.inputs) - row.ins)),
+        [f"in[{i}]" for i in range(row.ins)] + ["(uint32_t)way"] * (len(core.inputs) - row.ins)),
         taken="\n".join(f"    out[{i}] = o.{port.name[4:]};" for i, port in enumerate(core.outputs[:row.outs])))
     made |= {f"{core.name}.h": c.header(core, row.arm), "quadrance.h": c.SHARED.read_text(), "driver.c": driver}
     for name, text in made.items():
         (folder / name).write_text(text)
-    headers = package("ziglang") / "lib/libc/include"
+    headers = Path(find_spec("ziglang").origin).parent / "lib/libc/include"
     image = firmware(True, folder / "driver.c", "-isystem", str(headers / "riscv32-linux-musl"), "-isystem",
                      str(headers / "generic-musl"), text=[SOURCE.read_text(), *made.values()])
     run = simulator(BUS.format(top=registers.top(core, "wishbone")), [folder / n for n in made if n.endswith(".v")])
@@ -360,3 +357,197 @@ def by_bus(row: Row, words: Ints, way: Ints) -> tuple[np.ndarray, np.ndarray]:
     jobs = [(0, nothing, way, 1), (1 + len(ROWS), words.astype(np.int32), way, row.outs)]
     (_, empty), (got, took) = on_cpu(run, image, jobs)
     return got, took - empty.min()
+
+
+# What the page shows
+
+MANY, CHUNK = 1_000_000, 20_000  # poses here, and between two rests
+SIMULATED = {False: 1_000, True: 10_000}  # poses on the soft CPU, as float and in fixed point
+BATCH, STRIDE = 512, 528  # as in the C program
+Stamp = tuple[float, float, float]  # mean, 99.9 %, worst
+
+
+def _alone() -> str:
+    """Keep this process on one processor core, before all others and in memory, where the system allows it."""
+    one = max(os.sched_getaffinity(0))
+    os.sched_setaffinity(0, {one})
+    said = ["pinned to one of its processor cores"]
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(50))
+        said.append("real-time priority")
+    except OSError:
+        said.append("no real-time priority")
+    said.append("memory locked" if ctypes.CDLL(None).mlockall(3) == 0 else "memory not locked")
+    return ", ".join(said)
+
+
+def timed(program: ctypes.CDLL, which: int, given: np.ndarray, way: Ints, outs: int) -> np.ndarray:
+    """What each call took here, in ns of the system's clock; rests between chunks, warm before each."""
+    took, got = np.zeros(len(given), np.uint32), np.zeros((CHUNK, outs), given.dtype)
+    way, flags = np.ascontiguousarray(way, np.int32), np.zeros(CHUNK, np.int32)
+    for at in range(0, len(given), CHUNK):
+        time.sleep(0.005)
+        part = slice(at, min(at + CHUNK, len(given)))
+        for count in (min(500, part.stop - at), part.stop - at):
+            program.each(which, count, _at(given[part]), _at(way[part]), _at(got), _at(flags), _at(took[part]))
+    return took
+
+
+def batched(program: ctypes.CDLL, row: Row, given: np.ndarray, way: Ints) -> tuple[np.ndarray, float]:
+    """Answers (BATCH, outs) of the first poses as one batch, and ns a pose: the least of 20 measurements."""
+    side = np.zeros((row.ins, STRIDE), given.dtype)
+    side[:, :BATCH] = given[:BATCH].T
+    got, way = np.zeros((row.outs, STRIDE), given.dtype), np.ascontiguousarray(way, np.int32)
+    which = 1 + ROWS.index(row)
+    least = min(program.batch(which, 100, _at(side), _at(way), _at(got)) for _ in range(20))
+    return got[:, :BATCH].T, least / 100 / BATCH
+
+
+def given_to(row: Row, fixed: bool, words: Ints) -> np.ndarray:
+    """Words as the C program takes them."""
+    return np.ascontiguousarray(words if fixed else real(row, words, False), np.int32 if fixed else np.float32)
+
+
+def here(fixed: bool, progress: Callable[[str], None]) -> tuple[list[Stamp], list[float]]:
+    """For each row: the times of a call on this machine, an empty call's mean subtracted, and ns a pose of a batch."""
+    program, stamps, batches = library(fixed), [], []
+    empty = timed(program, 0, np.zeros((MANY, 1), np.int32), np.zeros(MANY), 1)
+    base = np.sort(empty)[:-MANY // 1000].mean()
+    for row in ROWS:
+        progress(f"{row.name} on this machine")
+        words, way = poses(row, MANY)
+        given = given_to(row, fixed, words)
+        took = timed(program, 1 + ROWS.index(row), given, way, row.outs) - base
+        stamps.append((float(took.mean()), float(np.quantile(took, 0.999)), float(took.max())))
+        batches.append(batched(program, row, given, way)[1])
+    return stamps, batches
+
+
+def there(fixed: bool) -> list[Stamp]:
+    """For each row: clocks of a call on the soft CPU, an empty call's subtracted.
+
+    Its answers in fixed point must be this machine's.
+    """
+    count, jobs = SIMULATED[fixed], [(0, np.zeros((10, 1), np.int32), np.zeros(10), 1)]
+    drawn = [poses(row, count) for row in ROWS]
+    jobs += [(which, given_to(row, fixed, words), way, row.outs)
+             for which, (row, (words, way)) in enumerate(zip(ROWS, drawn), 1)]
+    (_, empty), *done = on_cpu(simulator(), firmware(fixed), jobs)
+    for row, (words, way), (got, _) in zip(ROWS, drawn, done):
+        if fixed and not np.array_equal(real(row, got, True), answered(row, True, words, way)[0]):
+            raise SystemExit(f"{row.name}: the soft CPU answers other words than this machine")
+    return [(float(c.mean()), float(np.quantile(c, 0.999)), float(c.max())) for c in
+            (took - empty.min() for _, took in done)]
+
+
+def called() -> list[Stamp]:
+    """For each row: clocks of a call of the core by the soft CPU. The core's answers must be its model's."""
+    stamps = []
+    for row in ROWS:
+        words, way = poses(row, 1000)
+        got, took = by_bus(row, words, way)
+        if not np.array_equal(real(row, got, True), modelled(row, words, way)):
+            raise SystemExit(f"{row.core} on the bus answers other words than its model")
+        stamps.append((float(took.mean()), float(np.quantile(took, 0.999)), float(took.max())))
+    return stamps
+
+
+def wrong(row: Row) -> list[tuple[float, float]]:
+    """The 99.9 % and the worst tip error (mm) over all poses: C as float, in fixed point, the core."""
+    words, way = poses(row, MANY)
+    parts = [slice(at, at + CHUNK) for at in range(0, MANY, CHUNK)]
+    found = []
+    for answers in (lambda w, e: answered(row, False, w, e)[0], lambda w, e: answered(row, True, w, e)[0],
+                    lambda w, e: modelled(row, w, e)):
+        errors = np.concatenate([tip_error(row, words[p], way[p], answers(words[p], way[p])).ravel() for p in parts])
+        found.append((float(np.nanquantile(errors, 0.999)), float(np.nanmax(errors))))
+    return found
+
+
+def cpu_on_ecp5() -> dict[str, float]:
+    """Area and clock of the soft CPU alone, in the flow of the cores."""
+    sources = [picorv32()]
+    return {**synth.area("ecp5", "picorv32", CPU, sources),
+            "mhz": synth.fmax("picorv32", CPU, sources, *scratch_ports("picorv32", CPU, sources))}
+
+
+def core_on_ecp5(row: Row) -> dict[str, float]:
+    """Area, clock, clocks and ns of a row's core at its first set, from the report."""
+    report = json.loads((tools.ROOT / "reports/report.json").read_text())
+    core = cores.find(row.core)
+    found = next(one for one in report["cores"] if one["core"] == core.name and one["set"] == core.set_id)
+    return {**found["area"]["ecp5"], "mhz": found["fmax_mhz"]["ecp5"], "clocks": found["latency_cycles"],
+            "ns": found["latency_ns"], "ii": found["ii"]}
+
+
+def brief(value: float) -> str:
+    """Three digits at most behind zeros, whole numbers from 100 on, thousands apart."""
+    if abs(value) >= 100 or value == int(value):
+        return f"{value:,.0f}".replace(",", " ")
+    return f"{value:.3g}"
+
+
+def table(heads: Sequence[str], rows: Sequence[Sequence[str | float]]) -> str:
+    """A table in Markdown."""
+    lines = [heads, [":--", *["--:"] * (len(heads) - 1)]]
+    lines += [[one if isinstance(one, str) else brief(one) for one in row] for row in rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def machine() -> str:
+    """The name of this machine's processor."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return platform.processor()
+    said = dict(line.split(":", 1) for line in lines if ":" in line)
+    keys = {key.strip(): value.strip() for key, value in said.items()}
+    guest = ", a guest of a hypervisor" if "hypervisor" in keys.get("flags", "") else ""
+    return f"{keys.get('model name', platform.processor())} (family {keys.get('cpu family')}, model " \
+           f"{keys.get('model')}; {os.cpu_count()} processor cores{guest})"
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(prog="python -m ci.whynot", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.parse_args()
+    if lacks := soc.missing():
+        raise SystemExit(lacks)
+    console = Console(stderr=True)
+    with console.status("area and clock of the soft CPU") as status:
+        cpu, of_core = cpu_on_ecp5(), [core_on_ecp5(row) for row in ROWS]
+        status.update("the C program on the soft CPU")
+        soft, whole = there(False), there(True)
+        status.update("cores on the bus of the soft CPU")
+        bus = called()
+        status.update("errors")
+        errors = [wrong(row) for row in ROWS]
+        load, alone = os.getloadavg()[0], _alone()
+        (float_ns, float_batch), (fixed_ns, fixed_batch) = (here(fixed, status.update) for fixed in (False, True))
+    labels = [f"{row.label}{', angles' * row.angles}" for row in ROWS]
+
+    def three(stamp: Stamp) -> str:
+        return " / ".join(brief(value) for value in stamp)
+
+    print(f"Measured on {datetime.now(UTC):%Y-%m-%d} on {machine()}: {alone}, load {load:.1f} before.\n")
+    print(table(["ns", "C, float: mean / 99.9 % / worst", "C, fixed: mean / 99.9 % / worst", "C, batch: float / fixed",
+                 "core: one / next"],
+                [[label, three(f), three(x), f"{brief(fb)} / {brief(xb)}",
+                  f"{brief(c['ns'])} / {brief(1e3 * c['ii'] / c['mhz'])}"] for label, f, x, fb, xb, c in
+                 zip(labels, float_ns, fixed_ns, float_batch, fixed_batch, of_core)]), end="\n\n")
+    print(table(["clocks; µs", "C, float: mean / worst", "C, fixed: mean / worst", "core called: worst", "core alone",
+                 "µs: C, fixed", "µs: core called", "µs: core alone"],
+                [[label, f"{brief(f[0])} / {brief(f[2])}", f"{brief(x[0])} / {brief(x[2])}", b[2], c["clocks"],
+                  x[2] / cpu["mhz"], b[2] / min(cpu["mhz"], c["mhz"]), c["ns"] / 1e3]
+                 for label, f, x, b, c in zip(labels, soft, whole, bus, of_core)]), end="\n\n")
+    columns = ("lut", "ff", "dsp", "mem", "mhz")
+    areas = [["PicoRV32, no memory", *(cpu[column] for column in columns)]]
+    areas += [[f"`{row.core}`", *(c[column] for column in columns)] for row, c in zip(ROWS, of_core)]
+    print(table(["ECP5", "LUT", "FF", "MULT18X18", "EBR", "MHz"], areas), end="\n\n")
+    print(table(["tip error, mm: 99.9 % / worst", "C, float", "C, fixed", "core"],
+                [[label, *(f"{brief(a)} / {brief(b)}" for a, b in error)] for label, error in zip(labels, errors)]))
+
+
+if __name__ == "__main__":
+    main()

@@ -24,7 +24,10 @@ IN num put(num x) { return (x + (1 << 13)) >> 14; }
 IN turn get_turn(num word) { return (turn)word << 14; }
 IN num put_turn(turn a) { return (num)((a + (1 << 13)) >> 14 & 0x3ffff); }
 IN num mul(num a, num b) { return (num)((int64_t)a * b >> 32) * 4; }
-IN num times(num a, num factor) { int64_t p = (int64_t)a * factor >> 24; return p > INT32_MAX ? INT32_MAX : p < -INT32_MAX ? -INT32_MAX : (num)p; }
+IN num times(num a, num factor) {
+    int64_t p = (int64_t)a * factor >> 24;
+    return p > INT32_MAX ? INT32_MAX : p < -INT32_MAX ? -INT32_MAX : (num)p;
+}
 IN wide dot(num a, num b, num c, num d) { return (int64_t)a * b + (int64_t)c * d; }
 IN wide beside(num c) { return WIDE(1) - (int64_t)c * c; }                  /* 1 - c^2 */
 IN num narrow(wide v) { return (num)(v >> 30); }
@@ -105,7 +108,8 @@ IN void sincos_of(turn a, num *c, num *n) {
     turn k = quarters(a);
     num r = radians(a - quarter(k)), x = mul(r, r);
     num s = mul(r, C(1) + mul(x, C(-0.166666546) + mul(x, C(0.00833216087) + mul(x, C(-0.000195152959)))));
-    num t = C(1) + mul(x, C(-0.499999996) + mul(x, C(0.0416666233) + mul(x, C(-0.00138867637) + mul(x, C(0.0000243904487)))));
+    num t = C(1) + mul(x, C(-0.499999996) + mul(x, C(0.0416666233)
+          + mul(x, C(-0.00138867637) + mul(x, C(0.0000243904487)))));
     int way = (int)k;
     num even = way & 1 ? s : t, odd = way & 1 ? t : s;
     *c = (way + 1) & 2 ? -even : even;
@@ -257,7 +261,8 @@ static __attribute__((noinline)) int empty(const num *in, int way, num *out) {
     __asm__ volatile ("" : : "r"(in), "r"(way), "r"(out) : "memory");
     return 0;
 }
-#define CALL(name, ins, outs) static __attribute__((noinline)) int call_##name(const num *in, int way, num *out) { return name(in, way, out); }
+#define CALL(name, ins, outs) \
+    static __attribute__((noinline)) int call_##name(const num *in, int way, num *out) { return name(in, way, out); }
 EACH(CALL)
 #ifndef MORE                                            /* a core's driver, of ci/whynot.py */
 #define MORE
@@ -270,7 +275,18 @@ static const struct { kinematics *call; int ins, outs; } table[] = {{empty, 1, 1
 static inline uint32_t now(void) { uint32_t t; __asm__ volatile ("rdcycle %0" : "=r"(t) : : "memory"); return t; }
 #else
 #include <time.h>
-static inline uint32_t now(void) { struct timespec t; clock_gettime(CLOCK_MONOTONIC, &t); return (uint32_t)((uint64_t)t.tv_sec * 1000000000 + (uint64_t)t.tv_nsec); }
+#ifdef __x86_64__
+#define FENCE __builtin_ia32_lfence()                   /* nothing of the call before or after */
+#else
+#define FENCE
+#endif
+static inline uint32_t now(void) {
+    struct timespec t;
+    FENCE;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    FENCE;
+    return (uint32_t)((uint64_t)t.tv_sec * 1000000000 + (uint64_t)t.tv_nsec);
+}
 #endif
 
 /* `count` poses one after the other, and what each took: ns, on the soft CPU clocks */
@@ -287,18 +303,27 @@ void each(int which, int count, const num *in, const int32_t *way, num *out, int
 
 #ifdef __riscv
 /* Poses, ways, answers, flags and clocks lie where the test bench put and fetches them */
-typedef struct { int32_t which, count; const num *in; const int32_t *way; num *out; int32_t *flags; uint32_t *took; } job;
+typedef struct {
+    int32_t which, count;
+    const num *in;
+    const int32_t *way;
+    num *out;
+    int32_t *flags;
+    uint32_t *took;
+} job;
 __attribute__((naked, section(".start"))) void _start(void) { __asm__ ("li sp, 0x20000\n call main\n ebreak"); }
 int main(void) {
     start();
     SETUP
-    for (const job *j = (const job *)0x20000; j->count; j++) each(j->which, j->count, j->in, j->way, j->out, j->flags, j->took);
+    for (const job *j = (const job *)0x20000; j->count; j++)
+        each(j->which, j->count, j->in, j->way, j->out, j->flags, j->took);
     return 0;
 }
 #else
 /* Many at a time: word j of pose i at in[j * STRIDE + i], so that the compiler takes a vector of poses */
 enum { MANY = 512, STRIDE = MANY + 16 };
-#define BATCH(name, ins, outs) static void batch_##name(const num *restrict in, const int32_t *restrict way, num *restrict out) { \
+#define BATCH(name, ins, outs) \
+    static void batch_##name(const num *restrict in, const int32_t *restrict way, num *restrict out) { \
     for (int i = 0; i < MANY; i++) { \
         num a[ins], o[outs]; \
         _Pragma("unroll") for (int j = 0; j < ins; j++) a[j] = in[j * STRIDE + i]; \
