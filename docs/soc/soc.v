@@ -106,5 +106,6 @@ module soc #(
             4'b0100, 4'b0101, 4'b0110, 4'b0111: rdata = {31'd0, sending};
             default: rdata = word;
         endcase
+    wire unused = &{1'b0, addr};
 endmodule
 `default_nettype wire

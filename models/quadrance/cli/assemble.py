@@ -59,7 +59,7 @@ def write(one: Assembled, text: str) -> list[Path]:
 
 
 def image(one: Assembled, path: Path, start: int, version: int) -> dict:
-    """Write the image of a program for kinematics_engine.
+    """Write the image of a program for kinematics_engine: a header of C where the file is one, else JSON.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def image(one: Assembled, path: Path, start: int, version: int) -> dict:
     """
     try:
         made = images.image(one, start, version)
-        path.write_text(json.dumps(made, indent=1) + "\n")
+        path.write_text(images.header(made) if path.suffix == ".h" else json.dumps(made, indent=1) + "\n")
     except Wrong as error:
         raise Refused(str(error)) from None
     except OSError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from quadrance import classic, six
+from quadrance import classic, kinematics_engine, six
 from quadrance.arms import Arm
 from quadrance.cli import registers, verilog
 from quadrance.cli.catalogue import Refused
@@ -149,7 +149,60 @@ def header(core: Core, arm: Arm | None = None) -> str:
               f"static inline uint32_t {n}_flags(volatile uint32_t *core) {{",
               f"    const uint32_t found = {n}_read(core, {big}_STATE) & ({big}_REFUSED | {big}_OUTSIDE);",
               f"    {n}_write(core, {big}_STATE, found);", "    return found;", "}"]
-    return "\n".join([*lines, *_joints(core), *(_arm(core) if shared else []), *_constants(core, arm), "#endif"]) + "\n"
+    return "\n".join([*lines, *_joints(core), *(_arm(core) if shared else []), *_constants(core, arm),
+                      *(_engine() if n == "kinematics_engine" else []), "#endif"]) + "\n"
+
+
+def _engine() -> list[str]:
+    """The commands of kinematics_engine, and what loads a program."""
+    k = kinematics_engine
+    return f"""
+/* a program, as `quadrance assemble --image FILE.h` writes it */
+typedef struct {{
+    uint64_t header;
+    const uint64_t *lines;
+    unsigned count;
+    uint32_t start;
+    int one;    /* the input that has to be 1.0, or -1 */
+}} kinematics_engine_program;
+/* one command by polling: 0, or -1 where the core has refused it */
+static inline int kinematics_engine_command(volatile uint32_t *core, uint32_t kind, uint32_t context, uint32_t at,
+                                            uint64_t data) {{
+    kinematics_engine_start(core, kind, context, at, data);
+    while (!kinematics_engine_done(core)) {{ }}
+    return kinematics_engine_read(core, KINEMATICS_ENGINE_OUT_REFUSED) ? -1 : 0;
+}}
+/* a word of s2.25 to an input of the program; the word of a result */
+static inline void kinematics_engine_put(volatile uint32_t *core, uint32_t context, uint32_t input, int32_t word) {{
+    kinematics_engine_command(core, {k.WRITE}, context, input, (uint32_t)word);
+}}
+static inline int32_t kinematics_engine_get(volatile uint32_t *core, uint32_t context, uint32_t output) {{
+    kinematics_engine_command(core, {k.READ}, context, output, 0);
+    return (int32_t)kinematics_engine_read(core, KINEMATICS_ENGINE_OUT_WORD);
+}}
+/* loads a program: 0, or -1 where it is not whole */
+static inline int kinematics_engine_load(volatile uint32_t *core, const kinematics_engine_program *program) {{
+    unsigned i;
+    kinematics_engine_command(core, {k.LOAD}, 0, program->start, program->header);
+    for (i = 0; i < program->count; i++) kinematics_engine_command(core, {k.LINE}, 0, 0, program->lines[i]);
+    return kinematics_engine_command(core, {k.SEAL}, 0, program->start, program->header);
+}}
+/* before the first run of a context */
+static inline void kinematics_engine_prepare(volatile uint32_t *core, uint32_t context,
+                                             const kinematics_engine_program *program) {{
+    if (program->one >= 0) kinematics_engine_put(core, context, (uint32_t)program->one, {ONE});
+}}
+/* a run: its start alone, for the interrupt, and by polling: 0, or -1 where the core has refused it */
+static inline void kinematics_engine_begin(volatile uint32_t *core, uint32_t context,
+                                           const kinematics_engine_program *program, uint32_t signs) {{
+    kinematics_engine_start(core, {k.RUN}, context, program->start, signs);
+}}
+static inline int kinematics_engine_play(volatile uint32_t *core, uint32_t context,
+                                         const kinematics_engine_program *program, uint32_t signs, uint32_t *status) {{
+    const int refused = kinematics_engine_command(core, {k.RUN}, context, program->start, signs);
+    *status = kinematics_engine_read(core, KINEMATICS_ENGINE_STATE) >> {registers.STATUS_LOW} & 15;
+    return refused;
+}}""".split("\n")
 
 
 def _joints(core: Core) -> list[str]:
