@@ -10,9 +10,8 @@ import ctypes
 import json
 import os
 import platform
-import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from importlib.util import find_spec
@@ -98,7 +97,7 @@ def compiled(fixed: bool, *options: str, suffix: str = ".so", source: Path = SOU
     if not made.exists():
         WORK.mkdir(parents=True, exist_ok=True)
         part = made.with_name(f"{os.getpid()}-{made.name}")
-        tools.run(sys.executable, "-m", "ziglang", "cc", *words, str(source), "-o", str(part))
+        soc._zig(WORK, "cc", *words, source, "-o", part)
         part.replace(made)
     return made
 
@@ -288,7 +287,7 @@ def firmware(fixed: bool, source: Path = SOURCE, *options: str, text: Sequence[s
     link.write_text(LINK)
     elf = compiled(fixed, *FIRMWARE, *options, f"-Wl,-T,{link}", suffix=".elf", source=source, text=text)
     image = elf.with_suffix(".bin")
-    tools.run(sys.executable, "-m", "ziglang", "objcopy", "-O", "binary", str(elf), str(image))
+    soc._zig(WORK, "objcopy", "-O", "binary", elf, image)
     return image.read_bytes()
 
 
@@ -367,18 +366,27 @@ BATCH, STRIDE = 512, 528  # as in the C program
 Stamp = tuple[float, float, float]  # mean, 99.9 %, worst
 
 
+def stamp(took: np.ndarray) -> Stamp:
+    """Mean, 99.9 % and worst of what calls took."""
+    return float(took.mean()), float(np.quantile(took, 0.999)), float(took.max())
+
+
 def _alone() -> str:
-    """Keep this process on one processor core, before all others and in memory, where the system allows it."""
-    one = max(os.sched_getaffinity(0))
-    os.sched_setaffinity(0, {one})
-    said = ["pinned to one of its processor cores"]
-    try:
-        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(50))
-        said.append("real-time priority")
-    except OSError:
-        said.append("no real-time priority")
-    said.append("memory locked" if ctypes.CDLL(None).mlockall(3) == 0 else "memory not locked")
+    """Keep this process on one processor core and in memory; what the system allowed, `_first` included."""
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+    said = ["pinned to one of them", "real-time priority" if _first(True) else "no real-time priority",
+            "memory locked" if ctypes.CDLL(None).mlockall(3) == 0 else "memory not locked"]
+    _first(False)
     return ", ".join(said)
+
+
+def _first(real_time: bool) -> bool:
+    """Go before all other processes, or back; whether the system allows it."""
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO if real_time else os.SCHED_OTHER, os.sched_param(50 * real_time))
+    except OSError:
+        return False
+    return True
 
 
 def timed(program: ctypes.CDLL, which: int, given: np.ndarray, way: Ints, outs: int) -> np.ndarray:
@@ -388,8 +396,10 @@ def timed(program: ctypes.CDLL, which: int, given: np.ndarray, way: Ints, outs: 
     for at in range(0, len(given), CHUNK):
         time.sleep(0.005)
         part = slice(at, min(at + CHUNK, len(given)))
+        _first(True)
         for count in (min(500, part.stop - at), part.stop - at):
             program.each(which, count, _at(given[part]), _at(way[part]), _at(got), _at(flags), _at(took[part]))
+        _first(False)
     return took
 
 
@@ -408,17 +418,19 @@ def given_to(row: Row, fixed: bool, words: Ints) -> np.ndarray:
     return np.ascontiguousarray(words if fixed else real(row, words, False), np.int32 if fixed else np.float32)
 
 
-def here(fixed: bool, progress: Callable[[str], None]) -> tuple[list[Stamp], list[float]]:
-    """For each row: the times of a call on this machine, an empty call's mean subtracted, and ns a pose of a batch."""
-    program, stamps, batches = library(fixed), [], []
+def here(fixed: bool) -> tuple[list[Stamp], list[float]]:
+    """For an empty call and each row: ns of a call on this machine; for each row: ns a pose of a batch.
+
+    Subtracted is the mean of the empty calls, without the slowest thousandth.
+    """
+    program, batches = library(fixed), []
     empty = timed(program, 0, np.zeros((MANY, 1), np.int32), np.zeros(MANY), 1)
     base = np.sort(empty)[:-MANY // 1000].mean()
+    stamps = [stamp(empty - base)]
     for row in ROWS:
-        progress(f"{row.name} on this machine")
         words, way = poses(row, MANY)
         given = given_to(row, fixed, words)
-        took = timed(program, 1 + ROWS.index(row), given, way, row.outs) - base
-        stamps.append((float(took.mean()), float(np.quantile(took, 0.999)), float(took.max())))
+        stamps.append(stamp(timed(program, 1 + ROWS.index(row), given, way, row.outs) - base))
         batches.append(batched(program, row, given, way)[1])
     return stamps, batches
 
@@ -436,8 +448,7 @@ def there(fixed: bool) -> list[Stamp]:
     for row, (words, way), (got, _) in zip(ROWS, drawn, done):
         if fixed and not np.array_equal(real(row, got, True), answered(row, True, words, way)[0]):
             raise SystemExit(f"{row.name}: the soft CPU answers other words than this machine")
-    return [(float(c.mean()), float(np.quantile(c, 0.999)), float(c.max())) for c in
-            (took - empty.min() for _, took in done)]
+    return [stamp(took - empty.min()) for _, took in done]
 
 
 def called() -> list[Stamp]:
@@ -448,7 +459,7 @@ def called() -> list[Stamp]:
         got, took = by_bus(row, words, way)
         if not np.array_equal(real(row, got, True), modelled(row, words, way)):
             raise SystemExit(f"{row.core} on the bus answers other words than its model")
-        stamps.append((float(took.mean()), float(np.quantile(took, 0.999)), float(took.max())))
+        stamps.append(stamp(took))
     return stamps
 
 
@@ -480,18 +491,18 @@ def core_on_ecp5(row: Row) -> dict[str, float]:
             "ns": found["latency_ns"], "ii": found["ii"]}
 
 
-def brief(value: float) -> str:
-    """Three digits at most behind zeros, whole numbers from 100 on, thousands apart."""
-    if abs(value) >= 100 or value == int(value):
-        return f"{value:,.0f}".replace(",", " ")
-    return f"{value:.3g}"
+def brief(value: float, digits: int = 3) -> str:
+    """A number of so many digits, without an exponent."""
+    whole = abs(value) >= 10 ** (digits - 1) or value == int(value)
+    return f"{round(value, digits - len(str(int(abs(value))))):.0f}" if whole else f"{value:.{digits}g}"
 
 
 def table(heads: Sequence[str], rows: Sequence[Sequence[str | float]]) -> str:
     """A table in Markdown."""
-    lines = [heads, [":--", *["--:"] * (len(heads) - 1)]]
-    lines += [[one if isinstance(one, str) else brief(one) for one in row] for row in rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+    lines = [heads, [":-", *["-:"] * (len(heads) - 1)]]
+    lines += [[one if isinstance(one, str) else str(one) if isinstance(one, int) else brief(one) for one in row]
+              for row in rows]
+    return "\n".join(f"|{'|'.join(line)}|" for line in lines)
 
 
 def machine() -> str:
@@ -523,30 +534,31 @@ def main() -> None:
         bus = called()
         status.update("errors")
         errors = [wrong(row) for row in ROWS]
-        load, alone = os.getloadavg()[0], _alone()
-        (float_ns, float_batch), (fixed_ns, fixed_batch) = (here(fixed, status.update) for fixed in (False, True))
+    load, alone = os.getloadavg()[0], _alone()
+    (float_ns, float_batch), (fixed_ns, fixed_batch) = here(False), here(True)
     labels = [f"{row.label}{', angles' * row.angles}" for row in ROWS]
 
-    def three(stamp: Stamp) -> str:
-        return " / ".join(brief(value) for value in stamp)
+    def some(*values: float) -> str:
+        return "/".join(brief(value, 2) for value in values)
 
     print(f"Measured on {datetime.now(UTC):%Y-%m-%d} on {machine()}: {alone}, load {load:.1f} before.\n")
-    print(table(["ns", "C, float: mean / 99.9 % / worst", "C, fixed: mean / 99.9 % / worst", "C, batch: float / fixed",
-                 "core: one / next"],
-                [[label, three(f), three(x), f"{brief(fb)} / {brief(xb)}",
-                  f"{brief(c['ns'])} / {brief(1e3 * c['ii'] / c['mhz'])}"] for label, f, x, fb, xb, c in
-                 zip(labels, float_ns, fixed_ns, float_batch, fixed_batch, of_core)]), end="\n\n")
-    print(table(["clocks; µs", "C, float: mean / worst", "C, fixed: mean / worst", "core called: worst", "core alone",
-                 "µs: C, fixed", "µs: core called", "µs: core alone"],
-                [[label, f"{brief(f[0])} / {brief(f[2])}", f"{brief(x[0])} / {brief(x[2])}", b[2], c["clocks"],
+    print(table(["PC, ns", "C, float: mean/99.9 %/worst", "C, fixed: mean/99.9 %/worst",
+                 "C, batch: float/fixed", "core: latency/interval"],
+                [["an empty call", some(*float_ns[0]), some(*fixed_ns[0]), "", ""]] +
+                [[label, some(*f), some(*x), some(fb, xb), some(c["ns"], 1e3 * c["ii"] / c["mhz"])]
+                 for label, f, x, fb, xb, c in
+                 zip(labels, float_ns[1:], fixed_ns[1:], float_batch, fixed_batch, of_core)]), end="\n\n")
+    print(table(["PicoRV32, clocks", "C, float: mean/worst", "C, fixed: mean/worst", "core called: worst",
+                 "core alone", "µs: C, fixed", "µs: core called", "µs: core alone"],
+                [[label, f"{f[0]:.0f}/{f[2]:.0f}", f"{x[0]:.0f}/{x[2]:.0f}", int(b[2]), c["clocks"],
                   x[2] / cpu["mhz"], b[2] / min(cpu["mhz"], c["mhz"]), c["ns"] / 1e3]
                  for label, f, x, b, c in zip(labels, soft, whole, bus, of_core)]), end="\n\n")
     columns = ("lut", "ff", "dsp", "mem", "mhz")
-    areas = [["PicoRV32, no memory", *(cpu[column] for column in columns)]]
+    areas = [["PicoRV32 without memory", *(cpu[column] for column in columns)]]
     areas += [[f"`{row.core}`", *(c[column] for column in columns)] for row, c in zip(ROWS, of_core)]
     print(table(["ECP5", "LUT", "FF", "MULT18X18", "EBR", "MHz"], areas), end="\n\n")
-    print(table(["tip error, mm: 99.9 % / worst", "C, float", "C, fixed", "core"],
-                [[label, *(f"{brief(a)} / {brief(b)}" for a, b in error)] for label, error in zip(labels, errors)]))
+    print(table(["tip error, mm: 99.9 %/worst", "C, float", "C, fixed", "core"],
+                [[label, *(f"{a:.4f}/{b:.4f}" for a, b in error)] for label, error in zip(labels, errors)]))
 
 
 if __name__ == "__main__":
