@@ -47,7 +47,6 @@ class Row:
     core: str
     ins: int
     outs: int
-    label: str
 
     @property
     def six(self) -> bool:
@@ -66,11 +65,10 @@ class Row:
         return arm if not self.name.startswith("ik3") else replace(arm, limits=(*arm.limits[:2], (-180.0, 180.0)))
 
 
-ROWS = (Row("fk2", "vector_fk2", 4, 2, "fk2"), Row("ik2", "vector_ik2", 2, 4, "ik2"),
-        Row("ik3", "vector_ik3", 3, 6, "ik3"), Row("ik6", "vector_ik6", 12, 12, "six axes, one branch"),
-        Row("ik6_all", "vector_ik6_all", 12, 96, "six axes, all eight"),
-        Row("fk2_angle", "table_fk2", 2, 2, "fk2"), Row("ik2_angle", "table_ik2", 2, 2, "ik2"),
-        Row("ik3_angle", "table_ik3", 3, 3, "ik3"), Row("ik6_angle", "table_ik6", 12, 6, "six axes, one branch"))
+ROWS = (Row("fk2", "vector_fk2", 4, 2), Row("ik2", "vector_ik2", 2, 4), Row("ik3", "vector_ik3", 3, 6),
+        Row("ik6", "vector_ik6", 12, 12), Row("ik6_all", "vector_ik6_all", 12, 96),
+        Row("fk2_angle", "table_fk2", 2, 2), Row("ik2_angle", "table_ik2", 2, 2), Row("ik3_angle", "table_ik3", 3, 3),
+        Row("ik6_angle", "table_ik6", 12, 6))
 
 
 # The program
@@ -536,7 +534,7 @@ def main() -> None:
         errors = [wrong(row) for row in ROWS]
     load, alone = os.getloadavg()[0], _alone()
     (float_ns, float_batch), (fixed_ns, fixed_batch) = here(False), here(True)
-    labels = [f"{row.label}{', angles' * row.angles}" for row in ROWS]
+    labels = [f"`{row.core}`" for row in ROWS]
 
     def some(*values: float) -> str:
         return "/".join(brief(value, 2) for value in values)
@@ -544,7 +542,7 @@ def main() -> None:
     print(f"Measured on {datetime.now(UTC):%Y-%m-%d} on {machine()}: {alone}, load {load:.1f} before.\n")
     print(table(["PC, ns", "C, float: mean/99.9 %/worst", "C, fixed: mean/99.9 %/worst",
                  "C, batch: float/fixed", "core: latency/interval"],
-                [["an empty call", some(*float_ns[0]), some(*fixed_ns[0]), "", ""]] +
+                [["empty", some(*float_ns[0]), some(*fixed_ns[0]), "", ""]] +
                 [[label, some(*f), some(*x), some(fb, xb), some(c["ns"], 1e3 * c["ii"] / c["mhz"])]
                  for label, f, x, fb, xb, c in
                  zip(labels, float_ns[1:], fixed_ns[1:], float_batch, fixed_batch, of_core)]), end="\n\n")
@@ -554,8 +552,8 @@ def main() -> None:
                   x[2] / cpu["mhz"], b[2] / min(cpu["mhz"], c["mhz"]), c["ns"] / 1e3]
                  for label, f, x, b, c in zip(labels, soft, whole, bus, of_core)]), end="\n\n")
     columns = ("lut", "ff", "dsp", "mem", "mhz")
-    areas = [["PicoRV32 without memory", *(cpu[column] for column in columns)]]
-    areas += [[f"`{row.core}`", *(c[column] for column in columns)] for row, c in zip(ROWS, of_core)]
+    areas = [["PicoRV32", *(cpu[column] for column in columns)]]
+    areas += [[label, *(c[column] for column in columns)] for label, c in zip(labels, of_core)]
     print(table(["ECP5", "LUT", "FF", "MULT18X18", "EBR", "MHz"], areas), end="\n\n")
     print(table(["tip error, mm: 99.9 %/worst", "C, float", "C, fixed", "core"],
                 [[label, *(f"{a:.4f}/{b:.4f}" for a, b in error)] for label, error in zip(labels, errors)]))
