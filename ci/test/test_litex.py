@@ -2,6 +2,7 @@
 
 import importlib.util
 import io
+import json
 import subprocess
 from contextlib import redirect_stdout
 
@@ -98,13 +99,14 @@ def test_a_core_behind_the_serial_bridge(bus, tmp_path):
     run = soc.verilated("bridge", "bridge", files, f"#define CLOCKS {CLOCKS}\n{MAIN}")
     rng = np.random.default_rng(3)
     points = rng.integers(-(1 << 14), 1 << 14, (20, 2)).tolist()
-    with subprocess.Popen([run], stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=hw) as process:
+    with subprocess.Popen([run], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, cwd=hw) as process:
         stream = io.BufferedRWPair(process.stdout, process.stdin)
-        ik = Device(module.SerialBridge(stream, BASE), hw / "table_ik2.json")
+        about = json.loads((hw / "table_ik2.json").read_text())
+        ik = Device(module.SerialBridge(stream, BASE), about)
         ik.configure()
         found = [ik.run(x=x, y=y, elbow=i & 1) for i, (x, y) in enumerate(points)]
         with pytest.raises(WrongDevice):
-            Device(module.SerialBridge(stream, BASE), ik.about | {"id": 1})
+            Device(module.SerialBridge(stream, BASE), about | {"id": 1})
         process.stdin.close()
     x, y = np.array(points).T
     want = core.model(core.params, in_x=x, in_y=y, in_elbow=np.arange(20) & 1,

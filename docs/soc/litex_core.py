@@ -6,7 +6,7 @@
     soc.bus.add_slave("ik", soc.ik.bus, SoCRegion(origin=0x8000_0000, size=0x1000, cached=False))
     soc.irq.add("ik")                                                       where there is a CPU
 
-    ik = Device(SerialBridge(serial.Serial("/dev/ttyUSB0", 115200), 0x8000_0000), "hw/table_ik2.json")
+    ik = Device(SerialBridge(serial.Serial("/dev/ttyUSB0", 115200, timeout=1), 0x8000_0000), "hw/table_ik2.json")
 
 The second part, on a PC, needs `soc.add_uartbone()` and pyserial. Map and drivers are those of docs/registers.md.
 """
