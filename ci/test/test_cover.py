@@ -102,7 +102,12 @@ def test_a_verdict_that_is_missing_stale_or_was_never_run_is_found(tmp_path, mon
     cover.keep({"isqrt_comb": rows})
     monkeypatch.setattr(cover, "DRAWN", 1)
     assert cover.check(sets) == []
-    monkeypatch.setattr(legal, "verdict", lambda core, params: "a warning")  # what a run would have found
+
+    def wrong(*_):  # what a run would have found
+        raise AssertionError("a warning")
+
+    monkeypatch.setattr(cover, "run", wrong)
+    monkeypatch.setattr(cover, "_whole", wrong)  # of a listed set
     assert "a warning" in cover.check(sets)[0]
     first = next(iter(rows))
     cover.keep({"isqrt_comb": rows | {first: "stale"}})
