@@ -48,7 +48,8 @@ module table_ur_fk #(
     generate
         if (W < 4 || W > 16 || F < 0 || F >= W || A < 12 || A > 24 || U < 12 || U > 18 || PIPE < 0 || PIPE > 2)
         begin : g_illegal
-            table_ur_fk_needs_W_from_4_to_16_and_F_below_W_and_A_from_12_to_24_and_U_from_12_to_18_and_PIPE_to_2 rule ();
+            table_ur_fk_needs_W_from_4_to_16_and_F_below_W_and_A_from_12_to_24_and_U_from_12_to_18_and_PIPE_to_2
+                rule ();
         end
     endgenerate
 
