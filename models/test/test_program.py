@@ -355,6 +355,22 @@ def test_the_command_prints_and_writes(tmp_path, capsys):
     assert "my.order: a line is" in capsys.readouterr().err
 
 
+def test_an_image_replaces_an_image_alone(tmp_path, capsys):
+    """Not its own text, nor another file; a text that is no file, or has no end, is not read."""
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL)
+    for name in ("my.json", "my.h"):
+        for _ in range(2):
+            assert main(["assemble", str(path), "--image", str(tmp_path / name)]) == 0
+        (tmp_path / name).write_text("[1]" if name == "my.json" else "/* mine */")
+        assert main(["assemble", str(path), "--image", str(tmp_path / name)]) == 2
+        assert f"{name} is no image, and is not overwritten" in capsys.readouterr().err
+        assert (tmp_path / name).read_text() in ("[1]", "/* mine */")
+    assert main(["assemble", str(path), "--image", str(path)]) == 2 and path.read_text() == SMALL
+    for odd in ("/dev/zero", str(tmp_path)):
+        assert main(["assemble", odd]) == 2 and "cannot be read: " in capsys.readouterr().err.split("\n")[-2]
+
+
 def test_a_wrong_program_overwrites_nothing(tmp_path, capsys):
     path = tmp_path / "my.kin"
     path.write_text(SMALL.replace("- a", "- b"))
