@@ -26,7 +26,7 @@ export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
-	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  SHARD=k/n  FARM=tcp://host:8786  FRESH=1"
+	@echo "options: ARM=name|file.toml  OUT=folder  CORE=name  SIM=icarus|verilator  TEST=name  SEED=n  N=parallel jobs  SHARD=k/n  FARM=tls://host:8786  FRESH=1"
 
 setup: $(VENV)/ready ## .venv from the lock file, Icarus from the system's packages where it can
 	@( mkdir -p build && : > build/.writable ) 2> /dev/null || { \
@@ -84,12 +84,16 @@ waves: setup ## a waveform of CORE's bench, of its tests TEST, and the command t
 mutants: setup ## break every core in 100 ways; the benches must notice
 	@$(PY) -m ci.mutants $(if $(FRESH),--fresh)
 
-exhaustive: setup ## the long run, a new seed every day: 10^6 vectors a core, pairs of cores, random parameters
+# robots as their makers published them, and Pinocchio, which judges what is imported: 0.6 GB, for the long run alone
+exhaustive: setup ## the long run, a new seed every day: 10^6 vectors a core, pairs of cores, random parameters, real robots
+	@$(PY) -m pip install --quiet --disable-pip-version-check -c requirements.lock rtb-data==2.0.0 pin==4.1.0 \
+		2> build/robots.log || echo "real robots and Pinocchio are left out: build/robots.log" >&2
 	@echo "SEED=$(LONG_SEED) make exhaustive: repeats this run"
 	@SEED=$(LONG_SEED) $(TESTS) -m slow --durations 10 $(CHOSEN)
 
-worker: setup ## a Dask worker for the scheduler FARM=tcp://host:8786, whose runs carry the same FARM=
-	@test -n "$(FARM)" || { echo "make worker: give FARM=tcp://host:8786, the address of a dask scheduler" >&2; exit 1; }
+worker: setup ## a Dask worker for the scheduler FARM=tls://host:8786 (ci/farm.py says how), whose runs carry the same FARM=
+	@test -n "$(FARM)" || { echo "make worker: give FARM=tls://host:8786, the address of a dask scheduler" >&2; exit 1; }
+	@$(PY) -m ci.farm "$(FARM)"
 	@DASK_DISTRIBUTED__WORKER__DAEMON=False $(PY) -m distributed.cli.dask_worker $(FARM) --nthreads 1 --nworkers $(if $(filter auto,$(N)),auto,$(N)) --no-dashboard
 
 dist: setup ## the release of the last commit in build/dist: the source distribution and the wheel made of it

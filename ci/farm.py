@@ -6,12 +6,20 @@ checkout and the same tools, or the run is refused before it begins. To start so
 
     dask scheduler                                        on one machine
     make worker FARM=tcp://scheduler:8786                 on the others, in a checkout each; N=4: four processes
+
+Whoever reaches the port of a plain tcp:// scheduler can run code on every worker. Dask's certificates keep others out;
+make one file, and export it on every machine (bash); then FARM=tls://scheduler:8786:
+
+    openssl req -x509 -newkey rsa:3072 -nodes -days 365 -subj /CN=farm -keyout farm.pem -out farm.pem
+    export DASK_DISTRIBUTED__COMM__TLS__{CA_FILE,{SCHEDULER,WORKER,CLIENT}__{CERT,KEY}}=$PWD/farm.pem
+    dask scheduler --protocol tls
 """
 
 from __future__ import annotations
 
 import contextlib
 import functools
+import ipaddress
 import logging
 import multiprocessing
 import os
@@ -25,6 +33,7 @@ from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from importlib import import_module
 from pathlib import Path
+from urllib.parse import urlsplit
 
 from ci import cache
 from tb.lib import tools
@@ -41,6 +50,19 @@ def fingerprint() -> str:
     files = [path for folder, names in PLACES.items() for name in names
              for path in sorted((tools.ROOT / folder).rglob(name)) if "__pycache__" not in path.parts]
     return cache.digest([tools.versions(), [(tools.local(path), cache.meaning(path)) for path in files]])
+
+
+def warning(where: str) -> str:
+    """What to say of a scheduler's address: a line where it is in the clear and not of this machine, else nothing."""
+    parts = urlsplit(where if "://" in where else f"tcp://{where}")
+    try:
+        here = ipaddress.ip_address(parts.hostname or "").is_loopback
+    except ValueError:
+        here = parts.hostname == "localhost"
+    if here or parts.scheme in ("tls", "wss", "inproc"):
+        return ""
+    return (f"FARM={where}: whoever reaches this port can run code on every worker and here; "
+            "head of ci/farm.py: tls:// with certificates")
 
 
 def _end(*_: object) -> None:
@@ -119,6 +141,8 @@ def _there(where: str) -> Iterator:
     """A client of a scheduler, whose workers are as they should be."""
     import distributed
 
+    if said := warning(where):
+        print(said, file=sys.stderr)
     try:
         client = distributed.Client(where, timeout=CONNECT)
     except (OSError, ValueError, TimeoutError) as error:
@@ -169,3 +193,8 @@ def run(where: str | None, work: Callable, jobs: list[tuple[Hashable, ...]], log
         except BaseException:
             client.cancel(list(running), force=True)
             raise
+
+
+if __name__ == "__main__":  # make worker
+    if told := warning(sys.argv[1]):
+        print(told, file=sys.stderr)

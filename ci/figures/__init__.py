@@ -12,6 +12,7 @@ from pathlib import Path
 
 import matplotlib
 from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 from quadrance.cores import ROOT
 
 matplotlib.use("Agg")
@@ -34,10 +35,13 @@ def drawn(figure: pyplot.Figure, dpi: int) -> Image.Image:
     return Image.open(stream)
 
 
-def write(figure: pyplot.Figure, name: str, dpi: int = 90) -> None:
-    """The figure as a file of `FOLDER`."""
+def write(figure: pyplot.Figure, name: str, dpi: int = 90, shows: str = "") -> None:
+    """The figure as a file of `FOLDER`; what it `shows` stands in the file too, so that a test sees a stale one."""
     FOLDER.mkdir(parents=True, exist_ok=True)
-    shrunk(drawn(figure, dpi)).save(FOLDER / name, optimize=True)
+    said = PngInfo()
+    if shows:
+        said.add_text("Shows", shows)
+    shrunk(drawn(figure, dpi)).save(FOLDER / name, optimize=True, pnginfo=said)
 
 
 def table(rows: Iterable[tuple[str, str, str]]) -> str:

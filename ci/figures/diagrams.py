@@ -142,18 +142,54 @@ DIAGRAMS = (
                                    ("kernel_chain", "products, sums, rounding")), "x y"),
         ("rational_ik2", "x y elbow", (("kernel_solve", "products; tables of 1/q and √v"),
                                        ("spread_about_axis", "squares as turn-spreads")), "j1 j2"))),
-    Diagram("program", (
-        ("vector_ik6", "pose", (("vector_ik6_program", "assembled from vector_ik6.kin"),
-                                ("engine_program", "plays it, a line a clock"),
-                                ("product_engine", "64 words, two products a clock"),
-                                ("engine_results", "words and status")), "six joints"),)),
+    Diagram("paper", (
+        ("paper_fk2", "j1 j2", (("paper_quadrant", "quadrant of a sum"), ("paper_root", "square roots"),
+                                ("paper_quotient", "spreads, by division")), "x y"),
+        ("paper_ik2", "x y elbow", (("paper_root", "square roots"), ("paper_quotient", "spreads, by division"),
+                                    ("spread_word", "turn-spreads, by quadrant")), "j1 j2"))),
+    Diagram("arm", (
+        ("arm_fk3", "c1 n1 … n3", (("arm_chain", "products, sums, offsets"),), "x y z"),
+        ("arm_ik3", "tip, branch", (("arm_operands", "offsets, multiplexers"),
+                                      ("arm_path", "products; tables of 1/q and √v"),
+                                      ("arm_vectors", "words, held where undefined")), "c1 n1 … n3"),
+        ("arm_rates2", "joints, ẋ ẏ", (("arm_inverse_path", "products of vectors and ẋ, ẏ"),
+                                        ("arm_quotient", "division, rounding, saturation")), "rates"),
+        ("arm_keep3", "x y z", (("arm_solve", "as arm_ik3, branch by branch"),
+                                ("arm_choose", "limits, nearest to the last")), "c1 n1 … n3"))),
+    Diagram("engine", (
+        ("engine_quaternion_gd", "x y, start", (("angle_chord", "table of the sine"),
+                                                 ("engine_gd_path", "tip, gradient, step"),
+                                                 ("engine_gd_judge", "again, until near enough")), "j1 j2"),
+        ("engine_newton_3r", "x y φ, start", (("angle_chord", "table of the sine"),
+                                               ("engine_newton_path", "residual, Jacobian, step"),
+                                               ("reciprocal_pair", "1 / determinant, again")), "j1 j2 j3"),
+        ("engine_rus_ik", "pose", (("engine_rus_poses", "poses, geometry, order of legs"),
+                                   ("engine_rus_path", "a leg after another: products"),
+                                   ("engine_rus_root", "roots and divisors, by tables")), "six legs"),
+        ("engine_rus_fk", "six legs", (("engine_rus_fk_steps", "selects the next line"),
+                                       ("engine_rus_fk_program", "Newton's steps, line by line"),
+                                       ("engine_rus_fk_products", "registers, two products a clock")), "pose"),
+        ("engine_delta_fk", "three legs", (("engine_delta_program", "a table of lines"),
+                                           ("engine_program", "plays it, a line a clock"),
+                                           ("product_engine", "64 words, two products a clock")), "x y z"))),
+    Diagram("program", tuple((core, before, (
+        (program, "assembled from equations"), ("engine_program", "plays it, a line a clock"),
+        ("product_engine", "64 words, two products a clock"), last), after)
+        for core, before, program, last, after in (
+            ("vector_ik6", "pose", "vector_ik6_program", ("engine_results", "words and status"), "six joints"),
+            ("table_ur_ik", "pose", "vector_ur_ik_program", ("engine_angles", "vectors to angles, status"),
+             "six joints"),
+            ("vector_srs_ik", "pose, psi", "vector_srs_ik_program", ("engine_results", "words and status"),
+             "seven joints"),
+            ("vector_xyzac", "tip, A, C", "vector_xyzac_program", ("engine_saturated", "rounding, saturation"),
+             "x y z")))),
 )
 
 
 def diagram(shown: Diagram) -> str:
     """The rows of a family, one below the other."""
     widest = max(len(boxes) for _, _, boxes, _ in shown.rows)
-    box, gap, side = 216, 30, 100
+    box, gap, side = 224, 30, 100
     parts = []
     for i, (core, before, boxes, after) in enumerate(shown.rows):
         y = 34 + 110 * i

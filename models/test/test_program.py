@@ -1,16 +1,25 @@
 """Programs of equations: what a text means, what is refused and why, ranges, lines and their order."""
 
+import contextlib
 import importlib
+import io
+import json
 import re
+import tempfile
+import time
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from quadrance import six, truth_six, ur
 from quadrance.cli import main
 from quadrance.cores import ROOT, RTL, find
-from quadrance.program import assembler, lines, meaning, parser, ranges, schedule, table
+from quadrance.fixed import wrap
+from quadrance.kinematics_engine import READ, RUN, kinematics_engine
+from quadrance.program import assembler, image, lines, meaning, parser, ranges, schedule, table
 from quadrance.program.language import Wrong
 
 PROGRAMS = sorted((RTL / "program").glob("*.kin"))
@@ -346,6 +355,22 @@ def test_the_command_prints_and_writes(tmp_path, capsys):
     assert "my.order: a line is" in capsys.readouterr().err
 
 
+def test_an_image_replaces_an_image_alone(tmp_path, capsys):
+    """Not its own text, nor another file; a text that is no file, or has no end, is not read."""
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL)
+    for name in ("my.json", "my.h"):
+        for _ in range(2):
+            assert main(["assemble", str(path), "--image", str(tmp_path / name)]) == 0
+        (tmp_path / name).write_text("[1]" if name == "my.json" else "/* mine */")
+        assert main(["assemble", str(path), "--image", str(tmp_path / name)]) == 2
+        assert f"{name} is no image, and is not overwritten" in capsys.readouterr().err
+        assert (tmp_path / name).read_text() in ("[1]", "/* mine */")
+    assert main(["assemble", str(path), "--image", str(path)]) == 2 and path.read_text() == SMALL
+    for odd in ("/dev/zero", str(tmp_path)):
+        assert main(["assemble", odd]) == 2 and "cannot be read: " in capsys.readouterr().err.split("\n")[-2]
+
+
 def test_a_wrong_program_overwrites_nothing(tmp_path, capsys):
     path = tmp_path / "my.kin"
     path.write_text(SMALL.replace("- a", "- b"))
@@ -386,3 +411,121 @@ def swapped(text, one, two):
     i, j = (next(n for n, row in enumerate(rows) if row.strip().startswith(start)) for start in (one, two))
     rows[i], rows[j] = rows[j], rows[i]
     return "".join(rows)
+
+
+# Fuzz
+
+WORDS = (
+    "in", "cfg", "sign", "norm", "argue", "out", "order", "reach", "check", "near", "far", "emit", "flags", "both",
+    "for", "root", "unit", "clamp", "wrist", "hold", "keep", "one", "vector", "coordinate", "length", "word", "power",
+    "fraction", "velocity", "x", "y", "p", "c0", "n0", "s0", "k0", "low", "+", "-", "*", "/", "=", "(", ")", ",", "<=",
+    "{s}", "for s in x y:", "\n", "\n    ", "\t", "#", "1", "0.25", "9" * 400, ".", "1e9", "\0", "é", "٣", "\u2028",
+    "x*" * 40, "x" * 200, "{", "}", ":", "--", "%s", "__import__('os')", "\\", "\r", "\ufeff")
+
+
+@st.composite
+def meant(draw):
+    """A text that mostly is a program: sums, directions and a root, clamp or quotient; all words are read."""
+    head = ["in coordinate x y z", "in vector c n", "norm c n <= 1.0001", "cfg length p q"]
+    inputs, words, results, body = ["x", "y", "z", "p", "q", "c", "n"], [], [], ["e = p*q", "d = e*e"]
+
+    def some(most):
+        products = draw(st.lists(st.lists(st.sampled_from(inputs), min_size=1, max_size=2), min_size=1, max_size=most))
+        parts = [f"{draw(st.sampled_from('+-'))} {'*'.join(one)}" for one in products]
+        return " ".join(parts).removeprefix("+ ")
+
+    if signed := draw(st.booleans()):
+        head.append("sign u")
+    for i in range(draw(st.integers(0, 4))):
+        body.append(f"s{i} = {some(3)}")
+        words.append(f"s{i}")
+    kind = draw(st.sampled_from(("", "reach", "clamp", "quotient")))
+    if kind == "clamp":
+        head += ["cfg fraction f", "cfg power w"]
+    body += {"": [], "reach": ["reach g = x*x - y*y", f"h = root g{' u' * signed}"],
+             "clamp": [f"h = clamp ({some(2)}) * f * w"], "quotient": [f"h = ({some(2)}) / p"]}[kind]
+    words += ["h"] * bool(kind)
+    for i in range(draw(st.integers(1, 3))):
+        how = draw(st.sampled_from(("", " wrist", " hold", " wrist hold")))
+        body.append(f"c{i}, n{i} = unit ({some(3)}, {some(2)}){' u' * (signed and draw(st.booleans()))}{how}")
+        results += [f"c{i}", f"n{i}"]
+    body += [f"check {some(3)}" for _ in range(draw(st.integers(0, 1)))]
+    if signed and " u" not in "".join(body):
+        head.pop(4)
+    out = f"out vector {' '.join(results)} t"
+    return "\n".join([*head, out, *body, "t = " + " + ".join(f"d*{one}" for one in [*inputs, *words][:12]), ""])
+
+
+@st.composite
+def mangled(draw):
+    """Such a text, one of the library or none at all, with some changes of its lines, words and bytes."""
+    text = draw(st.one_of(meant(), st.sampled_from([SMALL, *(path.read_text() for path in PROGRAMS[-2:])])))
+    for _ in range(draw(st.integers(0, 4))):
+        rows, how = text.split("\n"), draw(st.integers(0, 5))
+        at = draw(st.integers(0, max(len(rows) - 1, 0)))
+        if how == 0:
+            rows[at:at + 1] = [rows[at]] * draw(st.sampled_from((0, 2)))
+        elif how == 1:
+            rows.insert(draw(st.integers(0, len(rows))), rows.pop(at))
+        elif how < 5 and (found := list(re.finditer(r"\w+|[^\w\s]", rows[at]))):
+            spot = draw(st.sampled_from(found))
+            new = draw(st.sampled_from(WORDS)) if draw(st.booleans()) else draw(st.sampled_from(found))[0]
+            rows[at] = rows[at][:spot.start()] + new + rows[at][spot.end() if how < 4 else spot.start():]
+        else:
+            rows[at] = draw(st.text(max_size=12))
+        text = "\n".join(rows)
+    return text
+
+
+def plays(program, made):
+    """The kinematics engine answers an image as its text says, at random words, in every bit."""
+    rng, count = np.random.default_rng(1), 4
+    words = {}
+    for name, port in program.inputs.items():
+        any_ = rng.integers(-(1 << 23), 1 << 23, count)
+        words[name] = {"power": rng.integers(0, 8, count), "fraction": np.abs(any_)}.get(port.format, any_)
+        words[name][count // 2] = 0
+    signs, commands = rng.integers(0, 8, count), image.load(made)
+    for i in range(count):
+        commands += [*image.inputs(made, 0, {port.port: words[name][i] for name, port in program.inputs.items()}),
+                     image.run(made, 0, int(signs[i])), *image.outputs(made, 0)]
+    p = {"N": 10, "CONTEXTS": 1, "U": 16, "PIPE": made["pipe"]}
+    found = kinematics_engine(p, **image.columns(commands))
+    kinds = np.array([command[0] for command in commands])
+    said = meaning.walked(program, meaning.Fixed(meaning.floor(p), meaning.slack(p)), words,
+                          {name: signs >> i & 1 for i, name in enumerate(program.signs)})
+    want = np.array([np.broadcast_to(wrap(said.words[port.name], 27), count) for port in program.results]).T
+    read = found["out_word"][kinds == READ].reshape(count, -1)
+    return not found["out_refused"].any() and np.array_equal(read, want) and np.array_equal(
+        found["out_status"][kinds == RUN], np.broadcast_to(said.status, count))
+
+
+def right_or_refused(text, pipe, accepted=None):
+    """A text is refused in a line and nothing is written, or its image plays as the text says; neither takes long."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, made = Path(folder) / "my.kin", Path(folder) / "my.json"
+        path.write_bytes(text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass"))
+        (path.with_name("my_program.v")).write_text("mine")
+        before, out, err = path.read_bytes(), io.StringIO(), io.StringIO()
+        since = time.process_time()
+        parser.load.cache_clear()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = main(["assemble", str(path), "--seconds", "0.01", "--pipe", str(pipe), "--image", str(made)])
+        assert time.process_time() - since < 20, "it is slow"
+        assert path.read_bytes() == before and path.with_name("my_program.v").read_text() == "mine"
+        assert code in (0, 2) and made.exists() == (code == 0)
+        if code:
+            assert not out.getvalue() and err.getvalue().startswith("quadrance: ") and err.getvalue().count("\n") == 1
+        else:
+            assert plays(parser.load(path), json.loads(made.read_text()))
+        if accepted is not None:
+            accepted.append(not code)
+
+
+@pytest.mark.parametrize("examples", [100, pytest.param(10_000, marks=[pytest.mark.slow, pytest.mark.timeout(7200)])])
+@pytest.mark.parametrize("strategy", [meant(), mangled(), st.binary(max_size=60)], ids=("meant", "mangled", "bytes"))
+def test_a_foreign_text_is_right_or_refused(strategy, examples):
+    accepted = []
+    settings(max_examples=examples, deadline=None)(given(strategy, st.integers(0, 2))(
+        lambda text, pipe: right_or_refused(text, pipe, accepted)))()
+    print(f"{sum(accepted)} of {len(accepted)} accepted")

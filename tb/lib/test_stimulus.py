@@ -199,3 +199,17 @@ def test_a_bug_at_one_value_of_a_small_word_is_found(tmp_path):
     broken = altered("vector_ik2", "kernel_vector_solve", "s <= cfg_e", "s <= cfg_e == 9 ? 4'd8 : cfg_e", tmp_path)
     with pytest.raises(AssertionError, match="'cfg_e': 9"):
         bulk_run(core, bulk_samples(core), SEED, built=broken)
+
+
+EDGES = {  # of arm_inverse: a rate wraps at the first word beyond the end, or ends a word too soon
+    "late": ("over2 = w2[W+2:W-1] != {4{w2[W+2]}}", "over2 = w2[W+2:W-1] != {4{w2[W+2]}} && w2 != 1 << W-1"),
+    "soon": ("over1 = w1[W+1:W-1] != {3{w1[W+1]}}", "over1 = w1[W+1:W-1] != {3{w1[W+1]}} || w1 == (1 << W-1) - 1")}
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("edge", EDGES)
+def test_a_rate_that_is_not_saturated_exactly_is_found(edge, tmp_path):
+    core = find("arm_rates2")
+    broken = altered("arm_rates2", "arm_inverse", *EDGES[edge], tmp_path)
+    with pytest.raises(AssertionError, match="sample .* model"):
+        bulk_run(core, bulk_samples(core), SEED, built=broken)

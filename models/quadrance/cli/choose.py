@@ -107,8 +107,9 @@ def estimated(core: Core, flow: str, key: str) -> tuple[dict[str, int], Row, boo
     """Area of a core in a flow, the row that it follows from, and whether that is the core's own; `key` is the
     parameter of its joint words.
 
-    Between two rows whose joint words alone differ the LUTs grow in proportion; beyond them by `GROWTH` a bit. None
-    without a row that has all other parameters, or where a unit vector takes more multipliers than in such a row.
+    Between two rows whose joint words alone differ the LUTs grow in proportion; beyond them by `GROWTH` a bit, or with
+    the length of unit vectors where a chip without multipliers multiplies by them. None without a row that has all
+    other parameters, or where a unit vector takes more multipliers than in such a row.
     """
     bits, switches = core.params[key], arm_model.SWITCHES if core.family == "arm" else ()
 
@@ -126,8 +127,10 @@ def estimated(core: Core, flow: str, key: str) -> tuple[dict[str, int], Row, boo
         return row.area[flow], row, own
     known = sorted(near)
     luts = np.interp(bits, known, [near[one].area[flow]["lut"] for one in known])
-    beyond = bits - min(max(bits, known[0]), known[-1])
-    return row.area[flow] | {"lut": round(luts * (1 + GROWTH * beyond))}, row, False
+    end = min(max(bits, known[0]), known[-1])
+    products = key == "U" and "dsp" not in CHIPS[flow] and core.function.removeprefix("arm_").startswith("fk")
+    growth = (bits + 1) / (end + 1) if products and core.family != "six" else 1 + GROWTH * (bits - end)
+    return row.area[flow] | {"lut": round(luts * growth)}, row, False
 
 
 def share(area: dict[str, int], chip: str) -> float:

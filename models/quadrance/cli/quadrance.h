@@ -12,7 +12,7 @@ typedef struct {
     double mm_per_unit;
     double l1, l2, l3;                        /* links */
     double base, shoulder, lateral, elbow;    /* constants */
-    double flange;                            /* wrist */
+    double flange, offset;                    /* wrist */
     double singular_elbow, singular_axis;     /* singular */
     double shoulder_limit[2], elbow_limit[2], yaw_limit[2], forearm_limit[2];
 } quadrance_arm;
@@ -137,7 +137,20 @@ static inline quadrance_limit quadrance_limit_of(double low, double high, double
     return found;
 }
 
-/* words of the six-axis cores; k, cp, np, r, e of the inverse ones, of which 1.0 is `one` */
+/* cfg_r, cfg_e of six and seven axes, from the words of both links; 1.0 is `one` */
+typedef struct { int64_t r, e; } quadrance_triangle;
+
+static inline quadrance_triangle quadrance_triangle_of(int w, int more, double one, int64_t l1, int64_t l2) {
+    double twice = fmax(2.0 * (double)l1 * (double)l2 * ldexp(1.0, -2 * w - 2 * more), ldexp(1.0, -20));
+    int e = twice < 1 ? (int)floor(-log2(twice)) + 1 : 1;
+    quadrance_triangle found;
+    if (e < 1) e = 1;
+    found.r = quadrance_least(quadrance_word(floor(one / twice / ldexp(1.0, e))), (int64_t)one - 1);
+    found.e = (int64_t)1 << e;
+    return found;
+}
+
+/* further words of the cores of a spherical wrist */
 typedef struct { int64_t k, cp, np, r, e; } quadrance_six;
 
 static inline int64_t quadrance_fine(const quadrance_arm *arm, double mm, int fraction) {
@@ -145,18 +158,15 @@ static inline int64_t quadrance_fine(const quadrance_arm *arm, double mm, int fr
 }
 
 static inline quadrance_six quadrance_six_of(const quadrance_arm *arm, int w, int fraction, int more, double one) {
-    double a2 = -arm->elbow / arm->mm_per_unit, c3 = quadrance_forearm(arm) / arm->mm_per_unit, psi = atan2(a2, c3), twice;
-    int64_t c2 = quadrance_fine(arm, arm->l1, fraction);
-    int e;
+    double a2 = -arm->elbow / arm->mm_per_unit, c3 = quadrance_forearm(arm) / arm->mm_per_unit, psi = atan2(a2, c3);
+    quadrance_triangle triangle;
     quadrance_six found;
     found.k = quadrance_word(rint(hypot(a2, c3) * ldexp(1.0, fraction)));
-    twice = fmax(2.0 * (double)c2 * (double)found.k * ldexp(1.0, -2 * w - 2 * more), ldexp(1.0, -20));
-    e = twice < 1 ? (int)floor(-log2(twice)) + 1 : 1;
-    if (e < 1) e = 1;
+    triangle = quadrance_triangle_of(w, more, one, quadrance_fine(arm, arm->l1, fraction), found.k);
     found.cp = quadrance_word(rint(one * cos(psi)));
     found.np = quadrance_word(rint(one * sin(psi)));
-    found.r = quadrance_least(quadrance_word(floor(one / twice / ldexp(1.0, e))), (int64_t)one - 1);
-    found.e = (int64_t)1 << e;
+    found.r = triangle.r;
+    found.e = triangle.e;
     return found;
 }
 
