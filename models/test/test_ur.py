@@ -236,6 +236,30 @@ def test_inverse(core, robot):
             assert place[part].max() <= mm and turn[part].max() <= degrees
 
 
+@ROBOTS
+def test_every_answer_of_eaik_is_found(robot):
+    """Ten thousand poses. A joint is off by the rounding of the pose's words, over how far a singularity is: sines of
+    joints 3 and 5, and axis 4 beside axis 1. A branch left out or answered twice would be off by radians.
+    """
+    eaik = pytest.importorskip("eaik.IK_DH")
+    core, (d1, a2, a3, d4, d5, d6) = find("vector_ur_ik_all-U16"), MAKER[robot][0]
+    other = eaik.DhRobot(np.radians([90, 0, 0, 90, -90, 0]), np.array([0, a2, a3, 0, 0, 0]),
+                         np.array([d1, 0, 0, d4, d5, d6]))
+    pose = chain(robot, np.random.default_rng(11).uniform(-np.pi, np.pi, (10_000, 6)))
+    words, _, _, held = _words(core, robot, pose)
+    answer = core.model(core.params, **words, **_config(core, robot))
+    mine = np.exp(1j * np.stack([_angles(answer, str(branch)) for branch in range(8)], axis=1))
+    found = 0
+    for ours, one, solved in zip(mine, pose[held], other.IK_batched(pose[held], 1)):
+        joints = np.array([q for q, approximate in zip(solved.Q, solved.is_LS) if not approximate]).reshape(-1, 6)
+        x, y = one[:2, 3] - d6 * one[:2, 2]
+        near = np.sqrt(max(x * x + y * y - d4 * d4, 0)) / -(a2 + a3) * np.abs(np.prod(np.sin(joints[:, 2::2]), axis=1))
+        off = np.abs(ours - np.exp(1j * joints)[:, None]).max(axis=-1).min(axis=-1)
+        assert np.all(off * near <= 2 * (_unit(core, robot) / 256 / -a3 + 2.0**-16))
+        found += len(joints)
+    assert found > 6 * len(mine) > 50_000
+
+
 @cores(INVERSE + ALL)
 def test_margin_and_slack(core):
     """Bit 1 within the margin of each singularity and not beyond; stretched poses within the slack are not refused."""
