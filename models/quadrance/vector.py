@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from quadrance import arith, kernel_vector_solve
+from quadrance import arith, kernel_vector_solve, kernel_vector_wide
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
-from quadrance.kernel_vector_solve import plane, space, unit_word
+from quadrance.kernel_vector_solve import space
+from quadrance.kernel_vector_wide import config, form, unit_word
+
+__all__ = ["config", "fk1", "fk2", "fk3", "ik1", "ik2", "ik3"]  # config: words of the inverse cores beside the lengths
 
 Params = dict[str, int]
 GUARD = 5  # bits of A, B and rho below the LSB of a coordinate
-
-config = kernel_vector_solve.config  # words of the inverse cores beside the lengths
 
 
 # Forward
@@ -83,7 +84,8 @@ def _held(p: Params, joint: int, c: Ints, n: Ints, undefined: Ints) -> dict[str,
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
         cfg_e: Ints) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    c1, n1, c2, n2, clamped, zero = plane(p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    kernel = kernel_vector_solve if form(p).bits == 16 else kernel_vector_wide
+    c1, n1, c2, n2, clamped, zero = kernel.plane(p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
     return {**_held(p, 1, c1, n1, zero), "out_c2": unit_word(p, c2), "out_n2": unit_word(p, n2),
             "out_status": ints(clamped) + 2 * ints(zero)}
 

@@ -71,9 +71,10 @@ def program(some):
     return "\n".join([*lines, '        printf("\\n");', "    }", "}"]) + "\n"
 
 
-def check_arms(folder, count, seed, absolute):
+def check_arms(folder, count, seed, absolute, some=()):
     rng = np.random.default_rng(seed)
-    some = [catalogue.at(core, {"ABSOLUTE": int(absolute)}) if "ABSOLUTE" in core.params else core for core in SHAPES]
+    some = some or [catalogue.at(core, {"ABSOLUTE": int(absolute)}) if "ABSOLUTE" in core.params else core
+                    for core in SHAPES]
     run = compiled(folder, program(some), {f"{core.name}.h": c.header(core) for core in some})
     drew = [drawn(rng, absolute) for _ in range(count)]
     drew += [(dataclasses.replace(drew[0][0], mm_per_unit=8.0, l1=l1, l2=l2, base=-2.5 / 32, shoulder=1.5 / 32,
@@ -102,6 +103,12 @@ def check_arms(folder, count, seed, absolute):
 @pytest.mark.parametrize("absolute", [False, True])
 def test_words_of_random_arms_are_those_of_python(absolute, tmp_path):
     check_arms(tmp_path, 200, 2026, absolute)
+
+
+@pytest.mark.parametrize("w", [17, 20, 21, 24])
+def test_words_of_wide_coordinates_are_those_of_python(w, tmp_path):
+    core = catalogue.find("vector_ik2")
+    check_arms(tmp_path, 200, 2026, False, [catalogue.at(core, core.params | {"W": w, "F": w - 8})])
 
 
 @pytest.mark.slow

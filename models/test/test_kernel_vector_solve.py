@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
-from quadrance import bounds, kernel_vector_solve, vector
-from quadrance.cores import all_cores
+from quadrance import accuracy, arms, bounds, kernel_vector_solve, kernel_vector_wide, vector
+from quadrance.cores import all_cores, at, find
 
 LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16000, 300), (300, 16000), (768, 512), (30, 20),
          (5, 2), (1, 1), (100, 100), (16384, 16384), (30000, 2000), (20000, 25000), (60000, 60000)]
 SETS = {core.id: core.params for core in all_cores() if core.model_name == "vector.ik2"}
 P = {"W": 16, "F": 8, "U": 16}
-CASES = [pytest.param(p, l1 >> 16 - p["W"], l2 >> 16 - p["W"], id=f"{name}-{l1}-{l2}")
-         for name, p in SETS.items() for l1, l2 in LINKS]
+SHORT = {"W": 18, "F": 8, "U": 12}  # words shorter than their kernel's
+CASES = [pytest.param(p, *((length << p["W"]) >> 16 for length in pair), id=f"{name}-{pair[0]}-{pair[1]}")
+         for name, p in (SETS | {"short": SHORT}).items() for pair in LINKS]
 
 
 def _targets(p: dict[str, int], l1: int, l2: int, count: int = 60_000) -> tuple[np.ndarray, ...]:
@@ -29,7 +32,7 @@ def _targets(p: dict[str, int], l1: int, l2: int, count: int = 60_000) -> tuple[
 
 def _answer(p: dict[str, int], l1: int, l2: int, x: np.ndarray, y: np.ndarray, elbow: object) -> dict[str, np.ndarray]:
     return vector.ik2(p, in_x=x, in_y=y, in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
-                            **kernel_vector_solve.config(p, cfg_l1=l1, cfg_l2=l2))
+                            **kernel_vector_wide.config(p, cfg_l1=l1, cfg_l2=l2))
 
 
 def _tip(p: dict[str, int], out: dict[str, np.ndarray], l1: int, l2: int) -> tuple[np.ndarray, ...]:
@@ -61,7 +64,8 @@ def test_ik2_puts_the_tip_within_its_bound(p: dict[str, int], l1: int, l2: int) 
     assert np.all(out["out_n2"] * (1 - 2 * elbow) >= 0)  # the elbow asked for
     length2 = np.hypot(out["out_c2"], out["out_n2"]) - (1 << p["U"])
     assert np.max(np.abs(length2)[n2 > 2**-6], initial=0) <= 1.5
-    far = (rho * 2.0 ** (16 - p["W"])) ** 2 > 4 * bounds.vector.quadrance(p, l1, l2, n2) + 4
+    aligned = rho * 2.0 ** (kernel_vector_wide.form(p).bits - p["W"])
+    far = aligned**2 > 4 * bounds.vector.quadrance(p, l1, l2, n2) + 4
     length1 = np.abs(np.hypot(out["out_c1"], out["out_n1"]) - (1 << p["U"]))
     assert np.all(length1[far] <= bounds.vector.ik2_length(p, l1, l2, rho, n2)[far])
 
@@ -85,7 +89,7 @@ def test_ik2_out_of_reach_answers_the_nearest_point(p: dict[str, int], l1: int, 
     turn = rng.uniform(-np.pi, np.pi, 10_000)
     x[:10_000] = np.clip(np.rint(hole * np.cos(turn)), -high, high - 1)
     y[:10_000] = np.clip(np.rint(hole * np.sin(turn)), -high, high - 1)
-    q, edge = x * x + y * y, bounds.vector.gap(p, l1, l2) / 4 ** (16 - p["W"])
+    q, edge = x * x + y * y, bounds.vector.gap(p, l1, l2) / 4.0 ** (kernel_vector_wide.form(p).bits - p["W"])
     far, near = q > (l1 + l2) ** 2 + edge, q < (l1 - l2) ** 2 - edge
     out = _answer(p, l1, l2, x, y, elbow)
     assert np.all(out["out_status"][far | near] & 1)
@@ -129,6 +133,41 @@ def test_ik2_elbows_mirror_joint_2() -> None:
     assert np.max(np.abs(up["out_n2"] + down["out_n2"])) <= 1
 
 
+@pytest.mark.parametrize(("w", "near"), [(18, (0.42, 0.8, 1.6)), (20, (1.2, 2.2, 4.6)), (22, (0.42, 0.8, 1.6)),
+                                         (24, (1.2, 2.3, 4.8))])
+def test_ik2_of_wide_words_as_the_page_says(w: int, near: tuple[float, ...]) -> None:
+    """Equal links that fill the coordinate: from a quarter of the reach on; to 2, 1, 1/2 % of it from the shoulder."""
+    p, link = {"W": w, "F": 8, "U": w}, 1 << w - 2
+    rng = np.random.default_rng(w)
+    for low, high, most in ((0.25, 1, 0.8), (0.02, 0.25, 0.9), *zip((0.01, 0.005, 0.002), (0.02, 0.01, 0.005), near)):
+        rho, turn = rng.uniform(low, high, 100_000) * (2 * link - 2), rng.uniform(-np.pi, np.pi, 100_000)
+        x, y = (np.rint(rho * part).astype(np.int64) for part in (np.cos(turn), np.sin(turn)))
+        out = _answer(p, link, link, x, y, rng.integers(0, 2, 100_000))
+        tip = _tip(p, out, link, link)
+        assert np.max(np.hypot(tip[0] - x, tip[1] - y)) <= most
+        law = bounds.vector.ik2(p, link, link, np.hypot(x, y), _sine(link, link, x, y))
+        assert np.max(law) <= (1.31 if low == 0.25 else 4.5 * most)
+
+
+@pytest.mark.parametrize(("w", "u", "enough"), [
+    (18, 20, 10), (19, 17, 10), (21, 20, 2), (17, 20, None), (18, 19, None), (19, 16, None)])
+def test_words_for_an_arm_of_1_m(w: int, u: int, enough: int | None) -> None:
+    """Total error at the tip of an arm that fills the coordinate, micrometres; None: more than 10."""
+    arm = arms.parse(Path("one_metre.toml"), b"""name = "1 m"\nsource = "test"\nmm_per_unit = 7.82\n[links]
+l1 = 550.0\nl2 = 450.0\n[limits]\nshoulder = [-180, 180]\nelbow = [-150, 150]""")
+    core = find("vector_ik2")
+    worst = accuracy.of_core.figures(at(core, core.params | {"W": w, "F": w - 8, "U": u}), arm)["total_mm"] * 1000
+    assert worst <= enough if enough else worst > 10
+
+
+def test_the_reciprocal_of_wide_words_never_reaches_four() -> None:
+    for one in kernel_vector_wide.FORMATS[1:]:
+        q = (1 << one.fraction - 2) + np.arange(1 << 16)
+        for root in (0, 1):
+            product = kernel_vector_wide.inverse_product(one, q, np.full(q.shape, root))
+            assert np.max(product >> one.fraction - 2) < 1 << one.fraction + 1
+
+
 def test_the_reciprocal_never_reaches_four() -> None:
     """1/q' and 2 / sqrt(q') next to q' = 1/4, where the register of 1/q' ends."""
     q = np.arange(1 << 23, (1 << 23) + (1 << 17))
@@ -143,7 +182,7 @@ SPACE_CASES = [pytest.param(p, l1 >> 16 - p["W"], l2 >> 16 - p["W"], id=f"{name}
 
 def _answer3(p: dict[str, int], l1: int, l2: int, target: np.ndarray, elbow: object) -> dict[str, np.ndarray]:
     return vector.ik3(p, **dict(zip(("in_x", "in_y", "in_z"), target)), in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
-                            **kernel_vector_solve.config(p, cfg_l1=l1, cfg_l2=l2))
+                            **kernel_vector_wide.config(p, cfg_l1=l1, cfg_l2=l2))
 
 
 def _upright(p: dict[str, int], l1: int, l2: int) -> tuple[np.ndarray, np.ndarray]:

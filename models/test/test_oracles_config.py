@@ -21,13 +21,14 @@ from quadrance import (
     six,
     table,
     tool,
+    vector,
 )
 from quadrance.iterative import newton_fixed
 from quadrance.parallel import geometry
 
 from models.test.oracles import oracle
 
-DERIVE = {"vector": kernel_vector_solve.config, "table": table.config, "rational": rational.config}
+DERIVE = {"vector": vector.config, "table": table.config, "rational": rational.config}
 
 
 def pairs(width: int) -> list[tuple[int, int]]:
@@ -39,18 +40,21 @@ def pairs(width: int) -> list[tuple[int, int]]:
                    for _ in range(200)]
 
 
-def gap_words(l1: int, l2: int) -> dict[str, int]:
-    """Of lengths aligned to 16 bits. The gap q - L1^2 - L2^2 is shifted left by 2 e - 7, so that 2 L1 L2, its greatest
-    in reach, has 32 or 33 bits; a shift to the right is rounded. 1 / 2 L1 L2 is rounded down: what is in reach, the
-    border included, never seems out of it.
+FRACTION = {16: 25, 20: 25, 24: 29}  # of the words of a kernel, by the bits of its coordinates
+
+
+def gap_words(l1: int, l2: int, bits: int = 16) -> dict[str, int]:
+    """Of lengths aligned to that many bits. The gap q - L1^2 - L2^2 is shifted left by 2 e - 7 (15 of 20 bits, 19 of
+    24), so that 2 L1 L2, its greatest in reach, has 2 bits or one more; a shift to the right is rounded. 1 / 2 L1 L2 is
+    rounded down: what is in reach, the border included, never seems out of it.
     """
-    double, e = 2 * l1 * l2, 15
-    while double * 4**e >= 2**33:
+    double, e, drop = 2 * l1 * l2, bits - 1, 2 * bits - FRACTION[bits]
+    while double * 4**e >= 2 ** (2 * bits + 1):
         e -= 1
-    half = 2 ** (7 - 2 * e) // 2 if 2 * e < 7 else 0
+    half = 2 ** (drop - 2 * e) // 2 if 2 * e < drop else 0
     r = 0
-    for bit in range(26, -1, -1):  # the greatest with r (2 L1 L2 + half) below 2^(56 - 2 e)
-        if (r | 1 << bit) * max(double + half, 1) < 2 ** (56 - 2 * e):
+    for bit in range(FRACTION[bits] + 1, -1, -1):  # the greatest with r (2 L1 L2 + half) below 2^(56 - 2 e), or so
+        if (r | 1 << bit) * max(double + half, 1) < 2 ** (2 * FRACTION[bits] - 1 + drop - 2 * e):
             r |= 1 << bit
     return {"cfg_q": half - l1**2 - l2**2 + (l1 == l2 == 0), "cfg_r": r, "cfg_e": e}
 
@@ -58,9 +62,12 @@ def gap_words(l1: int, l2: int) -> dict[str, int]:
 @oracle(*(f"{family}.{function}" for family in DERIVE for function in ("ik2", "ik3")), "table.ik3r",
         cfg=("q", "r", "e"))
 def test_words_of_the_gap(core):
-    up = 16 - core.params["W"]
+    bits = min(bits for bits in FRACTION if bits >= core.params["W"])
+    up = bits - core.params["W"]
     for l1, l2 in pairs(core.params["W"]):
-        assert DERIVE[core.family](core.params, cfg_l1=l1, cfg_l2=l2) == gap_words(l1 << up, l2 << up), (l1, l2)
+        words = DERIVE[core.family](core.params, cfg_l1=l1, cfg_l2=l2)
+        assert words == gap_words(l1 << up, l2 << up, bits), (l1, l2)
+        assert all(words[port.name] in range(port.low, port.high + 1) for port in core.cfg if port.name in words)
 
 
 def test_words_of_the_gap_on_the_page():

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from quadrance import codecs
-from quadrance.cores import Core, joints
+from quadrance import codecs, vector
+from quadrance.cores import Core, at, joints
 
 from tb.lib import stimulus
-from tb.lib.stimulus import Vectors, extremes
+from tb.lib.stimulus import Vectors, extremes, length
 from tb.stimulus import chains, targets
 from tb.stimulus.rational import points
 
@@ -15,7 +15,7 @@ from tb.stimulus.rational import points
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Link lengths: longest, none, one LSB, where the word just does not saturate and just does, some at random."""
     if core.function in ("ik2", "ik3"):
-        return targets.configs(core, rng)
+        return _wide(core, rng) if core.params["W"] > 16 else targets.configs(core, rng)
     high = (1 << core.params["W"]) - 1
     half = high >> 1
     pairs = [(high, high), (0, 0), (half, half + 1), (half + 1, half), (half, 1), (1, half), (0, half), (half + 1, 0),
@@ -25,9 +25,21 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     return [{port.name: words[port.name] for port in core.cfg} for words in lengths] if core.cfg else [{}]
 
 
+def _wide(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
+    """The links of words of 16 bits, longer by the bits that W has more, each with some LSB on top."""
+    more, narrow = core.params["W"] - 16, at(core, core.params | {"W": 16, "F": 8, "U": 16})
+    found = []
+    for cfg in targets.configs(narrow, rng):
+        extra = [0, 0] if rng.integers(0, 2) else rng.integers(0, 1 << more, 2).tolist()
+        pair = {name: (cfg[name] << more) + one for name, one in zip(("cfg_l1", "cfg_l2"), extra)}
+        found.append(pair | vector.config(core.params, **pair))
+    return found
+
+
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
-    return targets.draw(core, rng)
+    pair = {f"cfg_l{i}": length(rng, core.params["W"]) for i in (1, 2)}
+    return pair | (vector.config(core.params, **pair) if core.function.startswith("ik") else {})
 
 
 def directions(core: Core, rng: np.random.Generator) -> Vectors:

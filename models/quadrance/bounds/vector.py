@@ -1,4 +1,7 @@
-"""Error bounds of rtl/vector. Inverse cores compute with words of 16 bits, whatever W."""
+"""Error bounds of rtl/vector.
+
+Inverse cores compute with aligned words of 16 bits, whatever W is up to there; kernel_vector_wide with 20 or 24.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import kernel_vector_solve
+from quadrance import kernel_vector_wide
+from quadrance.kernel_vector_wide import FORMATS, Format, form
 from quadrance.truth import Floats, floats
 from quadrance.vector import GUARD
 
@@ -58,7 +62,40 @@ def length() -> float:
     return float(np.max(3 / (16 * b * b) + 0.5 / slope + 2.0**-19 * np.sqrt(q) + 2.0**-19 / q))
 
 
-def root(v: ArrayLike) -> Floats:
+def _moved(f: Format, t: Floats, tail: Floats, full: Floats, kind: float) -> Floats:
+    """What a first factor of kernel_vector_curve is off. `full`: the part of the square at a border, in units of its
+    coefficient, each of which is `kind`.
+
+    Half a unit of the coefficient, and all that it lacks where it is cut to its bits; the square of the distance: half
+    a step and the bits that are dropped; the cut of the product; the constant 1; `tail`, of third order, times t.
+    """
+    most = (1 << f.coefficient) - 1
+    lacks = np.maximum(full - most, 0) + 0.5
+    step = 2.0**-f.distance + 2.0 ** (f.dropped + 2 - 2 * f.distance)
+    return kind * (lacks + np.minimum(full, most) * step) + 2 * 2.0**-f.fraction + tail * t
+
+
+def _wide_root(v: Floats, f: Format) -> Floats:
+    """`root` of kernel_vector_curve: twice the relative error of first factor and slope, times v.
+
+    Segment b = 2 a + 1 of the range that v is in: t = b 2^-(segments + 1), x = 1/b at most. The third order is
+    x^3 / 16, what follows x^4 / 8 at most. In the first segment of all, b = 1, the tangent alone is within t / 8 of v,
+    and as much for the rest.
+    """
+    s, rank = f.segments, sum((v < 2.0**-start).astype(np.int64) for start in kernel_vector_wide.STARTS[1:])
+    shift = np.asarray(kernel_vector_wide.SHIFTS)[rank]
+    e = v * 2.0**shift
+    b = np.maximum(2 * e * 2.0**s - 1, 1)  # of this segment or the one before: v may be a bit off
+    t = b / 2.0 ** (s + 1)
+    tail = (1 + 2 / b) / (16 * b**3)
+    off = _moved(f, t, tail, 2.0 ** (f.coefficient - 5) / t, 2.0 ** (3 - 2 * s - 2 - f.coefficient) / 2)
+    slope = 0.5 * 2.0 ** (2 - f.slope) / (0.5 * t**-0.5 * 2.0 ** (-shift / 2))
+    # of w = e + t to about 2 e: both factors are relative to it
+    relative = off / np.maximum(e, 2.0**-40) + slope
+    return np.where(b > 1, 2 * v * relative * (1 + relative), 2.0 ** (-2 - s - shift))
+
+
+def root(v: ArrayLike, f: Format = FORMATS[0]) -> Floats:
     """|n2^2 - v| of the root of v = 1 - c2^2 in kernel_vector_solve.
 
     Twice the relative half of what the tangent loses, 1/16 b^2, b = 2 v / h: h = 2^-9, and 2^-14 below 2^-5; half a
@@ -66,12 +103,14 @@ def root(v: ArrayLike) -> Floats:
     first segment of all, below 2^-14, the tangent is up to 2^-17 off.
     """
     v = np.maximum(floats(v), 2.0**-40)
+    if f.coefficient:
+        return _wide_root(v, f) + 2.0**-f.fraction
     high = 2.0**-23 / v + v**1.5 * 2**-17 + 2**-22
     low = 2.0**-33 / v + v**1.5 * 2**-12 + 2**-27
     return np.where(v >= 2**-5, high, np.where(v >= 2**-14, low, 2.0**-17)) + 2**-25
 
 
-def inverse(q: ArrayLike) -> Floats:
+def inverse(q: ArrayLike, f: Format = FORMATS[0]) -> Floats:
     """Relative error of 1/q' in kernel_vector_solve, q' the quadrance times the power of 4 that takes it to [1/4, 1).
 
     Half of what the tangent loses at a border, 1/2 b^2, b = 2^10 q'; half a unit of the slope; of the first factor;
@@ -79,26 +118,30 @@ def inverse(q: ArrayLike) -> Floats:
     """
     q = np.maximum(floats(q), 1)
     q = q / 4.0 ** np.ceil(np.floor(np.log2(q) + 1) / 2)
+    if f.coefficient:
+        b = 2.0 ** (f.segments + 1) * q - 1
+        off = _moved(f, q, 1.01 / b**3, 2.0 ** (f.coefficient - 2) / q, 2.0 ** (-2 * f.segments - f.coefficient))
+        return 1.001 * (off / q + q**2 * 2.0 ** (3 - f.slope)) + 2.0 ** (1 - f.fraction)
     return 2**-21 / q**2 + q**2 * 2**-17 + 2**-22 / q + 2**-24
 
 
 def gap(p: Params, l1: int, l2: int) -> float:
-    """Error of the quadrance (LSB^2 of 16-bit words) that c2 of vector_ik2 stands for: the half that rounds the gap,
-    twice, the rounding of cfg_r, the cut of c2 to 25 bits. 16 at L1 = L2 = 2^13."""
-    words = kernel_vector_solve.config(p, cfg_l1=l1, cfg_l2=l2)
-    l1, l2 = (length << 16 - p["W"] for length in (l1, l2))
-    half = 2.0 ** (6 - 2 * words["cfg_e"]) if words["cfg_e"] < 4 else 0
-    return 2 * half + 2 * l1 * l2 * (1 / words["cfg_r"] + 2**-25)
+    """Error of the quadrance (LSB^2 of aligned words) that c2 of vector_ik2 stands for: the half that rounds the gap,
+    twice, the rounding of cfg_r, the cut of c2 to 25 bits (29 of 24). 16 at L1 = L2 = 2^13 of 16."""
+    words, f = kernel_vector_wide.config(p, cfg_l1=l1, cfg_l2=l2), form(p)
+    l1, l2, drop = l1 << f.bits - p["W"], l2 << f.bits - p["W"], 2 * f.bits - f.fraction
+    half = 2.0 ** (drop - 1 - 2 * words["cfg_e"]) if 2 * words["cfg_e"] < drop else 0
+    return 2 * half + 2 * l1 * l2 * (1 / words["cfg_r"] + 2.0**-f.fraction)
 
 
 def quadrance(p: Params, l1: int, l2: int, n2: ArrayLike, seen: ArrayLike = 0) -> Floats:
-    """By how much |k|^2 differs from q: the gap, and the root times L2^2; 16-bit words. `seen` is what q itself may be
+    """By how much |k|^2 differs from q: the gap, and the root times L2^2; aligned words. `seen` is what q itself may be
     off; it moves n2, and where it is not 0, q has a fraction, whose cut and that of the gap are 5/8 at most."""
-    v, seen = floats(n2) ** 2, floats(seen)
+    v, seen, f = floats(n2) ** 2, floats(seen), form(p)
     missed = gap(p, l1, l2) + 0.625 * (seen > 0)
-    l1, l2 = (length << 16 - p["W"] for length in (l1, l2))
+    l1, l2 = l1 << f.bits - p["W"], l2 << f.bits - p["W"]
     moved = (missed + seen) / max(l1 * l2, 1)
-    return missed + l2 * l2 * np.max([root(v - moved), root(v), root(v + moved)], axis=0)
+    return missed + l2 * l2 * np.max([root(v - moved, f), root(v, f), root(v + moved, f)], axis=0)
 
 
 def ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike, seen: ArrayLike = 0) -> Floats:
@@ -111,7 +154,7 @@ def ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike, seen: ArrayL
     rho, n2 : float arrays
         Distance of the target from the shoulder, LSB; |sin theta2|.
     seen : float array
-        How far the quadrance that n2 belongs to is from the core's, LSB^2 of 16-bit words: of the rho of vector_ik3.
+        How far the quadrance that n2 belongs to is from the core's, LSB^2 of aligned words: of the rho of vector_ik3.
 
     Notes
     -----
@@ -121,16 +164,19 @@ def ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike, seen: ArrayL
       rho^2 = 4 times it, joint 1 is no unit vector any more: there the tip is within 4 (rho + its root).
     * k1 and k2 have 4 fraction bits, about a half: 2^(1/2) / 32, twice for the length, once beside the words' k.
     * The words: L2 and rho times 2^(1/2) / 2 of a unit.
-    * `inverse`, the cut of a and b to 1/8 LSB^2, of their shifted words to 2^-25, 1/q' <= 4.
+    * `inverse`, the cut of a and b to 1/8 LSB^2, of their shifted words to 2^-25 (2^-29 of 24 bits), 1/q' <= 4.
     """
-    unit = 2.0 ** (16 - p["W"])  # the core computes with words of 16 bits
+    f = form(p)
+    unit = 2.0 ** (f.bits - p["W"])  # the core computes with aligned words
     rho, length = floats(rho) * unit, l2 * unit
     wrong = quadrance(p, l1, l2, n2, seen)
     far = np.maximum(rho, 1e-9)
     word = math.sqrt(0.5) / 2 ** p["U"]
     stretch = 1 + wrong / far**2 + 0.05 / far
-    known = wrong / far + 2**0.5 * 3 / 32 + word * (length + rho) + rho * inverse(rho**2)
-    known = stretch * (known + 2**0.5 * (0.25 / far + 2**-23 * rho))
+    known = wrong / far + 2**0.5 * 3 / 32 + word * (length + rho) + rho * inverse(rho**2, f)
+    if f.coefficient:
+        known = known + length * 2.0**-f.fraction  # n2 is cut before it is k2; of 16 bits 2^-10 at most
+    known = stretch * (known + 2**0.5 * (0.25 / far + 2.0 ** (2 - f.fraction) * rho))
     return np.where(rho**2 < 4 * wrong + 4, 4 * (rho + np.sqrt(wrong) + 1), known) / unit
 
 
@@ -139,8 +185,10 @@ def ik2_length(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike, seen:
 
     |k| / |p|: half the relative error of the quadrance, k's fraction bits; 1/q'; the word.
     """
-    rho = floats(rho) * 2.0 ** (16 - p["W"])
-    part = quadrance(p, l1, l2, n2, seen) / (2 * rho**2) + 2**0.5 / 32 / rho + inverse(rho**2) + 2**-22
+    f = form(p)
+    rho = floats(rho) * 2.0 ** (f.bits - p["W"])
+    part = quadrance(p, l1, l2, n2, seen) / (2 * rho**2) + 2**0.5 / 32 / rho + inverse(rho**2, f)
+    part = part + 2.0 ** (3 - f.fraction)
     return (part * (1 + part) + 2**0.5 * 0.25 / rho**2) * 2.0 ** p["U"] + math.sqrt(0.5)
 
 
@@ -183,7 +231,7 @@ def reach(p: Params, l1: int, l2: int, target: ArrayLike) -> tuple[Floats, Float
 
     `gap` on one side of a border only; the error of rho and fractions of q on both.
     """
-    scale = 4.0 ** (p["W"] - 16)
+    scale = 4.0 ** (p["W"] - form(p).bits)
     seen = _seen(p, target) + 0.625 if len(target) == 3 else 0 * floats(target[0])
     return (gap(p, l1, l2) + seen) * scale, seen * scale
 

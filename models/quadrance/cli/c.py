@@ -78,7 +78,7 @@ def _formulas(core: Core) -> tuple[list[str], dict[str, str]]:
              "far": "quadrance_square(l1 + l2)", "near": "quadrance_square(l1 - l2)",
              "f": f"quadrance_tangent({w}, l1, l2)",
              **{name: length(f"arm->{name}") for name in ("base", "shoulder", "lateral", "elbow")},
-             "bb": f"-quadrance_square({length('arm->lateral')} * {1 << 16 - (w or 16)})",
+             "bb": f"-quadrance_square({length('arm->lateral')} * {1 << max(16 - (w or 16), 0)})",
              "ce": turn.format("cos"), "ne": turn.format("-sin"),
              "sine": f"quadrance_fixed(sin(quadrance_radians(arm->singular_elbow)), {u})",
              "radius": length("arm->singular_axis"),

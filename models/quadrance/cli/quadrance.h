@@ -93,21 +93,27 @@ typedef struct { int64_t q, r, e; } quadrance_gap;
 
 static inline quadrance_gap quadrance_gap_of(int w, int64_t l1, int64_t l2) {
     quadrance_gap found;
-    int bits = 0, e;
-    uint64_t twice, half;
+    int n = w > 20 ? 24 : w > 16 ? 20 : 16, fraction = n == 24 ? 29 : 25, drop = 2 * n - fraction, bits = 0, e, i;
+    uint64_t twice, half, rest = 0;
     if (l1 < 0 || l2 < 0 || l1 >> w || l2 >> w) {
-        found.q = found.r = found.e = (int64_t)1 << 40;
+        found.q = found.r = found.e = (int64_t)1 << 60;
         return found;
     }
-    l1 *= (int64_t)1 << (16 - w);
-    l2 *= (int64_t)1 << (16 - w);
+    l1 *= (int64_t)1 << (n - w);
+    l2 *= (int64_t)1 << (n - w);
     twice = 2 * (uint64_t)l1 * (uint64_t)l2;
     while (bits < 63 && twice >> bits) ++bits;
-    e = bits > 33 ? 0 : (33 - bits) / 2;
-    if (e > 15) e = 15;
-    half = e < 4 ? UINT64_C(1) << (6 - 2 * e) : 0;
+    e = bits > 2 * n + 1 ? 0 : (2 * n + 1 - bits) / 2;
+    if (e > n - 1) e = n - 1;
+    half = 2 * e < drop ? UINT64_C(1) << (drop - 1 - 2 * e) : 0;
     found.q = (int64_t)half - l1 * l1 - l2 * l2 + (l1 == 0 && l2 == 0);
-    found.r = (int64_t)(((UINT64_C(1) << (56 - 2 * e)) - 1) / (twice + half ? twice + half : 1));
+    twice = twice + half ? twice + half : 1;
+    found.r = 0; /* 2^i - 1 by twice, bit by bit: it may be longer than 64 */
+    for (i = 2 * fraction - 1 + drop - 2 * e; i > 0; --i) {
+        rest = 2 * rest + 1;
+        found.r = 2 * found.r + (rest >= twice);
+        if (rest >= twice) rest -= twice;
+    }
     found.e = e;
     return found;
 }
