@@ -214,8 +214,10 @@ class Page:
                         for address, (port, low, width) in self.places.items() if port.name in answer}
         self.status = answer.get("out_status", 0)
 
-    def reset(self):
-        self.state, self.irq, self.status, self.samples, self.sample = self.state & 0, 0, 0, [], None
+    def reset(self, busy):
+        """The sample that is inside is dropped; its words may be in the registers of the result already."""
+        self.state, self.irq, self.status, self.samples, self.sample = 0, 0, 0, [], None
+        self.results = self.results if busy is False else None
 
     def write(self, address, whole, data, busy):
         """State after a write, but for `busy` and what a result brings; whether it starts a sample."""
@@ -313,7 +315,7 @@ def check(dut, some):
         word, at = address & 0xFFC, f"access {i}, {order}"
         assert not wrong and clocks <= CLOCKS, f"{at}: {wrong}, {clocks} clocks"
         if kind == RESET:
-            said.reset()
+            said.reset(busy)
             busy, write = None, None  # a core in its own clock is busy for a while
         elif kind == WRITE:
             write = address, whole == 15, data
