@@ -52,9 +52,9 @@ def test_ranges_are_those_of_the_rule_wherever_it_is():
     assert legal.ranges(find("rational_ik1")) == {"W": (4, 16), "F": (0, 15), "S": (2, 24), "PIPE": (0, 0),
                                                    "MULTIPLY": (18, 27)}
     assert legal.ranges(find("cordic_rotate")) == {"MODE": (0, 0), "W": (8, 16), "A": (5, 19)}
-    assert legal.ranges(find("vector_fk2-PIPE1")) == {"W": (4, 20), "F": (0, 19), "U": (4, 24), "PIPE": (1, 1),
+    assert legal.ranges(find("vector_fk2-PIPE1")) == {"W": (4, 24), "F": (0, 23), "U": (4, 24), "PIPE": (1, 1),
                                                       "MULTIPLY": (18, 27)}
-    assert legal.ranges(find("vector_chain")) == {"SPACE": (0, 1), "W": (4, 20), "F": (0, 19), "U": (4, 20),
+    assert legal.ranges(find("vector_chain")) == {"SPACE": (0, 1), "W": (4, 24), "F": (0, 23), "U": (4, 24),
                                                   "N": (2, 64)}
     assert legal.ranges(find("paper_ik2"))["S"] == (4, 24)  # in paper_solve_path
     for core in cover.cores():

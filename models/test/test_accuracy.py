@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from quadrance import accuracy, arms, bounds, codecs, cores, truth
-from quadrance.accuracy import Case
+from quadrance.accuracy import Case, of_core
 from quadrance.accuracy.arm import joint_ports
 from quadrance.accuracy.cases import case_of
 from quadrance.accuracy.primitives import PRIMITIVES
-from quadrance.cores import Core, joints
+from quadrance.cores import RTL, Core, joints
 from quadrance.fixed import Ints, to_fixed
 
 PORTS = {"fk1": ("j1", "x y"), "fk2": ("j1 j2", "x y"), "fk3": ("j1 j2 j3", "x y z"),
@@ -118,6 +120,30 @@ def test_a_word_off_by_one_is_an_error(function, joint):
         off, far = ({**answer, port.name: (answer[port.name] + k) % (1 << port.width)} for k in (1, 3))
     off, far = (accuracy.errors(one, ARM, case, wrong).arithmetic for wrong in (off, far))
     assert np.median(off) > 0 and np.all(far > off)
+
+
+METRE = """name = "Metre"
+source = "two links of 500 mm, whose reach fills the coordinate at F = W - 8"
+mm_per_unit = 7.85
+links = { l1 = 500.0, l2 = 500.0 }
+limits = { shoulder = [-170, 170], elbow = [-150, 150] }
+"""
+LEAST = re.compile(r"^\| `(\w+)` \| (\d+), (\d+) \| (\d+), (\d+) \|$", re.M)  # of the families' pages
+
+
+@pytest.mark.parametrize(("name", *"pqrs"), [
+    found for family in ("vector",) for found in LEAST.findall((RTL / family / "README.md").read_text())])
+def test_least_words_for_a_metre(name, p, q, r, s, tmp_path):
+    """The pages' words keep 10 and 2 um, a bit less of either does not: the shortest coordinate, then its joint."""
+    (tmp_path / "metre.toml").write_text(METRE)
+    arm, first = arms.load(str(tmp_path / "metre.toml")), next(one for one in cores.all_cores() if one.name == name)
+
+    def total(w: int, joint: int) -> float:
+        one = cores.at(first, first.params | {"W": w, "F": w - 8, "A" if "A" in first.params else "U": joint})
+        return 1000 * of_core.figures(one, arm)["total_mm"]
+
+    for micrometres, w, joint in ((10, int(p), int(q)), (2, int(r), int(s))):
+        assert total(w, joint) <= micrometres < min(total(w, joint - 1), total(w - 1, 24))
 
 
 @FUNCTIONS

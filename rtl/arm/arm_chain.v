@@ -10,8 +10,8 @@
 // Source: rational trigonometry paper, eqs. 24-31, in vector form, with the offsets of real arms. Model: arm.fk3
 `default_nettype none
 module arm_chain #(
-    parameter W = 16,       // bits of a length and of a coordinate, 8 to 20 (default 16)
-    parameter U = 16,       // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter W = 16,       // bits of a length and of a coordinate, 8 to 24 (default 16)
+    parameter U = 16,       // fraction bits of cosine and sine, 8 to 24 (default 16)
     parameter ABSOLUTE = 1  // 1 (default): joint 2 is measured from the base; 0: from link 1
 ) (
     input  wire                clk,

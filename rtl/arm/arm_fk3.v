@@ -9,9 +9,9 @@
 // Source: rational trigonometry paper, eqs. 24-31, in vector form, with the offsets of real arms. Model: arm.fk3
 `default_nettype none
 module arm_fk3 #(
-    parameter W = 16,        // bits of a coordinate and of a length, 8 to 20 (default 16)
+    parameter W = 16,        // bits of a coordinate and of a length, 8 to 24 (default 16)
     parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter U = 16,        // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter U = 16,        // fraction bits of cosine and sine, 8 to 24 (default 16)
     parameter BASE = 1,      // 1 (default): with base height; 0: without
     parameter SHOULDER = 1,  // 1 (default): with shoulder offset, radial; 0: without
     parameter LATERAL = 1,   // 1 (default): the arm's plane passes beside the yaw axis; 0: through it
@@ -42,10 +42,10 @@ module arm_fk3 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 8 || W > 20 || F < 0 || F >= W || U < 8 || U > 18 || BASE < 0 || BASE > 1 || SHOULDER < 0
+        if (W < 8 || W > 24 || F < 0 || F >= W || U < 8 || U > 24 || BASE < 0 || BASE > 1 || SHOULDER < 0
             || SHOULDER > 1 || LATERAL < 0 || LATERAL > 1 || ELBOW < 0 || ELBOW > 1 || ABSOLUTE < 0
             || ABSOLUTE > 1) begin : g_illegal
-            arm_fk3_needs_W_from_8_to_20_and_F_below_W_and_U_from_8_to_18_and_switches_of_0_or_1 rule ();
+            arm_fk3_needs_W_and_U_from_8_to_24_and_F_below_W_and_switches_of_0_or_1 rule ();
         end
     endgenerate
 

@@ -11,9 +11,9 @@
 // Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.vector_chain
 `default_nettype none
 module kernel_vector_space #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 20 (default 16)
-    parameter U = 16,  // fraction bits of cosine and sine, 4 to 20 (default 16, enough for a coordinate of 16 bits)
-    parameter N = 32   // links of a chain without its yaw, 2 to 64 (default 32); U + log2 N at most 22
+    parameter W = 16,  // bits of a coordinate and of a length, 4 to 24 (default 16)
+    parameter U = 16,  // fraction bits of cosine and sine, 4 to 24 (default 16, enough for a coordinate of 16 bits)
+    parameter N = 32   // links of a chain without its yaw, 2 to 64 (default 32)
 ) (
     input  wire                clk,
     input  wire                rst,

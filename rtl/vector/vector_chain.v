@@ -12,10 +12,10 @@
 `default_nettype none
 module vector_chain #(
     parameter SPACE = 0,  // 1: in space, the first word of a chain is its yaw; 0: planar, out_z is 0 (default 0)
-    parameter W = 16,     // bits of a coordinate and of a length, 4 to 20 (default 16)
+    parameter W = 16,     // bits of a coordinate and of a length, 4 to 24 (default 16)
     parameter F = 8,      // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter U = 16,     // fraction bits of cosine and sine, 4 to 20 (default 16)
-    parameter N = 32      // links of a chain without its yaw, 2 to 64 (default 32); U + log2 N at most 22
+    parameter U = 16,     // fraction bits of cosine and sine, 4 to 24 (default 16)
+    parameter N = 32      // links of a chain without its yaw, 2 to 64 (default 32)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -34,9 +34,9 @@ module vector_chain #(
     output wire [3:0]          out_status
 );
     generate
-        if (SPACE < 0 || SPACE > 1 || W < 4 || W > 20 || F < 0 || F >= W || U < 4 || U > 20 || N < 2 || N > 64
-            || U + $clog2(N) > 22) begin : g_illegal
-            vector_chain_needs_SPACE_0_or_1_W_U_from_4_to_20_F_below_W_N_from_2_to_64_and_U_with_log2_N_to_22 rule ();
+        if (SPACE < 0 || SPACE > 1 || W < 4 || W > 24 || F < 0 || F >= W || U < 4 || U > 24 || N < 2
+            || N > 64) begin : g_illegal
+            vector_chain_needs_SPACE_0_or_1_W_and_U_from_4_to_24_F_below_W_and_N_from_2_to_64 rule ();
         end
     endgenerate
 

@@ -9,7 +9,7 @@
 // Source: rational trigonometry paper, eqs. 24-31 in vector form. Model: vector.fk3
 `default_nettype none
 module vector_fk3 #(
-    parameter W = 16,        // bits of a coordinate and of a length, 4 to 20 (default 16)
+    parameter W = 16,        // bits of a coordinate and of a length, 4 to 24 (default 16)
     parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
     parameter U = 16,        // fraction bits of cosine and sine, 4 to 24 (default 16)
     parameter PIPE = 0,      // registers behind the products, 0 or 1 (default 0: fewest clocks)
@@ -35,9 +35,9 @@ module vector_fk3 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 20 || F < 0 || F >= W || U < 4 || U > 24 || PIPE < 0 || PIPE > 1
+        if (W < 4 || W > 24 || F < 0 || F >= W || U < 4 || U > 24 || PIPE < 0 || PIPE > 1
             || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
-            vector_fk3_needs_W_from_4_to_20_F_below_W_U_from_4_to_24_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
+            vector_fk3_needs_W_from_4_to_24_F_below_W_U_from_4_to_24_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
