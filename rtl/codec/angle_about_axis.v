@@ -2,14 +2,17 @@
 // Codec of binary angles after kernel_tangent: an axis and the tangent from it make a joint word.
 //   out_j = axis + arctan(tangent) = axis + knot + floor(step * offset / 2^11), 512 segments of tangents from -2 to 2
 // Formats: in_axis u2.0 quarter turns, in_tangent s2.18; out_j angle of A bits modulo a turn, rounded to nearest; knots
-// and steps in units of 2^-(A+2) turn. in_take reads; the word is valid from the next clock until the next in_take.
+// and steps in units of 2^-(A+2) turn. in_take reads; the word is valid Latency clocks later, until the next in_take.
+// With PIPE = 1 in_last comes in the clock before.
 // Error: half the sag 0.65 * 2^-18 rad, the offset 2^-18 rad, knot and truncation 2^-(A+2) turn.
-// Latency 1, II 1. Source: arc tangent table with linear interpolation. Model: table.ik1
+// Latency 1 + 2 PIPE, II 1. Source: arc tangent table with linear interpolation. Model: table.ik1
 `default_nettype none
 module angle_about_axis #(
-    parameter A = 18  // bits of the word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter A = 18,   // bits of the word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter PIPE = 0  // registers behind table and product, 0 or 1 (default 0: fewest clocks)
 ) (
     input  wire         clk,
+    input  wire         in_last,
     input  wire         in_take,
     input  wire [1:0]   in_axis,
     input  wire [19:0]  in_tangent,
@@ -57,8 +60,23 @@ module angle_about_axis #(
     wire [A:0]   knot;
     wire [A-8:0] step, rise;
     wire [10:0]  cut;
-    assign       {knot, step} = chord;
-    assign       {rise, cut} = step * place;
+    generate
+        if (PIPE == 0) begin : g_now
+            assign {knot, step} = chord;
+            assign {rise, cut} = step * place;
+            wire   unused_last = &{1'b0, in_last};
+        end else begin : g_registered
+            reg [2*A-7:0] held;
+            reg [A+3:0]   product;
+            assign {knot, step} = held;
+            assign {rise, cut} = product;
+            always @(posedge clk) begin
+                held <= chord;
+                if (in_last)
+                    product <= step * place;
+            end
+        end
+    endgenerate
     wire [A+1:0] from = {axis[1] ^ (knot[A] && !axis[0]), axis[0] ^ knot[A], knot[A-1:0]};
     wire [1:0]   below;
     assign       {out_j, below} = from + {9'd0, rise};

@@ -3,14 +3,16 @@
 //   j1 = axis + arctan(m / M), M the coordinate that is longer in bits, m the other one
 // Formats: in_x, in_y sQ(W-F).F; out_j1 angle of A bits modulo a turn, rounded to nearest.
 // Error: the direction is within 0.421 * 2^-14 rad of those that round to the word at A = 18, 0.324 * 2^-14 at A = 24.
-// Latency 4, II 4.
+// Latency and II: 4 + 4 PIPE.
 // Status: singular (x = y = 0: the last word is held, 0 after a reset).
 // Source: the definition; tables of 1/M and of the arc tangent. Model: table.ik1
 `default_nettype none
 module table_ik1 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
-    parameter A = 18   // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter W = 16,        // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,         // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18,        // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter PIPE = 0,      // registers behind products and tables, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -24,19 +26,21 @@ module table_ik1 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || A < 10 || A > 24) begin : g_illegal
-            table_ik1_needs_W_from_4_to_16_and_F_below_W_and_A_from_10_to_24 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || A < 10 || A > 24 || PIPE < 0 || PIPE > 1
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            table_ik1_needs_W_4_to_16_and_F_below_W_and_A_10_to_24_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}};
-    wire               take;
+    wire               take, last;
     wire [1:0]         axis;
     wire [19:0]        tangent;
-    kernel_tangent kernel (
+    kernel_tangent #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .out_valid(out_valid),
-        .out_ready(out_ready), .out_take(take), .out_axis(axis), .out_tangent(tangent), .out_status(out_status));
-    angle_about_axis #(.A(A)) codec (
-        .clk(clk), .in_take(take), .in_axis(axis), .in_tangent(tangent), .out_j(out_j1));
+        .out_ready(out_ready), .out_take(take), .out_last(last), .out_axis(axis),
+        .out_tangent(tangent), .out_status(out_status));
+    angle_about_axis #(.A(A), .PIPE(PIPE)) codec (
+        .clk(clk), .in_last(last), .in_take(take), .in_axis(axis), .in_tangent(tangent), .out_j(out_j1));
 endmodule
 `default_nettype wire
