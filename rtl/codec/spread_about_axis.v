@@ -9,7 +9,8 @@
 module spread_about_axis #(
     parameter JOINTS = 1,  // joints, 1 or more (default 1)
     parameter [JOINTS-1:0] HELD = {JOINTS{1'b1}},  // bit i: reset the word of joint i + 1 (default all)
-    parameter S = 24       // fraction bits of a spread, 2 to 24 (default 24, the accuracy of the kernels' squares)
+    parameter S = 24,      // fraction bits of a spread, 2 to 24 (default 24, the accuracy of the kernels' squares)
+    parameter PIPE = 0     // 0 or 1 (default 0: fewest cells); 1: a carry chain, for a faster clock
 ) (
     input  wire                      clk,
     input  wire                      rst,
@@ -19,20 +20,29 @@ module spread_about_axis #(
     input  wire [40:0]               in_square,
     output reg  [JOINTS*(S+2)-1:0]   out_j
 );
-    // Rounding and sign share one increment, since -(s + g) = ~s + ~g with guard bit g. The increment is made of gates,
-    // which are smaller than a carry chain here.
+    // Rounding and sign share one increment, since -(s + g) = ~s + ~g with guard bit g. With PIPE = 0 the increment is
+    // made of gates, which are smaller than a carry chain here.
     wire [1:0]   quarter = in_axis + {in_below, in_below ^ in_square[40]};
     wire [S+1:0] floor = {quarter, in_square[39 -: S] ^ {S{in_below}}};
-    reg  [S+1:0] word;
-    reg          carry;
-    integer      i;
-    always @* begin
-        carry = in_square[39-S] ^ in_below;
-        for (i = 0; i < S + 2; i = i + 1) begin
-            word[i] = floor[i] ^ carry;
-            carry = floor[i] & carry;
+    wire         guard = in_square[39-S] ^ in_below;
+    wire [S+1:0] word;
+    generate
+        if (PIPE == 0) begin : g_gates
+            reg [S+1:0] nearest;
+            reg         carry;
+            integer     i;
+            assign      word = nearest;
+            always @* begin
+                carry = guard;
+                for (i = 0; i < S + 2; i = i + 1) begin
+                    nearest[i] = floor[i] ^ carry;
+                    carry = floor[i] & carry;
+                end
+            end
+        end else begin : g_chain
+            assign word = floor + {{(S+1){1'b0}}, guard};
         end
-    end
+    endgenerate
     wire unused = &{1'b0, in_square[38-S:0]};  // below the guard bit
 
     integer joint;

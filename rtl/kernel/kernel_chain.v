@@ -7,13 +7,15 @@
 // G bits below the LSB, to which every product is truncated. Outputs are rounded to nearest (ties upward) and
 // saturated.
 // Error of a coordinate: 1/2 LSB, that of the roots (bounds.rational.chain), and 2^-5 LSB for each truncated product.
-// Latency and II: 7 with two joints, 10 with three. Overflow: a coordinate was saturated.
+// Latency and II: 7 + 6 PIPE with two joints, 10 + 8 PIPE with three. Overflow: a coordinate was saturated.
 // Source: rational trigonometry paper, eqs. 84 and 96. Models: rational.fk2, rational.fk3
 `default_nettype none
 module kernel_chain #(
-    parameter JOINTS = 2,  // joints, 2 or 3 (default 2); the third turns the plane of the others
-    parameter W = 16,      // bits of a length and of a coordinate, 15 to 20 (default 16)
-    parameter U = 16       // fraction bits of a root, 13 to 18 (default 16)
+    parameter JOINTS = 2,    // joints, 2 or 3 (default 2); the third turns the plane of the others
+    parameter W = 16,        // bits of a length and of a coordinate, 15 to 20 (default 16)
+    parameter U = 16,        // fraction bits of a root, 13 to 18 (default 16)
+    parameter PIPE = 0,      // 0 or 1 (default 0: fewest clocks); 1: registers before and behind the products
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -21,7 +23,7 @@ module kernel_chain #(
     input  wire [W-1:0]        cfg_l2,
     input  wire                in_valid,
     output wire                in_ready,
-    output wire [JOINTS:1]     out_want,  // one-hot: the codec reads this word; [2]: a sample is accepted
+    output wire [JOINTS:1]     out_want,  // the codec reads this word, or none: joint 2's; [2]: a sample is accepted
     input  wire [4*U+29:0]     in_chords,
     output reg                 out_valid,
     input  wire                out_ready,
@@ -33,40 +35,81 @@ module kernel_chain #(
     localparam G = 5, D = 12, N = W + 2 + G;  // guard bits; bits of an offset; bits of A and B
 
     // Schedule, a clock a line
-    localparam [5:0]
-        WAIT  = 6'b000000,  // the memories' words
-        CHORD = 6'b000001,  // complete both roots with the two multipliers
-        COS   = 6'b000010,  // with CHORD: cosine on the first multiplier, not the sine; reads joint 1
-        PLACE = 6'b000100,  // (L2, 0) turned by joint 2 and moved by L1
-        ROUND = 6'b001000,  // a turn's two products, to be rounded; reads joint 3
-        YAW   = 6'b010000,  // z is y; (x, 0) goes on
-        LAST  = 6'b100000;  // y is rounded; x is in the clock after
-    //                   roots           turn
-    localparam [6*3-1:0] ELBOW = {
+    localparam [10:0]
+        WAIT   = 11'h000,  // the memories' words
+        CHORD  = 11'h001,  // operands of both roots, to complete them with the two multipliers
+        PLACE  = 11'h002,  // operands of (L2, 0) turned by joint 2 and moved by L1
+        TURN   = 11'h004,  // operands of a turn, y before x
+        ROOTS  = 11'h008,  // the sums are the roots
+        COS    = 11'h010,  // with ROOTS: cosine on the first multiplier, not the sine
+        PLACED = 11'h020,  // the sums are A and B
+        ROUND  = 11'h040,  // the sum is a turn's, to be rounded
+        YAW    = 11'h080,  // z is y; (x, 0) goes on
+        LAST   = 11'h100,  // y is rounded; x is in the clock after
+        READ1  = 11'h200,  // reads joint 1
+        READ3  = 11'h400;  // reads joint 3
+    localparam OP = 11;    // bits of a line
+    //                   work
+    localparam [OP*3-1:0] ELBOW = {
         /* joint 2      */ {WAIT},
-        /* c2, n2       */ {CHORD | COS},
-        /* A, B         */ {PLACE}};
-    localparam [6*3-1:0] UPRIGHT = {
-        /* c1, n1       */ {CHORD},
-        /* z            */ {ROUND},
+        /* c2, n2       */ {CHORD | ROOTS | COS | READ1},
+        /* A, B         */ {PLACE | PLACED}};
+    localparam [OP*3-1:0] UPRIGHT = {
+        /* c1, n1       */ {CHORD | ROOTS},
+        /* z            */ {ROUND | READ3},
         /* x goes on    */ {YAW}};
-    localparam [6*3-1:0] TIP = {
-        /* c, n         */ {CHORD},
+    localparam [OP*3-1:0] TIP = {
+        /* c, n         */ {CHORD | ROOTS},
+        /* y            */ {ROUND | READ3},
+        /* x            */ {ROUND | READ3 | LAST}};
+    // PIPE = 1: sums come two lines after their operands; a joint is read two lines before each
+    localparam [OP*10-1:0] ELBOW_1 = {
+        /* joint 2      */ {WAIT},
+        /* joint 2      */ {CHORD},
+        /* c2, n2       */ {WAIT},
+        /* c2, n2       */ {ROOTS | COS | READ1},
+        /* A, B         */ {PLACE},
+        /* joint 1      */ {CHORD | READ1},
+        /* A, B         */ {PLACED},
+        /* c1, n1       */ {ROOTS},
+        /* y            */ {TURN | READ3},
+        /* x            */ {TURN}};
+    localparam [OP*5-1:0] UPRIGHT_1 = {
+        /* z; joint 3   */ {ROUND | CHORD | READ3},
+        /* x goes on    */ {YAW},
+        /* c3, n3       */ {ROOTS},
+        /* y            */ {TURN},
+        /* x            */ {TURN}};
+    localparam [OP*2-1:0] TIP_1 = {
         /* y            */ {ROUND},
         /* x            */ {ROUND | LAST}};
-    wire idle, decode, cosine, place, round, yaw, last;
-    wire accept = in_valid && in_ready;
+    wire [OP-1:0] op;
+    wire          idle;
+    wire          decode = |(op & CHORD), place = |(op & PLACE), roots = |(op & ROOTS), placed = |(op & PLACED);
+    wire          round = |(op & ROUND), yaw = |(op & YAW), last = |(op & LAST), cosine = |(op & COS);
+    wire          accept = in_valid && in_ready;
     generate
-        if (JOINTS == 2) begin : g_two
-            schedule #(.LINES(6), .BITS(6), .TABLE({ELBOW, TIP})) control (.clk(clk), .rst(rst), .in_start(accept),
-                .out_idle(idle), .out_op({last, yaw, round, place, cosine, decode}));
-        end else begin : g_three
-            schedule #(.LINES(9), .BITS(6), .TABLE({ELBOW, UPRIGHT, TIP})) control (.clk(clk), .rst(rst),
-                .in_start(accept), .out_idle(idle), .out_op({last, yaw, round, place, cosine, decode}));
-            assign out_want[JOINTS] = round;
+        if (JOINTS == 2 && PIPE == 0) begin : g_two
+            schedule #(.LINES(6), .BITS(OP), .TABLE({ELBOW, TIP})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (JOINTS == 3 && PIPE == 0) begin : g_three
+            schedule #(.LINES(9), .BITS(OP), .TABLE({ELBOW, UPRIGHT, TIP})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (JOINTS == 2 && PIPE == 1) begin : g_two_1
+            schedule #(.LINES(12), .BITS(OP), .TABLE({ELBOW_1, TIP_1})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (JOINTS == 3 && PIPE == 1) begin : g_three_1
+            schedule #(.LINES(17), .BITS(OP), .TABLE({ELBOW_1, UPRIGHT_1, TIP_1})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (JOINTS == 3) begin : g_third
+            assign out_want[JOINTS] = |(op & READ3);
         end
     endgenerate
-    assign out_want[2:1] = {accept, cosine};
+    assign out_want[2:1] = {accept, |(op & READ1)};
     assign in_ready = idle && (!out_valid || out_ready);
 
     // The first multiplier forms the major root, A and one product of a turn; the second one the minor root, B and the
@@ -90,18 +133,33 @@ module kernel_chain #(
     wire [U+1:0] left1 = decode ? {7'h7f, major_step} : {swap ? minor : major, 1'b1};
     wire [U+1:0] left2 = decode ? {3'd0, minor_step} : {swap ? major : minor, 1'b1};
     /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [N+U+1:0] product1 = $signed(left1) * $signed(right1);
-    wire signed [N+U+1:0] product2 = $signed(left2) * $signed(right2);
+    wire signed [N+U+1:0] product1, product2;
     /* verilator lint_on UNUSEDSIGNAL */
+    generate
+        if (PIPE == 0) begin : g_now
+            assign product1 = $signed(left1) * $signed(right1);
+            assign product2 = $signed(left2) * $signed(right2);
+        end else begin : g_registered
+            reg [U+1:0] l1, l2;
+            reg [N-1:0] r1, r2;
+            always @(posedge clk)
+                {l1, l2, r1, r2} <= {left1, left2, right1, right2};
+            product_parts #(.A(U+2), .B(N), .MULTIPLY(MULTIPLY)) parts1 (.clk(clk), .in_move(1'b1), .in_a(l1),
+                .in_b(r1), .out_p(product1));
+            product_parts #(.A(U+2), .B(N), .MULTIPLY(MULTIPLY)) parts2 (.clk(clk), .in_move(1'b1), .in_a(l2),
+                .in_b(r2), .out_p(product2));
+        end
+    endgenerate
     wire [N-1:0] cut1 = product1[N+U:U+1], cut2 = product2[N+U:U+1];
-    wire [N-1:0] addend = {{(N-U-3){1'b0}}, major_knot} & {N{decode}} | {2'd0, cfg_l1, {G{1'b0}}} & {N{place}}
-                        | cut2 & {N{turn}};
+    wire [N-1:0] addend = {{(N-U-3){1'b0}}, major_knot} & {N{roots}} | {2'd0, cfg_l1, {G{1'b0}}} & {N{placed}}
+                        | cut2 & {N{!roots && !placed}};
     wire [N-1:0] sum = cut1 + addend;
 
     /* verilator lint_off UNUSEDSIGNAL */
     wire [U-1:0] thin;
     spread_minor #(.U(U)) second (.in_range(range), .in_knot(minor_knot), .in_rise(cut2[U+2:0]), .out_root(thin));
     /* verilator lint_on UNUSEDSIGNAL */
+    wire         next = PIPE == 0 || |(op & TURN);  // the roots change places
     wire         neg_major = minor_n ? neg_c : neg_n, neg_minor = minor_n ? neg_n : neg_c;
 
     // Rounding and saturation follow a register, for the clock frequency. out_y and out_z hold earlier values of out_x.
@@ -113,12 +171,13 @@ module kernel_chain #(
     assign       out_overflow = over || over_before;
 
     always @(posedge clk) begin
-        swap <= decode ? minor_n != cosine : !swap;
-        if (decode || !swap)  // a root is negated after its use by the first multiplier: (n, c), (c, -n)
-            major <= decode ? {neg_major, sum[U+2:3] ^ {U{neg_major}}} : ~major;
-        if (decode || swap)
-            minor <= decode ? {neg_minor, thin ^ {U{neg_minor}}} : ~minor;
-        if (place || yaw) begin
+        if (roots || next)
+            swap <= roots ? minor_n != cosine : !swap;
+        if (roots || next && !swap)  // a root is negated after its use by the first multiplier: (n, c), (c, -n)
+            major <= roots ? {neg_major, sum[U+2:3] ^ {U{neg_major}}} : ~major;
+        if (roots || next && swap)
+            minor <= roots ? {neg_minor, thin ^ {U{neg_minor}}} : ~minor;
+        if (placed || yaw) begin
             a <= sum;
             b <= yaw ? {N{1'b0}} : cut2;
         end

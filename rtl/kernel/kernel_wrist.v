@@ -3,12 +3,13 @@
 //   (x, y) = tip - l3 (cos phi, sin phi); j3 = phi - j1 - j2
 // Formats: in_x, in_y s16.0; cfg_l3 u16.0; in_phi, in_j1, in_j2, out_j3 angles of A bits, in_phi loaded with in_start;
 // out_x, out_y s16.0, rounded to nearest and saturated, valid in the clock of out_start.
-// Error of a coordinate: 1/2 unit, and 1.62 * 2^-16 times l3 for the root. Latency 4.
+// Error of a coordinate: 1/2 unit, and 1.62 * 2^-16 times l3 for the root. Latency 4 + 3 PIPE.
 // Overflow: out_x or out_y was saturated.
 // Source: Newton-Raphson paper, eq. 14, in closed form. Model: table.wrist
 `default_nettype none
 module kernel_wrist #(
-    parameter A = 18  // bits of a joint word, 10 to 24 (default 18); a full turn is 2^A
+    parameter A = 18,   // bits of a joint word, 10 to 24 (default 18); a full turn is 2^A
+    parameter PIPE = 0  // registers behind table and products, 0 or 1 (default 0: fewest clocks)
 ) (
     input  wire               clk,
     input  wire               rst,
@@ -37,9 +38,21 @@ module kernel_wrist #(
         /* sine   */ {SINE},
         /* x      */ {X},
         /* y      */ {Y}};
+    localparam [7*3-1:0] WRIST_1 = {
+        /* cosine */ {COSINE},
+        /* sine   */ {4{SINE}},
+        /* x      */ {X},
+        /* y      */ {Y}};
     wire cosine, first;
-    schedule #(.LINES(4), .BITS(3), .TABLE(WRIST)) control (.clk(clk), .rst(rst), .in_start(in_start),
-        .out_idle(out_idle), .out_op({out_start, first, cosine}));
+    generate
+        if (PIPE == 0) begin : g_wrist
+            schedule #(.LINES(4), .BITS(3), .TABLE(WRIST)) control (.clk(clk), .rst(rst), .in_start(in_start),
+                .out_idle(out_idle), .out_op({out_start, first, cosine}));
+        end else begin : g_wrist_1
+            schedule #(.LINES(7), .BITS(3), .TABLE(WRIST_1)) control (.clk(clk), .rst(rst), .in_start(in_start),
+                .out_idle(out_idle), .out_op({out_start, first, cosine}));
+        end
+    endgenerate
 
     reg  [A-1:0]        phi;
     wire [17:0]         knot;
@@ -50,15 +63,40 @@ module kernel_wrist #(
         .in_j(phi), .out_chord({knot, rise, offset[14:0]}));
     reg  signed [17:0]  root;
     reg  signed [15:0]  goal, y;
-    wire signed [27:0]  chord = rise * offset;
-    wire signed [34:0]  link = root * $signed({1'b0, cfg_l3});
+    wire        [17:0]  from;
+    wire signed [27:0]  chord;
+    wire signed [34:0]  link;
+    generate
+        if (PIPE == 0) begin : g_now
+            assign from = knot;
+            assign chord = rise * offset;
+            assign link = root * $signed({1'b0, cfg_l3});
+        end else begin : g_registered
+            reg        [17:0] knot_1, knot_2;
+            reg signed [11:0] rise_1;
+            reg signed [15:0] offset_1;
+            reg signed [27:0] chord_1;
+            reg signed [34:0] link_1;
+            assign            from = knot_2;
+            assign            chord = chord_1;
+            assign            link = link_1;
+            always @(posedge clk) begin
+                knot_1   <= knot;
+                rise_1   <= rise;
+                offset_1 <= offset;
+                knot_2   <= knot_1;
+                chord_1  <= rise_1 * offset_1;
+                link_1   <= root * $signed({1'b0, cfg_l3});
+            end
+        end
+    endgenerate
     wire        [18:0]  twice = {{2{goal[15]}}, goal, 1'b0} - link[34:16];  // its half is rounded to nearest
     wire                over = twice[18:16] != {3{twice[18]}};
     assign              out_y = over ? {twice[18], {15{!twice[18]}}} : twice[16:1];
     assign              out_j3 = phi - in_j1 - in_j2;
     wire                unused = &{1'b0, chord[27], chord[14:0], link[15:0], twice[0]};
     always @(posedge clk) begin
-        root <= knot + {{6{chord[26]}}, chord[26:15]};
+        root <= from + {{6{chord[26]}}, chord[26:15]};
         if (in_start) begin
             phi <= in_phi;
             y   <= in_y;

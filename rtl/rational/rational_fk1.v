@@ -2,15 +2,17 @@
 // This core finds the tip of one joint: x = L1 cos = +-L1 sqrt(1 - s), y = L1 sin = +-L1 sqrt(s).
 // Formats: in_j1 is a turn-spread u2.S, cfg_l1 is u(W-F).F; out_x and out_y are s(W-F).F, nearest (ties up), saturated.
 // Error: a coordinate is within 1/2 + 1/16 + 0.52 L1 / 2^15 LSB, L1 in LSB: 0.83 LSB at 2^14 (64 units of Q7.8).
-// Latency and II: 2. One table and two multipliers compute x, then y.
+// Latency 2 + 3 PIPE, II 2. One table and two multipliers compute x, then y.
 // Status: overflow (a coordinate was saturated).
 // Source: rational-trigonometry paper, Table I and eqs. 51 and 52, with L1 outside the root, which saves half the bits.
 // Model: rational.fk1
 `default_nettype none
 module rational_fk1 #(
-    parameter W = 16,  // bits of a coordinate and of the length, 4 to 18 (default 16)
-    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); F changes no logic
-    parameter S = 24   // fraction bits of a turn-spread, 1 to 24 (default 24: 0.014 degrees at a quadrant border)
+    parameter W = 16,        // bits of a coordinate and of the length, 4 to 18 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); F changes no logic
+    parameter S = 24,        // fraction bits of a turn-spread, 1 to 24 (default 24: 0.014 degrees at a border)
+    parameter PIPE = 0,      // registers behind products and table, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -25,8 +27,9 @@ module rational_fk1 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 18 || F < 0 || F >= W || S < 1 || S > 24) begin : g_illegal
-            rational_fk1_needs_W_from_4_to_18_and_F_below_W_and_S_from_1_to_24 rule ();
+        if (W < 4 || W > 18 || F < 0 || F >= W || S < 1 || S > 24 || PIPE < 0 || PIPE > 1
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            rational_fk1_needs_W_4_to_18_and_F_below_W_and_S_1_to_24_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
@@ -36,7 +39,8 @@ module rational_fk1 #(
     assign      out_status = {1'b0, overflow, 2'b00};
     spread_product #(.S(S)) codec (.clk(clk), .in_cos(cosine), .in_sin(sine), .in_j(in_j1), .out_negative(negative),
         .out_w(w), .out_slope(slope));
-    kernel_scale #(.W(W)) kernel (.clk(clk), .rst(rst), .cfg_l1(cfg_l1), .in_valid(in_valid), .in_ready(in_ready),
+    kernel_scale #(.W(W), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
+        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .in_valid(in_valid), .in_ready(in_ready),
         .out_cos(cosine), .out_sin(sine), .in_negative(negative), .in_w(w), .in_slope(slope), .out_valid(out_valid),
         .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_overflow(overflow));
 endmodule

@@ -6,13 +6,16 @@
 // computes cfg_q, cfg_r and cfg_e from the lengths cfg_l1 and cfg_l2, u(W-F).F.
 // Error of the tip beyond the rounding of the words, L1 = L2 = 2^13, W = 16: at most 0.71 LSB for targets at a distance
 // rho >= 256 LSB with |sin j2| > 2^-8; within 12 LSB of the shoulder at most 2 rho + 9.3 LSB.
-// Latency and II: 12. Status: unreachable (the nearest point is answered), singular (x = y = 0: out_j1 is held).
+// Latency and II: 12 + 12 PIPE.
+// Status: unreachable (the nearest point is answered), singular (x = y = 0: out_j1 is held).
 // Source: rational-trigonometry paper, eqs. 18-23 in vector form. Model: rational.ik2
 `default_nettype none
 module rational_ik2 #(
-    parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of a coordinate and a length, 0 to W - 1 (default 8); F changes no logic
-    parameter S = 24   // fraction bits of a turn-spread, 2 to 24 (default 24: 0.014 degrees at a quadrant border)
+    parameter W = 16,        // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,         // fraction bits of a coordinate and a length, 0 to W - 1 (default 8); F changes no logic
+    parameter S = 24,        // fraction bits of a turn-spread, 2 to 24 (default 24: 0.014 degrees at a quadrant border)
+    parameter PIPE = 0,      // registers behind products and table, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -33,8 +36,9 @@ module rational_ik2 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || S < 2 || S > 24) begin : g_illegal
-            rational_ik2_needs_W_from_4_to_16_and_F_below_W_and_S_from_2_to_24 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || S < 2 || S > 24 || PIPE < 0 || PIPE > 1
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            rational_ik2_needs_W_4_to_16_and_F_below_W_and_S_2_to_24_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}};
@@ -42,12 +46,12 @@ module rational_ik2 #(
     wire [1:0]         axis;
     wire               below;
     wire [40:0]        square;
-    kernel_solve #(.JOINTS(2)) kernel (
+    kernel_solve #(.JOINTS(2), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(16'sd0),
         .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_take(take), .out_axis(axis),
         .out_below(below), .out_square(square), .out_status(out_status));
-    spread_about_axis #(.JOINTS(2), .HELD(2'b01), .S(S)) codec (.clk(clk), .rst(rst), .in_take(take),
+    spread_about_axis #(.JOINTS(2), .HELD(2'b01), .S(S), .PIPE(PIPE)) codec (.clk(clk), .rst(rst), .in_take(take),
         .in_axis(axis), .in_below(below), .in_square(square), .out_j({out_j2, out_j1}));
 endmodule
 `default_nettype wire

@@ -5,15 +5,17 @@
 // Formats: in_x, in_y s(W-F).F; in_phi, out_j* angles of A bits modulo a turn, j1 and j2 rounded to nearest; the three
 // words add up to in_phi exactly. cfg_l3 u(W-F).F; cfg_q, cfg_r, cfg_e by table.config.
 // Error of the tip: that of table_ik2, and sqrt(2) (1/2 + 1.62 L3 / 2^16) for the wrist in 16-bit words
-// (bounds.table.ik3r). Latency 16, II 16.
+// (bounds.table.ik3r). Latency and II: 16 + 17 PIPE.
 // Status: unreachable (the wrist is at its nearest point), singular (the wrist is the shoulder: j1 is held), overflow
 // (the wrist was saturated).
 // Source: Newton-Raphson paper, eq. 14, in closed form. Model: table.ik3r
 `default_nettype none
 module table_ik3r #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 16 (default 16)
-    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 18   // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter W = 16,        // bits of a coordinate and of a length, 4 to 16 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18,        // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter PIPE = 0,      // registers behind products and tables, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -37,8 +39,9 @@ module table_ik3r #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || A < 10 || A > 24) begin : g_illegal
-            table_ik3r_needs_W_from_4_to_16_and_F_below_W_and_A_from_10_to_24 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || A < 10 || A > 24 || PIPE < 0 || PIPE > 1
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            table_ik3r_needs_W_4_to_16_and_F_below_W_and_A_10_to_24_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire signed [15:0] tip_x = {in_x, {(16-W){1'b0}}}, tip_y = {in_y, {(16-W){1'b0}}};
@@ -50,7 +53,7 @@ module table_ik3r #(
     always @(posedge clk)
         if (accept)
             elbow <= in_elbow;
-    kernel_wrist #(.A(A)) wrist (
+    kernel_wrist #(.A(A), .PIPE(PIPE)) wrist (
         .clk(clk), .rst(rst), .cfg_l3({cfg_l3, {(16-W){1'b0}}}), .in_start(accept), .in_x(tip_x),
         .in_y(tip_y), .in_phi(in_phi), .in_j1(out_j1), .in_j2(out_j2), .out_idle(idle), .out_start(start), .out_x(x),
         .out_y(y), .out_j3(out_j3), .out_overflow(overflow));
@@ -59,13 +62,13 @@ module table_ik3r #(
     wire               flat, negative, none;
     wire [3:0]         status;
     assign             out_status = {status[3], overflow || status[2], status[1:0]};
-    kernel_vector_solve #(.JOINTS(2), .LAG(2), .U(18)) kernel (
+    kernel_vector_solve #(.JOINTS(2), .LAG(2), .U(18), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(start), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0),
         .in_elbow(elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
         .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
         .out_status(status));
-    angle_of_vector #(.JOINTS(2), .A(A)) codec (
+    angle_of_vector #(.JOINTS(2), .A(A), .PIPE(PIPE)) codec (
         .clk(clk), .rst(rst), .in_cos(cosine), .in_sin(sine), .in_word(word), .in_flat(flat), .in_negative(negative),
         .in_none(none), .out_j({out_j2, out_j1}));
 endmodule
