@@ -36,9 +36,10 @@ def test_a_sound_core_is_quiet_and_takes_its_latency():
 
 
 def test_two_lines_of_a_schedule_swapped_are_found(tmp_path):
-    said = broken("rational_fk3", "kernel_chain", [("/* c2, n2       */ {CHORD | COS}", "/* c2, n2       */ {PLACE}"),
-                                                   ("/* A, B         */ {PLACE}", "/* A, B         */ {CHORD | COS}")],
-                  tmp_path)
+    cosine, place = "{CHORD | ROOTS | COS | READ1}", "{PLACE | PLACED}"
+    said = broken("rational_fk3", "kernel_chain", [
+        (f"/* c2, n2       */ {cosine}", f"/* c2, n2       */ {place}"),
+        (f"/* A, B         */ {place}", f"/* A, B         */ {cosine}")], tmp_path)
     assert "out_x is made of kernel.exact" in said and "which the sample has not written" in said
 
 
