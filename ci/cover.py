@@ -7,9 +7,9 @@
 
 `tb/lib/legal.py` makes the list. A set passes where Verilator has no warning of it, and the core equals its bit-true
 model at the full rate and under stalls, on every corner and some 500 random words, with the latency and the interval
-of rtl/cores.toml. A set of rtl/cores.toml beside a core's first ones gets the whole bulk run. reports/cover.json holds
-the digest of what each verdict follows from: sources, model, samples, harness and tools, but no comment. It is written
-as the run goes: one that is cut goes on where it stopped.
+of rtl/cores.toml. A set of rtl/cores.toml whose bulk run `make test` leaves out gets the whole one.
+reports/cover.json holds the digest of what each verdict follows from: sources, model, samples, harness and tools, but
+no comment. It is written as the run goes: one that is cut goes on where it stopped.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def run(core: Core) -> None:
 
 def listed(name: str) -> dict[str, Core]:
     """The sets of rtl/cores.toml of which `make test` has no bulk run."""
-    return {core.set_id: core for core in all_cores() if core.name == name and not core.first_set}
+    return {core.set_id: core for core in all_cores() if core.name == name and not legal.daily(core)}
 
 
 def _whole(core: Core) -> None:
@@ -132,7 +132,7 @@ def wanted(chosen: Iterable[Core]) -> dict[tuple[str, str], tuple[legal.Params, 
             one = at(core, params)
             found[core.name, one.set_id] = params, store.digest([follows, params, one.latency, one.ii])[:12]
         for one in legal.sets(core):
-            if not one.first_set:
+            if not legal.daily(one):
                 parts = [follows, one.params, one.latency, one.ii, store.meaning(SUITE)]
                 found[core.name, one.set_id] = one.params, store.digest(parts)[:12]
     return found

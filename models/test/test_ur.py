@@ -10,13 +10,15 @@ import pytest
 from quadrance import arms, truth_six, truth_ur, ur
 from quadrance.accuracy import pose
 from quadrance.bounds import ur as bounds
-from quadrance.cores import all_cores, find
-from quadrance.program import meaning, parser
+from quadrance.cores import ROOT, all_cores, find
+from quadrance.program import assembler, image, meaning, parser
 from quadrance.truth_ur import Ur
 
 CORES = [core for core in all_cores() if core.family == "ur" and not core.params["PIPE"]]  # it changes no bit
 FORWARD, INVERSE, ALL = ([core for core in CORES if core.function == name] for name in ("ur_fk", "ur_ik", "ur_ik_all"))
 AXES = [f"{row}{column}" for row in "123" for column in "123"]
+POLISH = ROOT / "docs" / "polish.kin"
+MARGIN = 60  # mm from a singular pose, where a robot off its table is polished
 SMALL = 0.1  # joints 3 and 5 next to their singularities, radians
 
 # Universal Robots, "DH parameters for calculations of kinematics and dynamics", e-Series; mm
@@ -236,6 +238,30 @@ def test_inverse(core, robot):
             assert place[part].max() <= mm and turn[part].max() <= degrees
 
 
+@ROBOTS
+def test_every_answer_of_eaik_is_found(robot):
+    """Ten thousand poses. A joint is off by the rounding of the pose's words, over how far a singularity is: sines of
+    joints 3 and 5, and axis 4 beside axis 1. A branch left out or answered twice would be off by radians.
+    """
+    eaik = pytest.importorskip("eaik.IK_DH")
+    core, (d1, a2, a3, d4, d5, d6) = find("vector_ur_ik_all-U16"), MAKER[robot][0]
+    other = eaik.DhRobot(np.radians([90, 0, 0, 90, -90, 0]), np.array([0, a2, a3, 0, 0, 0]),
+                         np.array([d1, 0, 0, d4, d5, d6]))
+    pose = chain(robot, np.random.default_rng(11).uniform(-np.pi, np.pi, (10_000, 6)))
+    words, _, _, held = _words(core, robot, pose)
+    answer = core.model(core.params, **words, **_config(core, robot))
+    mine = np.exp(1j * np.stack([_angles(answer, str(branch)) for branch in range(8)], axis=1))
+    found = 0
+    for ours, one, solved in zip(mine, pose[held], other.IK_batched(pose[held], 1)):
+        joints = np.array([q for q, approximate in zip(solved.Q, solved.is_LS) if not approximate]).reshape(-1, 6)
+        x, y = one[:2, 3] - d6 * one[:2, 2]
+        near = np.sqrt(max(x * x + y * y - d4 * d4, 0)) / -(a2 + a3) * np.abs(np.prod(np.sin(joints[:, 2::2]), axis=1))
+        off = np.abs(ours - np.exp(1j * joints)[:, None]).max(axis=-1).min(axis=-1)
+        assert np.all(off * near <= 2 * (_unit(core, robot) / 256 / -a3 + 2.0**-16))
+        found += len(joints)
+    assert found > 6 * len(mine) > 50_000
+
+
 @cores(INVERSE + ALL)
 def test_margin_and_slack(core):
     """Bit 1 within the margin of each singularity and not beyond; stretched poses within the slack are not refused."""
@@ -350,3 +376,80 @@ def test_the_errors_that_a_user_reads(name):
     rounded = 0.5 * math.sqrt(3) * arm.mm_per_unit * 2.0 ** -find(name).params["F"]
     assert 0.5 * rounded < worst.mm < rounded + 0.03 and 1e-3 < worst.degrees < 0.02
     assert worst.beside_mm is None if "fk" in name else worst.beside_mm < rounded + 0.03
+
+
+# A calibrated robot
+
+
+def _calibrated(robot: str, rng: np.random.Generator) -> list[tuple[float, float, float, float]]:
+    """A table off the maker's by up to 0.5 mm, 0.05 degrees and 0.1 degrees of a zero: rows of a, d, alpha, zero."""
+    d1, a2, a3, d4, d5, d6 = MAKER[robot][0]
+    rows = ((0, d1, 90), (a2, 0, 0), (a3, 0, 0), (0, d4, 90), (0, d5, -90), (0, d6, 0))
+    off = rng.uniform(-1, 1, (6, 4)) * (0.5, 0.5, np.radians(0.05), np.radians(0.1))
+    off[5, [0, 2]] = 0
+    return [(a + i[0], d + i[1], np.radians(alpha) + i[2], i[3]) for (a, d, alpha), i in zip(rows, off)]
+
+
+def _by_table(rows, q: np.ndarray) -> np.ndarray:
+    """(N, 4, 4), mm: `chain` by a table of its own."""
+    found = np.eye(4)
+    for i, (a, d, alpha, zero) in enumerate(rows):
+        for turn, axes in ((q[:, i] + zero, (0, 1)), (np.full(len(q), alpha), (1, 2))):
+            step = np.broadcast_to(np.eye(4), (len(q), 4, 4)).copy()
+            for (m, n), value in zip(((0, 0), (0, 1), (1, 0), (1, 1)), (np.cos, lambda t: -np.sin(t), np.sin, np.cos)):
+                step[:, axes[m], axes[n]] = value(turn)
+            if axes == (0, 1):
+                step[:, :3, 3] = 0, 0, d
+            else:
+                step[:, :3, 3] = a, 0, 0
+            found = found @ step
+    return found
+
+
+def test_polish_is_an_image_for_the_kinematics_engine():
+    """Every word within its range, every line accepted by the checker, and the inputs fit a context."""
+    made = image.image(assembler.assembled(POLISH, 1))
+    assert len(made["inputs"]) <= 64 and made["program"] == "polish", made.keys()
+
+
+@ROBOTS
+def test_a_calibrated_robot_is_polished(robot):
+    """docs/polish.kin is the pose by the robot's own table; a target moved once leaves little beside the rounding."""
+    core, rng = INVERSE[0], np.random.default_rng(11)
+    p, unit = core.params, _unit(core, robot)
+    lsb = unit * 2.0 ** -p["F"]
+    rows, target = _calibrated(robot, rng), chain(robot, rng.uniform(-np.pi, np.pi, (4000, 6)))
+    target = target[np.abs(target[:, :3, 3]).max(axis=1) < 127 * unit]
+    branch = rng.integers(0, 8, len(target))
+    arm = _config(core, robot, margin=MARGIN / lsb)
+
+    def solved(pose: np.ndarray) -> dict[str, np.ndarray]:
+        return ur.ik(p, **_words(core, robot, pose)[0], **arm, in_branch=branch)
+
+    def off(answer: dict[str, np.ndarray]) -> tuple[float, float]:
+        """Of what the robot does from the targets, at worst: mm and degrees."""
+        pose = _by_table(rows, _angles(answer))
+        return (np.linalg.norm(pose[:, :3, 3] - target[:, :3, 3], axis=1).max(),
+                np.degrees(truth_six.turned(pose[:, :3, :3], target[:, :3, :3]).max()))
+
+    plain = solved(target)["out_status"] == 0
+    target, branch = target[plain], branch[plain]
+    answer = solved(target)
+    table = {}
+    for i, (a, d, alpha, zero) in enumerate(rows, 1):
+        words = {"k": np.cos(zero), "m": np.sin(zero), "g": np.cos(alpha), "h": np.sin(alpha)}
+        table |= {f"cfg_{name}{i}": np.rint(value * 2.0**25).astype(int) for name, value in words.items()}
+        table |= {f"cfg_{name}{i}": np.rint(16 * value / lsb).astype(int) for name, value in (("a", a), ("d", d))}
+    program = parser.load(POLISH)
+    ports = table | {f"in_{name[4:]}": word for name, word in answer.items()}
+    known = {name: word for name, word in ports.items() if name.split("_")[1] in program.inputs}
+    fixed = meaning.fixed(program, p, **known).words
+    turned = np.stack([fixed[f"r{axis}"] for axis in AXES], axis=-1).reshape(-1, 3, 3) * 2.0**-25
+    tip = np.stack([fixed[axis] for axis in "xyz"], axis=-1) * 2.0 ** (p["W"] - 25) * lsb
+    pose = _by_table(rows, _angles(answer))
+    assert np.abs(turned - pose[:, :3, :3]).max() < 12 * 2.0**-16 and np.abs(tip - pose[:, :3, 3]).max() < 0.7 * lsb
+    moved = target.copy()
+    moved[:, :3, :3] += target[:, :3, :3] - turned
+    moved[:, :3, 3] += target[:, :3, 3] - tip
+    (mm, degrees), (left, turned) = off(answer), off(solved(moved))
+    assert len(target) > 2000 and mm > 2 and degrees > 0.2 and left < 0.007 * unit and turned < 0.006

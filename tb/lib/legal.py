@@ -221,3 +221,8 @@ def sets(core: Core) -> list[Core]:
     """The listed sets of the core, of its own mode and PIPE."""
     return [one for one in all_cores() if (one.name, one.architecture) == (core.name, core.architecture)
             and one.params.get("PIPE") == core.params.get("PIPE")]
+
+
+def daily(core: Core) -> bool:
+    """Whether `make test` runs this set in bulk: each MODE's first one at PIPE = 0. `make cover` has the rest."""
+    return core.first_set and not core.params.get("PIPE")

@@ -1,19 +1,16 @@
-"""The pytest side: which benches each core gets (tb/test_cores.py)."""
+"""The bulk runs of a core: every corner and random words, with stalls and with resets."""
 
 from __future__ import annotations
 
-import contextlib
-import functools
 import os
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
-import pytest
-from quadrance.cores import Core, all_cores
+from quadrance.cores import Core
 
 from tb.lib import bulk, stimulus
-from tb.lib.simulate import SIMULATORS, available, simulate
+from tb.lib.simulate import SIMULATORS, available
 
 SEED = int(os.environ.get("SEED") or 2026)
 EXHAUSTIVE_BITS = 16
@@ -27,8 +24,6 @@ VARYING = 1000  # clocks of a sample that meet a reset, where their number varie
 MEMORY = 6  # samples looked at behind a reset: more than any core takes to answer from what it holds
 CONFIGS = 4  # beside the first one that meet resets; fewer of a core of many clocks
 IN_ORDER = 128  # samples
-# The tests of tb/lib/bench.py that a core runs in the second simulator, Verilator, too: what its bulk runs have less of
-AGAIN = r"\.(idle_and_back_pressure|stalled_output_loses_nothing)$"
 STARTS, FEWER = 16, 6  # different ones, for each is a run of the model; fewer where a sample takes many iterations
 
 
@@ -162,58 +157,3 @@ def _bulk_run(core: Core, samples: int, seed: int, built: Core, options: dict) -
         for cfg in [configs[0], *rng.permutation(configs[1:])[:some]]:
             total += reset_run(core, cfg, seed, built, **options)
     return total
-
-
-@contextlib.contextmanager
-def repeated(command: str) -> Iterator[None]:
-    """A failure inside names the command that repeats it."""
-    try:
-        yield
-    except AssertionError as error:
-        raise AssertionError(f"{error}\nrepeat it with: {command}") from None
-
-
-def _marks(core: Core, simulator: str, usable: list[str]) -> list[pytest.MarkDecorator]:
-    """The first parameter set of every core in the first simulator, and of a core of each family in the second, whose
-    bulk runs have all sets; the long run has the rest.
-    """
-    if not core.first_set or simulator != usable[0] and core.name not in _both():
-        return [pytest.mark.slow]
-    return [pytest.mark.full] + [pytest.mark.smoke] * (simulator == usable[0])
-
-
-@functools.cache
-def _both() -> set[str]:
-    """The first clocked core of each family, of fixed latency and of varying one."""
-    clocked = [core for core in reversed(all_cores()) if core.clocked]
-    return set({(core.family, core.latency is None): core.name for core in clocked}.values())
-
-
-def benches():
-    """The three tests of every core: cocotb bench, bulk run, long bulk run."""
-    usable = simulators()
-    cores = all_cores()
-    ids = [core.id for core in cores]
-    bulk_sets = [pytest.param(core, id=core.id, marks=pytest.mark.smoke if core.first_set else pytest.mark.further)
-                 for core in cores]
-    benches = [pytest.param(simulator, core, id=f"{simulator}-{core.id}", marks=_marks(core, simulator, usable))
-               for simulator in usable for core in cores]
-
-    @pytest.mark.parametrize(("simulator", "core"), benches)
-    def bench(core: Core, simulator: str) -> None:
-        again = core.clocked and core.first_set and simulator != usable[0]
-        simulate(core, simulator, tests=AGAIN if again else None, seed=SEED)
-
-    @pytest.mark.full
-    @pytest.mark.parametrize("core", bulk_sets)
-    def bulk_bench(core: Core) -> None:
-        with repeated(f"make test CORE={core.id} SEED={SEED}"):
-            assert bulk_run(core, bulk_samples(core), SEED) > 0
-
-    @pytest.mark.slow
-    @pytest.mark.parametrize("core", cores, ids=ids)
-    def exhaustive(core: Core) -> None:
-        with repeated(f"make exhaustive CORE={core.id} SEED={SEED}"):
-            assert bulk_run(core, LONG_SAMPLES, SEED + 1) > 0
-
-    return bench, bulk_bench, exhaustive
