@@ -27,7 +27,7 @@ def test_words_of_three_parallel_axes_forward(core):
                for name, value in lengths.items())
 
 
-@oracle(*INVERSE, cfg=(*LENGTHS, "margin", "slack", "r", "e"))
+@oracle(*INVERSE, "program.ur_keep", cfg=(*LENGTHS, "margin", "slack", "r", "e"))
 def test_words_of_three_parallel_axes(core):
     """Lengths in 2^-4 LSB, margin and slack in LSB; r e = 1 / 2 l2 l3, never more."""
     p, rng = core.params, random.Random(4)

@@ -1,4 +1,7 @@
-"""Corners of rtl/program: programs that are sound, cut, wrong or any bits at all, in contexts that take turns."""
+"""Corners of rtl/program: programs that are sound, cut, wrong or any bits at all, in contexts that take turns.
+
+Those of the cores that choose a branch are in tb.stimulus.keep.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,9 @@ from quadrance.kinematics_engine import ENDS, INFO, LINE, LOAD, READ, RUN, SEAL,
 from quadrance.program import assembler, image, product_engine
 
 from tb.lib.stimulus import Vectors
+from tb.stimulus import keep
 
+MODELS = dict.fromkeys(("keep.six_keep", "keep.ur_keep"), keep)
 Command = image.Command
 
 
@@ -110,7 +115,19 @@ def real(core: Core, rng: np.random.Generator) -> list[Command]:
     return commands
 
 
+def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
+    """Those of a core that chooses; kinematics_engine has no words of configuration."""
+    return MODELS[core.model_name].configs(core, rng)
+
+
+def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Words of a core that chooses."""
+    return MODELS[core.model_name].draw(core, rng)
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Commands in an order that means something; status bits come with random lines."""
+    if core.model_name in MODELS:
+        return MODELS[core.model_name].corners(core, cfg)
     rng = np.random.default_rng(1)
     return image.columns([*real(core, rng), *wrong(core, rng), *fuzz(core, rng, 24)])
