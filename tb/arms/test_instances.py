@@ -122,8 +122,10 @@ class Machine:
         room = {key: (-180.0, 180.0) if anywhere else ends for key, ends in limits.items()}
         size = 60 * count
         seen = {key: rng.uniform(low + 1, high - 1, size) for key, (low, high) in room.items() if key != "forearm"}
-        seen |= {key: rng.uniform(-150, 150, size) for key in ("j4", "j5", "j6", "j7", "tool")
-                 if key in self.file["joints"]}
+        for key in ("j4", "j5", "j6", "j7", "tool"):
+            if joint := self.file["joints"].get(key):
+                ends = sorted(joint["sign"] * end + joint["zero"] for end in joint.get("limits", (-150, 150)))
+                seen[key] = rng.uniform(max(ends[0], -150), min(ends[1], 150), size)
         line = seen["elbow"]
         fine = np.abs(np.sin(np.radians(line))) > math.sin(math.radians(CLEAR))
         seen["elbow"] = line - self.psi
@@ -681,19 +683,25 @@ def eight_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) 
     names = list(case["angles"])
     assert not (out["out_status"] & 9).any() and not out["out_beyond"].any()
     answer, own = (np.stack([angles[name] for name in names], axis=1) for angles in (found, case["angles"]))
-    joints = {joint["name"]: key for key, joint in arm.file["joints"].items()}
-    seen_joints = arm.seen(dict(zip(names, answer.T)))
-    for i, name in enumerate(names):
-        low, high = arm.file["limits"].get(joints[name], (-180, 180))
-        low, high = (low - arm.psi, high - arm.psi) if joints[name] == "elbow" else (low, high)
-        seen = seen_joints[joints[name]] if joints[name] in arm.file["limits"] else answer[:, i]
-        whole = high - low == 360
-        assert whole or np.all((seen > low - 0.1) & (seen < high + 0.1)), f"{name} is beyond its limits"
-        assert not whole or np.all(np.abs(answer[:, i]) < 180.1)
-        own[:, i] = (own[:, i] + 180) % 360 - 180 if whole else own[:, i]
+    seen_joints, joints = arm.seen(dict(zip(names, answer.T))), arm.file["joints"]
+    for key, name in ((key, joint["name"]) for key, joint in joints.items()):
+        if "limits" in joints[key]:
+            low, high, seen = *joints[key]["limits"], answer[:, names.index(name)]
+        else:
+            low, high = arm.file["limits"].get(key, (-180, 180))
+            low, high = (low - arm.psi, high - arm.psi) if key == "elbow" else (low, high)
+            whole = high - low == 360
+            seen = seen_joints[key] if key in arm.file["limits"] and not whole else answer[:, names.index(name)]
+            low, high = (-180, 180) if whole else (low, high)
+            own[:, names.index(name)] = (own[:, names.index(name)] + 180) % 360 - 180 if whole else own[
+                :, names.index(name)]
+        assert np.all((seen > low - 0.1) & (seen < high + 0.1)), f"{name} is beyond its limits"
+    weights = np.array([1 / joint.get("speed", 1.0) for name in names for joint in joints.values()
+                        if joint["name"] == name])
+    weights = np.rint(63 * weights / weights.max())
     last = np.concatenate([np.zeros((1, 6)), answer[:-1]])
-    reached = (np.abs(answer - last)).sum(1)
-    assert np.all(reached <= np.abs(own - last).sum(1) + 0.1), "another branch is nearer"
+    reached = (weights * np.abs(answer - last)).sum(1)
+    assert np.all(reached <= (weights * np.abs(own - last)).sum(1) + 0.1 * weights.sum()), "another branch is nearer"
     want, got = (arm.chain(dict(zip(names, angles.T)), links=6) for angles in (own, answer))
     codec = 6 * 0.89 * 2 * math.pi / 2 ** p["A"]
     parallel = core.function == "ur_keep"

@@ -115,7 +115,7 @@ def around(core: Core, arm: Arm) -> Around:
     if core.function in KEEPS:
         return Around((), tuple(f"{joint.name} = j{i}" for i, (joint, _) in enumerate(machine, 1)),
                       (f"j1 ... are the machine's own: out_j1 ... times 360/2^{core.params['A']}",
-                       "weights are equal, and wrist joints end at 180 degrees: quadrance.keep.machine has others"))
+                       "limits and speed of a joint in the arm file set its turns and its weight"))
     before, yaw, remarks = _target(core, arm)
     names = [f"j{i}" for i in range(1, len(machine) + 1)]
     if core.function == "ik3" and yaw:
@@ -198,7 +198,15 @@ def limits(core: Core, arm: Arm) -> list[tuple[str, float, float]]:
         ends = sorted(joint.sign * (end - joint.zero) for end in seen[key])
         ends = [-180.0, 180.0] if ends[1] - ends[0] == 360 else ends  # all of a turn, about the machine's zero
         found.append((f"limits.{keys[key]}", *ends))
-    return [*found, *(("none in the file", -180.0, 180.0) for _ in WRIST)]
+    found += [("none in the file", -180.0, 180.0) for _ in WRIST]
+    order = [arm.joint(key) for key in ("yaw", "shoulder", "elbow", *WRIST)]
+    return [(f"joints.{joint.key}.limits", *joint.limits) if joint.limits else own for joint, own in zip(order, found)]
+
+
+def speeds(arm: Arm) -> list[float]:
+    """Speeds of the six joints, degrees a second; all 1 where one of them is missing in the file."""
+    given = [arm.joint(key).speed for key in ("yaw", "shoulder", "elbow", *WRIST)]
+    return [1.0] * 6 if None in given else given
 
 
 def machine(core: Core, arm: Arm) -> dict[str, int]:
@@ -208,4 +216,4 @@ def machine(core: Core, arm: Arm) -> dict[str, int]:
                        coupled=[bool(less) for _, less in known],
                        zeros=[math.radians(-joint.sign * joint.zero) for joint, _ in known],
                        limits=[(math.radians(low), math.radians(high)) for _, low, high in limits(core, arm)],
-                       weights=[1.0] * len(known))
+                       weights=[1 / speed for speed in speeds(arm)])
