@@ -49,13 +49,13 @@ def test_the_best_of_eight(core):
     _, inverse = stimulus.all_branches(core)
     codec = cores.at(cores.find("vector_to_angle"), {name: core.params[name] for name in ("U", "A")})
     rng, seen = random.Random(8), set()
-    for words in stimulus.configs(core, np.random.default_rng(3))[:7]:
+    for words in stimulus.configs(core, np.random.default_rng(3))[:10]:
         cfg = {name[4:]: word for name, word in words.items()}
         if any(cfg[f"low{i}"] > min(0, cfg[f"high{i}"]) for i in JOINTS):
             continue
         columns = stimulus.corners(core, words)
         size = next(iter(columns.values())).size
-        rows = [{name[3:]: int(column[i]) for name, column in columns.items()} for i in rng.sample(range(size), 60)]
+        rows = [{name[3:]: int(column[i]) for name, column in columns.items()} for i in rng.sample(range(size), 90)]
         own = {port.name[4:]: cfg[port.name[4:]] for port in inverse.cfg}
         everything = ask(inverse, rows, own)
         vectors = [{"c": one[f"c{i}{b}"], "n": one[f"n{i}{b}"]} for one in everything for b in range(8) for i in JOINTS]
