@@ -110,6 +110,8 @@ module engine_datapath #(
     end
 
     // The output of a memory is late: where clocks are short it passes one gate
+    wire        again = OWN != 0 && lost && own && !never;  // a held word times 1
+    wire        pair = chosen[19] || again;                 // else a single product
     reg  [26:0] a, b, c, d;
     always @(posedge clk) begin
         if (PIPE < 2) begin
@@ -119,16 +121,15 @@ module engine_datapath #(
             a <= read_a & {27{file1 && !newer[3]}} | (file1 ? out_word & {27{newer[3]}} : other1);
             b <= read_b & {27{file2 && !newer[2]}} | (file2 ? out_word & {27{newer[2]}} : other2);
         end
-        c <= chosen[19] ? newer[1] ? out_word : read_c : 27'd0;  // 0: a single product
-        d <= chosen[19] ? newer[0] ? out_word : read_d : 27'd0;
+        c <= pair ? newer[1] ? out_word : read_c : 27'd0;
+        d <= pair ? newer[0] ? out_word : read_d : 27'd0;
         if (bound || lost && never) begin  // +-1 times 1 out of reach; (1, 0) for a direction that was never defined
             a <= {bound && minus, bound || !chosen[9], 25'd0};
             b <= 27'h2000000;
         end
         if (OWN != 0)
-            if (lost && own && !never) begin
+            if (again) begin
                 a <= 27'd0;
-                c <= newer[1] ? out_word : read_c;
                 d <= 27'h2000000;
             end
         skips <= skip_queue[PIPE+1:1];
@@ -157,7 +158,14 @@ module engine_datapath #(
         .out_cd(product2));
     generate
         if (PIPE < 2) begin : g_three
-            assign sum      = product1[53:22] + (product2[53:22] ^ {32{subtract}}) + kept;
+            if (PIPE == 0) begin : g_carry  // sums and carries are fewer cells in Yosys, but no faster with PIPE
+                wire [31:0] term = product2[53:22] ^ {32{subtract}};
+                wire [31:0] odd  = product1[53:22] ^ term ^ kept;
+                wire [30:0] two  = product1[52:22] & term[30:0] | (product1[52:22] | term[30:0]) & kept[30:0];
+                assign      sum  = odd + {two, 1'b0};
+            end else begin : g_plain
+                assign sum = product1[53:22] + (product2[53:22] ^ {32{subtract}}) + kept;
+            end
             assign word     = low ? product1[26:0] : mid ? product1[38:12] : sum[29:3];
             assign outside  = product1[53:25] != {29{product1[53]}};
             assign minus1   = product1[53];
