@@ -3,7 +3,7 @@
 // an elbow measured from the base, for either elbow and either side of the shoulder. A switch of 0 leaves its part out.
 //   rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2), vector_ik2 on (rho - a, z - base)
 // Formats: in_*, cfg_base, cfg_lateral s(W-F).F; cfg_shoulder s(W-F-2).F; out_c*, out_n* s2.U, rounded to nearest;
-// other cfg_* by arm.config. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE.
+// other cfg_* by arm.config. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE, with PIPE = 1 42 + LATERAL + 4 ABSOLUTE.
 // Error of the tip in reach: bounds.arm.ik3, that of vector_ik2 plus 2 d, d = 3/32 LSB + 2^-16 rho, plus (|rho| +
 // L1 + L2)(2^-U sqrt(1/2) + 2^-18), plus 2^-U sqrt(5) L2 each for ELBOW and ABSOLUTE.
 // Status: unreachable (the nearest point in the plane of the arm is answered), singular (joint 1 or 3 has no direction
@@ -18,7 +18,9 @@ module arm_ik3 #(
     parameter SHOULDER = 1,  // 1 (default): with shoulder offset, radial; 0: without
     parameter LATERAL = 1,   // 1 (default): the arm's plane passes beside the yaw axis; 0: through it
     parameter ELBOW = 1,     // 1 (default): with elbow offset, which turns joint 2 by a constant; 0: without
-    parameter ABSOLUTE = 1   // 1 (default): joint 2 is measured from the base (parallelogram); 0: from link 1
+    parameter ABSOLUTE = 1,  // 1 (default): joint 2 is measured from the base (parallelogram); 0: from link 1
+    parameter PIPE = 0,      // registers behind products, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -53,8 +55,9 @@ module arm_ik3 #(
     generate
         if (W < 8 || W > 16 || F < 0 || F >= W || U < 8 || U > 16 || BASE < 0 || BASE > 1 || SHOULDER < 0
             || SHOULDER > 1 || LATERAL < 0 || LATERAL > 1 || ELBOW < 0 || ELBOW > 1 || ABSOLUTE < 0
-            || ABSOLUTE > 1) begin : g_illegal
-            arm_ik3_needs_W_and_U_from_8_to_16_and_F_below_W_and_switches_of_0_or_1 rule ();
+            || ABSOLUTE > 1 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
+            || MULTIPLY % 9 != 0) begin : g_illegal
+            arm_ik3_needs_W_and_U_8_to_16_and_F_below_W_and_switches_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}}, z = {in_z, {(16-W){1'b0}}};
@@ -62,18 +65,19 @@ module arm_ik3 #(
     wire signed [13:0] shoulder = {cfg_shoulder, {(16-W){1'b0}}};
     wire [2:0]         cosine, sine;
     wire [23:0]        word;
-    wire               flat, negative, none, to_c, to_n, by1;
-    arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE)) kernel (
+    wire               flat, negative, none, sin2, by1, kept, turned;
+    arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE), .PIPE(PIPE),
+        .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_base(base), .cfg_shoulder(shoulder), .cfg_lateral(lateral),
         .cfg_bb(cfg_bb), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(in_elbow),
         .in_back(in_back), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
-        .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none), .out_to_c(to_c), .out_to_n(to_n),
-        .out_by1(by1), .out_status(out_status));
-    arm_vectors #(.U(U), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE)) codec (
+        .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none), .out_sine(sin2), .out_by1(by1),
+        .out_kept(kept), .out_turned(turned), .out_status(out_status));
+    arm_vectors #(.U(U), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE), .PIPE(PIPE)) codec (
         .clk(clk), .rst(rst), .cfg_ce(cfg_ce), .cfg_ne(cfg_ne), .in_cos(cosine), .in_sin(sine), .in_word(word),
-        .in_flat(flat), .in_negative(negative), .in_none(none), .in_to_c(to_c), .in_to_n(to_n), .in_by1(by1),
-        .in_load(1'b0), .in_last_c({3*(U+2){1'b0}}), .in_last_n({3*(U+2){1'b0}}),
+        .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(sin2), .in_by1(by1),
+        .in_kept(kept), .in_turned(turned), .in_load(1'b0), .in_last_c({3*(U+2){1'b0}}), .in_last_n({3*(U+2){1'b0}}),
         .out_c({out_c3, out_c2, out_c1}), .out_n({out_n3, out_n2, out_n1}));
 endmodule
 `default_nettype wire

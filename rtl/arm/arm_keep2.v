@@ -68,8 +68,9 @@ module arm_keep2 #(
         .out_flat(flat), .out_negative(negative), .out_none(none), .out_status(status));
     arm_vectors #(.U(U), .ELBOW(0), .ABSOLUTE(0)) codec (
         .clk(clk), .rst(rst), .cfg_ce({N{1'b0}}), .cfg_ne({N{1'b0}}), .in_cos(cosine), .in_sin(sine), .in_word(word),
-        .in_flat(flat), .in_negative(negative), .in_none(none), .in_to_c(1'b0), .in_to_n(1'b0), .in_by1(1'b0),
-        .in_load(go), .in_last_c({{N{1'b0}}, last_c}), .in_last_n({{N{1'b0}}, last_n}), .out_c(c), .out_n(n));
+        .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(1'b0), .in_by1(1'b0),
+        .in_kept(1'b0), .in_turned(1'b0), .in_load(go), .in_last_c({{N{1'b0}}, last_c}),
+        .in_last_n({{N{1'b0}}, last_n}), .out_c(c), .out_n(n));
     arm_choose #(.JOINTS(2), .BRANCHES(2), .U(U)) choice (
         .clk(clk), .rst(rst), .cfg_mc({cfg_mc2, cfg_mc1}), .cfg_mn({cfg_mn2, cfg_mn1}), .cfg_h({cfg_h2, cfg_h1}),
         .in_valid(in_valid), .in_ready(in_ready), .out_take(take), .out_go(go), .out_number(number), .in_done(done),

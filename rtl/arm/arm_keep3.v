@@ -69,7 +69,7 @@ module arm_keep3 #(
     localparam N = U + 2;
     wire signed [15:0] base = {cfg_base, {(16-W){1'b0}}}, lateral = {cfg_lateral, {(16-W){1'b0}}};
     wire signed [13:0] shoulder = {cfg_shoulder, {(16-W){1'b0}}};
-    wire           take, go, done, next, ready, flat, negative, none, to_c, to_n, by1;
+    wire           take, go, done, next, ready, flat, negative, none, sin2, by1, kept, turned;
     wire [1:0]     number;
     wire [2:0]     cosine, sine;
     wire [23:0]    word;
@@ -88,12 +88,12 @@ module arm_keep3 #(
         .cfg_shoulder(shoulder), .cfg_lateral(lateral), .cfg_bb(cfg_bb),
         .in_valid(go), .in_ready(ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(number[0]), .in_back(number[1]),
         .out_valid(done), .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat),
-        .out_negative(negative), .out_none(none), .out_to_c(to_c), .out_to_n(to_n), .out_by1(by1),
-        .out_status(status));
+        .out_negative(negative), .out_none(none), .out_sine(sin2), .out_by1(by1), .out_kept(kept),
+        .out_turned(turned), .out_status(status));
     arm_vectors #(.U(U), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE)) codec (
         .clk(clk), .rst(rst), .cfg_ce(cfg_ce), .cfg_ne(cfg_ne), .in_cos(cosine), .in_sin(sine), .in_word(word),
-        .in_flat(flat), .in_negative(negative), .in_none(none), .in_to_c(to_c), .in_to_n(to_n), .in_by1(by1),
-        .in_load(go), .in_last_c(last_c), .in_last_n(last_n), .out_c(c), .out_n(n));
+        .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(sin2), .in_by1(by1),
+        .in_kept(kept), .in_turned(turned), .in_load(go), .in_last_c(last_c), .in_last_n(last_n), .out_c(c), .out_n(n));
     arm_choose #(.JOINTS(3), .BRANCHES(4), .U(U)) choice (
         .clk(clk), .rst(rst), .cfg_mc({cfg_mc3, cfg_mc2, cfg_mc1}), .cfg_mn({cfg_mn3, cfg_mn2, cfg_mn1}),
         .cfg_h({cfg_h3, cfg_h2, cfg_h1}), .in_valid(in_valid), .in_ready(in_ready), .out_take(take), .out_go(go),

@@ -7,12 +7,15 @@
 //   in_k1: k1 is in_sum, or with in_clamp that power, signed. in_k2: k2 is in_product. in_move: k1 is k2. in_turn:
 //   (k1, k2) is (-k2, k1)
 // Formats: in_x, in_y, in_z, in_lateral s16.0; in_shoulder s14.0; in_total s17.4; in_sum, in_product, in_length s18.4;
-// in_addend s34.0; out_sum s34.3, combinational. A constant 1 below the last bit of k1 and k2, 0 where they are
-// coordinates, centres truncation. Models: kernel_vector_solve.turned, arm.ik3
+// in_addend s34.0; out_sum s34.3. A constant 1 below the last bit of k1 and k2, 0 where they are coordinates, centres
+// truncation. out_sum is combinational in the registers; with PIPE = 1 it is a register three clocks later, and
+// in_addend belongs to the clock before its last. Models: kernel_vector_solve.turned, arm.ik3
 `default_nettype none
 module arm_operands #(
     parameter LATERAL = 1,  // 1 (default): the arm's plane passes beside the yaw axis; 0: through it
-    parameter SHOULDER = 1  // 1 (default): in_shoulder is subtracted from rho; 0: not. Used with LATERAL = 1 only
+    parameter SHOULDER = 1, // 1 (default): in_shoulder is subtracted from rho; 0: not. Used with LATERAL = 1 only
+    parameter PIPE = 0,     // 0 or 1 (default 0); 1: registers behind the products and the sum
+    parameter MULTIPLY = 18 // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire               clk,
     input  wire               in_start,
@@ -51,13 +54,31 @@ module arm_operands #(
     wire signed [20:0]    first = in_start ? {in_x[15], in_x, 4'd0} : rho;
     wire signed [15:0]    second = in_start ? in_y : z;
     wire                  minus = power ? in_back : in_sum[21];
-    /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [43:0]    product1 = $signed({k1, odd}) * x;
-    wire signed [38:0]    product2 = $signed({k2, odd}) * y;
-    /* verilator lint_on UNUSEDSIGNAL */
-    // The wider product is ready last, so it is added last. The low bits stay out: Yosys would merge the adders
-    wire        [33:0]    upper = product2[38:5] + in_addend;
-    assign                out_sum = product1[42:6] + {upper, product2[4:2]};
+    generate
+        /* verilator lint_off UNUSEDSIGNAL */
+        if (PIPE == 0) begin : g_now
+            wire signed [43:0] product1 = $signed({k1, odd}) * x;
+            wire signed [38:0] product2 = $signed({k2, odd}) * y;
+            // The wider product is ready last, so it is added last. The low bits stay out: Yosys would merge the adders
+            wire        [33:0] upper = product2[38:5] + in_addend;
+            assign             out_sum = product1[42:6] + {upper, product2[4:2]};
+        end else begin : g_registered
+            wire signed [43:0] product1;
+            wire signed [38:0] product2;
+            reg         [36:0] part1, part2, sum;
+            product_parts #(.A(23), .B(21), .MULTIPLY(MULTIPLY)) first_parts (.clk(clk), .in_move(1'b1),
+                .in_a({k1, odd}), .in_b(x), .out_p(product1));
+            product_parts #(.A(23), .B(16), .MULTIPLY(MULTIPLY)) second_parts (.clk(clk), .in_move(1'b1),
+                .in_a({k2, odd}), .in_b(y), .out_p(product2));
+            always @(posedge clk) begin
+                part1 <= product1[42:6];
+                part2 <= {product2[38:5] + in_addend, product2[4:2]};
+                sum   <= part1 + part2;
+            end
+            assign out_sum = sum;
+        end
+        /* verilator lint_on UNUSEDSIGNAL */
+    endgenerate
     wire                  unused = &{1'b0, in_total, in_take, in_near, in_length, in_lateral, in_shoulder, in_move,
                                      in_power, in_back, k2[21]};
 

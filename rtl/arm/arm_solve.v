@@ -4,10 +4,10 @@
 //   rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2); rho - a and z - base replace x and y
 // Formats: in_* s16.0; cfg_* by arm.config; out_word s4.20, in clocks of out_cos[i] the cosine and of out_sin[i] the
 // sine of joint i + 1, half a unit of U bits added; out_flat: c2 is 1, or -1 with out_negative; out_none: the joint has
-// no direction; out_to_c, out_to_n, out_by1 turn joint 2 in arm_vectors.
-// Error of the tip: bounds.arm.ik3. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE. Status: unreachable (the nearest
-// point in the plane of the arm is answered), singular (joint 1 or 3 has no direction), overflow (z - base was
-// saturated).
+// no direction; out_sine, out_by1, out_kept, out_turned turn joint 2 in arm_vectors.
+// Error of the tip: bounds.arm.ik3. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE, with PIPE = 1 42 + LATERAL +
+// 4 ABSOLUTE. Status: unreachable (the nearest point in the plane of the arm is answered), singular (joint 1 or 3 has
+// no direction), overflow (z - base was saturated).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form, with the offsets of real arms. Model: arm.ik3
 `default_nettype none
 module arm_solve #(
@@ -15,7 +15,9 @@ module arm_solve #(
     parameter BASE = 1,      // 1 (default): with base height; 0: without
     parameter SHOULDER = 1,  // 1 (default): with shoulder offset; 0: without
     parameter LATERAL = 1,   // 1 (default): with lateral offset; 0: without
-    parameter ABSOLUTE = 1   // 1 (default): joint 2 is measured from the base; 0: from link 1
+    parameter ABSOLUTE = 1,  // 1 (default): joint 2 is measured from the base; 0: from link 1
+    parameter PIPE = 0,      // 0 or 1 (default 0: fewest clocks); 1: registers behind the products
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire               clk,
     input  wire               rst,
@@ -43,21 +45,23 @@ module arm_solve #(
     output wire               out_flat,
     output wire               out_negative,
     output wire               out_none,
-    output wire               out_to_c,
-    output wire               out_to_n,
+    output wire               out_sine,
     output wire               out_by1,
+    output wire               out_kept,
+    output wire               out_turned,
     output wire [3:0]         out_status
 );
     // Schedule, a clock a line
-    localparam [6:0]               // operands of the two multipliers
-        KEEP    = 7'h00,           // hold
-        K1      = 7'h01,           // the product is k1
-        K2      = 7'h02,           // the product is k2
-        TURN    = 7'h04,           // (k1, k2) becomes (-k2, k1)
-        MOVE    = 7'h0a,           // k2 moves to k1, the product is k2
-        POWER   = 7'h10,           // a power of two with the side of the shoulder as its sign, and 0
-        RHO     = 7'h20,           // rho - a and z are the new x and y
-        TAKE    = 7'h40;           // (rho, b), near the axis (0, power)
+    localparam [7:0]               // operands of the first two multipliers
+        KEEP    = 8'h00,           // hold
+        K1      = 8'h01,           // the product is k1
+        K2      = 8'h02,           // the product is k2
+        TURN    = 8'h04,           // (k1, k2) becomes (-k2, k1)
+        MOVE    = 8'h08,           // k2 moves to k1
+        POWER   = 8'h10,           // a power of two with the side of the shoulder as its sign, and 0
+        RHO     = 8'h20,           // rho - a and z are the new x and y
+        TAKE    = 8'h40,           // (rho, b), near the axis (0, power)
+        FIRST   = 8'h80;           // the next sum is the gap
     localparam [1:0]               // left operand of the third multiplier
         SHIFTED = 2'd0,            // the shifted sum
         FACTOR  = 2'd1,            // first factor of a root or a reciprocal
@@ -73,97 +77,281 @@ module arm_solve #(
         NONE    = 2'b00,           // nothing
         HALF    = 2'b01,           // the half that rounds a word
         LENGTH  = 2'b10;           // L1
-    localparam [17:0]              // the rest
-        OTHER   = 18'h00000,       // nothing
-        BYTES   = 18'h00001,       // bytes that q can spare
-        PAIRS   = 18'h00002,       // pairs of bits that q can spare
-        GAP     = 18'h00004,       // sign and range of q - Q1 - Q2
-        ROOT    = 18'h00008,       // read n2
-        READ    = 18'h00010,       // read 1/q' or 2/sqrt(q')
-        INVERSE = 18'h00020,       // first factor of the same
-        COS2    = 18'h00040,       // the product is c2
-        SIN2    = 18'h00080,       // the product is n2
-        HALVE   = 18'h00100,       // not q is shifted but its root: out of reach, and for rho
-        COS1    = 18'h00200,       // the product is c1
-        SIN1    = 18'h00400,       // the product is n1
-        COS3    = 18'h00800,       // the product is c3
-        SIN3    = 18'h01000,       // the product is n3; what is added to rho
-        TEST    = 18'h02000,       // nearer to the yaw axis than b
-        PLAIN   = 18'h04000,       // q without b, and no root of it but near the axis
-        TO_C    = 18'h08000,       // cosine of joint 2 turned by the elbow's constant
-        TO_N    = 18'h10000,       // sine, and both go to joint 2
-        BY_C    = 18'h28000,       // cosine of joint 2 turned by joint 1
-        BY_N    = 18'h30000;       // sine, and both go to joint 2
-    //                      operands  left     right   addend  rest
-    localparam [9*32-1:0] YAW = {
-        /* x^2 + y^2   */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},
-        /* and pairs   */ {KEEP,     HOLD,    SAME,   NONE,   PAIRS},
-        /* q'          */ {POWER,    HOLD,    SAME,   NONE,   INVERSE},
-        /* slope       */ {KEEP,     HOLD,    SAME,   NONE,   READ | HALVE},
-        /* w           */ {KEEP,     FACTOR,  SLOPE,  NONE,   OTHER},
-        /* 1/sqrt; x   */ {TURN,     SHIFTED, RESULT, HALF,   OTHER},
-        /* c3; y       */ {K2,       SHIFTED, SAME,   HALF,   COS3},
-        /* n3          */ {MOVE,     HOLD,    SAME,   NONE,   SIN3},
-        /* rho - a     */ {RHO,      HOLD,    SAME,   NONE,   OTHER}};
-    localparam [14*32-1:0] BESIDE = {
-        /* q - b^2     */ {KEEP,     HOLD,    SAME,   NONE,   TEST | BYTES},
-        /* and pairs   */ {KEEP,     HOLD,    SAME,   NONE,   PAIRS},
-        /* shifted     */ {KEEP,     HOLD,    SAME,   NONE,   INVERSE},
-        /* slope       */ {KEEP,     HOLD,    SAME,   NONE,   READ | HALVE},
-        /* w           */ {KEEP,     FACTOR,  SLOPE,  NONE,   OTHER},
-        /* 1/sqrt      */ {KEEP,     SHIFTED, RESULT, NONE,   PLAIN},
-        /* rho; q      */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},
-        /* and pairs   */ {KEEP,     HOLD,    SAME,   NONE,   PAIRS},
-        /* q'          */ {TAKE,     HOLD,    SAME,   NONE,   INVERSE},
-        /* slope       */ {KEEP,     HOLD,    SAME,   NONE,   READ | HALVE},
-        /* w           */ {KEEP,     FACTOR,  SLOPE,  NONE,   OTHER},
-        /* 1/q'; b     */ {TURN,     SHIFTED, RESULT, HALF,   OTHER},
-        /* c3; a       */ {KEEP,     SHIFTED, SAME,   HALF,   COS3},
-        /* n3; rho - a */ {RHO,      HOLD,    SAME,   NONE,   SIN3}};
-    localparam [9*32-1:0] SOLVE = {
-        /* gap         */ {KEEP,     SHIFTED, CFG_R,  HALF,   GAP},
-        /* c2          */ {KEEP,     PRODUCT, RESULT, NONE,   COS2 | BYTES},
-        /* c2^2        */ {KEEP,     HOLD,    CFG_L2, LENGTH, ROOT | PAIRS},
-        /* k1; q'      */ {K1,       FACTOR,  SLOPE,  HALF,   INVERSE},
-        /* n2          */ {KEEP,     PRODUCT, CFG_L2, NONE,   SIN2 | READ},
-        /* k2          */ {K2,       FACTOR,  SLOPE,  NONE,   HALVE | TO_C},
-        /* 1/q'; b     */ {TURN,     SHIFTED, RESULT, HALF,   TO_N},
-        /* c1; a       */ {KEEP,     SHIFTED, SAME,   HALF,   COS1},
-        /* n1          */ {KEEP,     SHIFTED, SAME,   NONE,   SIN1}};
-    localparam [2*32-1:0] TOGETHER = {
-        /* cos 1 + 2   */ {KEEP,     HOLD,    SAME,   NONE,   BY_C},
-        /* sin 1 + 2   */ {KEEP,     HOLD,    SAME,   NONE,   BY_N}};
-    wire [31:0] op;
-    wire        idle;
-    wire        accept = in_valid && in_ready;
-    generate
-        if (LATERAL == 0 && ABSOLUTE == 0) begin : g_plain
-            schedule #(.LINES(18), .BITS(32), .TABLE({YAW, SOLVE})) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end
-        if (LATERAL == 0 && ABSOLUTE != 0) begin : g_absolute
-            schedule #(.LINES(20), .BITS(32), .TABLE({YAW, SOLVE, TOGETHER})) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end
-        if (LATERAL != 0 && ABSOLUTE == 0) begin : g_beside
-            schedule #(.LINES(23), .BITS(32), .TABLE({BESIDE, SOLVE})) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end
-        if (LATERAL != 0 && ABSOLUTE != 0) begin : g_both
-            schedule #(.LINES(25), .BITS(32), .TABLE({BESIDE, SOLVE, TOGETHER})) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end
-    endgenerate
-    arm_path #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL)) path (
-        .clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_base(cfg_base),
-        .cfg_shoulder(cfg_shoulder), .cfg_lateral(cfg_lateral), .cfg_bb(cfg_bb), .in_start(accept),
-        .in_op({op[31:18], op[14:0]}), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_elbow(in_elbow), .in_back(in_back),
-        .out_cos(out_cos), .out_sin(out_sin), .out_word(out_word), .out_flat(out_flat), .out_negative(out_negative),
-        .out_none(out_none), .out_status(out_status));
-
-    assign {out_by1, out_to_n, out_to_c} = op[17:15];
+    localparam [19:0]              // the rest
+        OTHER   = 20'h00000,       // nothing
+        BYTES   = 20'h00001,       // bytes that q can spare
+        PAIRS   = 20'h00002,       // pairs of bits that q can spare
+        GAP     = 20'h00004,       // sign and range of q - Q1 - Q2
+        ROOT    = 20'h00008,       // read n2
+        READ    = 20'h00010,       // read 1/q' or 2/sqrt(q')
+        INVERSE = 20'h00020,       // first factor of the same
+        COS2    = 20'h00040,       // the product is c2
+        SIN2    = 20'h00080,       // the product is n2
+        HALVE   = 20'h00100,       // not q is shifted but its root: out of reach, and for rho
+        COS1    = 20'h00200,       // the product is c1
+        SIN1    = 20'h00400,       // the product is n1
+        COS3    = 20'h00800,       // the product is c3
+        SIN3    = 20'h01000,       // the product is n3; without b the next sum is less the shoulder offset
+        TEST    = 20'h02000,       // nearer to the yaw axis than b
+        NEAR    = 20'h04000,       // from here on no root of q but near the axis
+        PLAIN   = 20'h08000,       // nothing is added to the next sums: they are q
+        SINE    = 20'h10000,       // operands of the sine of joint 2 turned, not of its cosine
+        BY1     = 20'h20000,       // joint 2 is turned by joint 1, not by the elbow's constant
+        KEPT    = 20'h40000,       // the turned cosine is kept
+        TURNED  = 20'h80000;       // the turned cosine and sine go to joint 2
+    localparam OP = 35;            // bits of a line
+    //                      operands   left     right   addend  rest
+    localparam [9*OP-1:0] YAW = {
+        /* x^2 + y^2   */ {KEEP,        HOLD,    SAME,   NONE,   BYTES},
+        /* and pairs   */ {KEEP,        HOLD,    SAME,   NONE,   PAIRS},
+        /* q'          */ {POWER,       HOLD,    SAME,   NONE,   INVERSE},
+        /* slope       */ {KEEP,        HOLD,    SAME,   NONE,   READ | HALVE},
+        /* w           */ {KEEP,        FACTOR,  SLOPE,  NONE,   OTHER},
+        /* 1/sqrt; x   */ {TURN,        SHIFTED, RESULT, HALF,   OTHER},
+        /* c3; y       */ {K2,          SHIFTED, SAME,   HALF,   COS3},
+        /* n3          */ {MOVE | K2,   HOLD,    SAME,   NONE,   SIN3},
+        /* rho - a     */ {RHO | FIRST, HOLD,    SAME,   NONE,   OTHER}};
+    localparam [14*OP-1:0] BESIDE = {
+        /* q - b^2     */ {KEEP,        HOLD,    SAME,   NONE,   TEST | BYTES},
+        /* and pairs   */ {KEEP,        HOLD,    SAME,   NONE,   PAIRS},
+        /* shifted     */ {KEEP,        HOLD,    SAME,   NONE,   INVERSE},
+        /* slope       */ {KEEP,        HOLD,    SAME,   NONE,   READ | HALVE},
+        /* w           */ {KEEP,        FACTOR,  SLOPE,  NONE,   OTHER},
+        /* 1/sqrt      */ {KEEP,        SHIFTED, RESULT, NONE,   NEAR | PLAIN},
+        /* rho; q      */ {KEEP,        HOLD,    SAME,   NONE,   BYTES},
+        /* and pairs   */ {KEEP,        HOLD,    SAME,   NONE,   PAIRS},
+        /* q'          */ {TAKE,        HOLD,    SAME,   NONE,   INVERSE},
+        /* slope       */ {KEEP,        HOLD,    SAME,   NONE,   READ | HALVE},
+        /* w           */ {KEEP,        FACTOR,  SLOPE,  NONE,   OTHER},
+        /* 1/q'; b     */ {TURN,        SHIFTED, RESULT, HALF,   OTHER},
+        /* c3; a       */ {KEEP,        SHIFTED, SAME,   HALF,   COS3},
+        /* n3; rho - a */ {RHO | FIRST, HOLD,    SAME,   NONE,   SIN3}};
+    localparam [9*OP-1:0] SOLVE = {
+        /* gap         */ {KEEP,        SHIFTED, CFG_R,  HALF,   GAP | PLAIN},
+        /* c2          */ {KEEP,        PRODUCT, RESULT, NONE,   COS2 | BYTES},
+        /* c2^2        */ {KEEP,        HOLD,    CFG_L2, LENGTH, ROOT | PAIRS},
+        /* k1; q'      */ {K1,          FACTOR,  SLOPE,  HALF,   INVERSE},
+        /* n2          */ {KEEP,        PRODUCT, CFG_L2, NONE,   SIN2 | READ},
+        /* k2          */ {K2,          FACTOR,  SLOPE,  NONE,   HALVE | KEPT},
+        /* 1/q'; b     */ {TURN,        SHIFTED, RESULT, HALF,   SINE | TURNED},
+        /* c1; a       */ {KEEP,        SHIFTED, SAME,   HALF,   COS1},
+        /* n1          */ {KEEP,        SHIFTED, SAME,   NONE,   SIN1}};
+    localparam [2*OP-1:0] TOGETHER = {
+        /* cos 1 + 2   */ {KEEP,        HOLD,    SAME,   NONE,   BY1 | KEPT},
+        /* sin 1 + 2   */ {KEEP,        HOLD,    SAME,   NONE,   BY1 | SINE | TURNED}};
+    // PIPE = 1: a sum of operands is there four lines after theirs, its addend is loaded one line after. A product is
+    // there two lines after left and right, settled three. In arm_vectors the operands of a turn precede KEPT and
+    // TURNED by two lines. Where no product needs them, left and right load what costs nothing: SHIFTED and CFG_R.
+    localparam [OP-1:0] WAIT = {KEEP, SHIFTED, CFG_R, NONE, OTHER}, STAY = {KEEP, SHIFTED, SAME, NONE, OTHER};
+    localparam [7*OP-1:0] COUNT_1 = {
+        /* q or gap    */ {3{WAIT}},
+        /* its bytes   */ {KEEP,        SHIFTED, CFG_R,  NONE,   TEST | BYTES},
+        /* and pairs   */ {KEEP,        SHIFTED, CFG_R,  NONE,   PAIRS},
+        /* shifted     */ {POWER,       SHIFTED, CFG_R,  NONE,   INVERSE},
+        /* slope       */ {KEEP,        SHIFTED, CFG_R,  NONE,   READ | HALVE}};
+    localparam [21*OP-1:0] YAW_1 = {COUNT_1,
+        /* slope       */ {TURN,        SHIFTED, CFG_R,  NONE,   OTHER},
+        /* w           */ {KEEP,        FACTOR,  SLOPE,  NONE,   OTHER},
+        /* 1/sqrt      */ WAIT,
+        /* 1/sqrt; x   */ {KEEP,        SHIFTED, RESULT, NONE,   OTHER},
+        /* c3; y       */ STAY,
+        /* c3; n3      */ {K2,          SHIFTED, CFG_R,  HALF,   OTHER},
+        /* n3          */ {MOVE | K2,   SHIFTED, CFG_R,  HALF,   COS3},
+        /* c3 x, n3 y  */ {KEEP,        SHIFTED, CFG_R,  NONE,   SIN3},
+        /* rho - a     */ {2{WAIT}},
+        /* and z       */ {RHO,         SHIFTED, CFG_R,  NONE,   OTHER},
+        /* gap         */ {FIRST,       SHIFTED, CFG_R,  NONE,   OTHER}, {2{WAIT}}};
+    localparam [22*OP-1:0] BESIDE_1 = {COUNT_1, WAIT,
+        /* w; q        */ {KEEP,        FACTOR,  SLOPE,  NONE,   NEAR | PLAIN}, WAIT,
+        /* 1/sqrt      */ {KEEP,        SHIFTED, RESULT, NONE,   OTHER},
+        /* its bytes   */ {KEEP,        SHIFTED, CFG_R,  NONE,   BYTES},
+        /* and pairs   */ {KEEP,        SHIFTED, CFG_R,  NONE,   PAIRS},
+        /* rho; q'     */ {TAKE,        SHIFTED, CFG_R,  NONE,   INVERSE},
+        /* slope       */ {KEEP,        SHIFTED, CFG_R,  NONE,   READ | HALVE},
+        /* slope       */ {TURN,        SHIFTED, CFG_R,  NONE,   OTHER},
+        /* w           */ {KEEP,        FACTOR,  SLOPE,  NONE,   OTHER}, WAIT,
+        /* b; rho - a  */ {RHO,         SHIFTED, RESULT, NONE,   OTHER},
+        /* c3; a       */ {FIRST,       SHIFTED, SAME,   NONE,   OTHER},
+        /* c3; n3      */ {KEEP,        SHIFTED, CFG_R,  HALF,   PLAIN},
+        /* n3          */ {KEEP,        SHIFTED, CFG_R,  HALF,   COS3}};
+    localparam [20*OP-1:0] SOLVE_1 = {
+        /* n3; gap     */ {KEEP,        SHIFTED, CFG_R,  NONE,   GAP | (LATERAL ? SIN3 : OTHER)},
+        /* c2          */ {KEEP,        SHIFTED, CFG_R,  NONE,   BYTES},
+        /* c2          */ {KEEP,        PRODUCT, RESULT, HALF,   PAIRS},
+        /* c2^2        */ {KEEP,        HOLD,    CFG_L2, NONE,   COS2},
+        /* k1          */ WAIT,
+        /* c2^2        */ {KEEP,        SHIFTED, CFG_R,  LENGTH, ROOT},
+        /* k1; q'      */ {K1,          FACTOR,  CFG_R,  NONE,   INVERSE},
+        /* slope       */ {KEEP,        HOLD,    SLOPE,  NONE,   READ | HALVE},
+        /* n2          */ WAIT,
+        /* n2          */ {KEEP,        PRODUCT, CFG_L2, HALF,   OTHER},
+        /* k2          */ {KEEP,        FACTOR,  SLOPE,  NONE,   SIN2},
+        /* k2; 1/q'    */ {K2,          SHIFTED, CFG_R,  NONE,   SINE},
+        /* 1/q'; b     */ {TURN,        SHIFTED, RESULT, NONE,   KEPT},
+        /* b           */ {KEEP,        SHIFTED, SAME,   NONE,   TURNED},
+        /* b           */ {2{STAY}},
+        /* c1; a       */ STAY,
+        /* c1; n1      */ {KEEP,        SHIFTED, CFG_R,  HALF,   OTHER},
+        /* n1          */ {KEEP,        SHIFTED, CFG_R,  HALF,   COS1},
+        /* n1          */ {KEEP,        SHIFTED, CFG_R,  NONE,   SIN1}};
+    localparam [4*OP-1:0] TOGETHER_1 = {
+        /* cos 1 + 2   */ {KEEP,        SHIFTED, CFG_R,  NONE,   BY1},
+        /* sin 1 + 2   */ {KEEP,        SHIFTED, CFG_R,  NONE,   BY1 | SINE},
+        /* cos 1 + 2   */ {KEEP,        SHIFTED, CFG_R,  NONE,   BY1 | KEPT},
+        /* sin 1 + 2   */ {KEEP,        SHIFTED, CFG_R,  NONE,   BY1 | TURNED}};
+    wire [OP-1:0] op;
+    wire [7:0]    operands;
+    wire [1:0]    left_from, addend;
+    wire [2:0]    right_from;
+    wire [19:0]   rest;
+    assign        {operands, left_from, right_from, addend, rest} = op;
+    wire          idle;
+    wire          accept = in_valid && in_ready;
+    localparam LINES = PIPE == 0 ? 18 + 5 * LATERAL + 2 * ABSOLUTE : 41 + LATERAL + 4 * ABSOLUTE;
+    localparam [OP-1:0] NO_LINE = {OP{1'b0}};
+    localparam [46*OP-1:0]  // the table is the last LINES of them
+        NOW   = LATERAL == 0 ? (ABSOLUTE == 0 ? {{28{NO_LINE}}, YAW, SOLVE}
+                         : {{26{NO_LINE}}, YAW, SOLVE, TOGETHER})
+         : ABSOLUTE == 0 ? {{23{NO_LINE}}, BESIDE, SOLVE} : {{21{NO_LINE}}, BESIDE, SOLVE, TOGETHER},
+        PIPED = LATERAL == 0 ? (ABSOLUTE == 0 ? {{5{NO_LINE}}, YAW_1, SOLVE_1}
+                         : {{1{NO_LINE}}, YAW_1, SOLVE_1, TOGETHER_1})
+         : ABSOLUTE == 0 ? {{4{NO_LINE}}, BESIDE_1, SOLVE_1} : {BESIDE_1, SOLVE_1, TOGETHER_1},
+        TABLE = PIPE == 0 ? NOW : PIPED;
+    schedule #(.LINES(LINES), .BITS(OP), .TABLE(TABLE[LINES*OP-1:0])) control (
+        .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
     assign in_ready = idle && (!out_valid || out_ready);
+    assign {out_turned, out_kept} = {|(rest & TURNED), |(rest & KEPT)};
+    assign {out_by1, out_sine} = {|(rest & BY1), |(rest & SINE)};
     always @(posedge clk)
-        out_valid <= !rst && ((ABSOLUTE == 0 ? op[10] : out_by1 && out_to_n) || (out_valid && !out_ready));
+        out_valid <= !rst && ((ABSOLUTE == 0 ? |(rest & SIN1) : out_by1 && out_turned) || (out_valid && !out_ready));
+
+    // z - base, saturated
+    wire signed [16:0] height = {in_z[15], in_z} - (BASE ? {cfg_base[15], cfg_base} : 17'd0);
+    wire               beyond_z = BASE && height[16] != height[15];
+    wire        [15:0] z = beyond_z ? {height[16], {15{!height[16]}}} : height[15:0];
+
+    // minus_q turns a sum into a gap: q - b^2 first, q - Q1 - Q2 after rho. Without b it subtracts the shoulder offset
+    reg                elbow, back, clamped, zero, zero3, beyond, short, near_axis, over_z, odd_root;
+    reg         [33:0] minus_q;
+    reg  [3:0]         s;
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire signed [53:0] product, settled;
+    /* verilator lint_on UNUSEDSIGNAL */
+    wire        [21:0] result;
+    wire [26:0]        word;
+    wire [36:0]        total;
+    wire [1:0]         coarse, fine;
+    wire               over, none;
+    wire               rho = |(operands & RHO);
+    wire        [21:0] length = (odd_root ? settled[50:29] : settled[51:30]) ^ {22{back}};
+    arm_operands #(.LATERAL(LATERAL), .SHOULDER(SHOULDER), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) turn (
+        .clk(clk), .in_start(accept), .in_x(in_x), .in_y(in_y), .in_z(z), .in_lateral(cfg_lateral),
+        .in_shoulder(cfg_shoulder), .in_rho(rho), .in_total(total[33:13]), .in_take(|(operands & TAKE)),
+        .in_near(near_axis), .in_length(length), .in_k1(|(operands & K1)), .in_k2(|(operands & K2)),
+        .in_turn(|(operands & TURN)), .in_move(|(operands & MOVE)), .in_power(|(operands & POWER)),
+        .in_back(back), .in_clamp(clamped), .in_odd(s[0]), .in_sum(result), .in_product(product[52:31]),
+        .in_addend(minus_q), .out_sum(total));
+    kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
+        .out_coarse(coarse), .out_fine(fine), .out_zero(none));
+
+    // The third multiplier: 1.0 is 2^25 in left, 2^26 in right (2^24 in words from SLOPE) and 2^49 in a product of the
+    // two. Its addend is a register that is 0 where nothing is added.
+    reg  signed [26:0] left, right;
+    reg  [15:0]        l1;
+    reg                half;
+    kernel_product #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) multiplier (.clk(clk), .in_left(left), .in_right(right),
+        .out_product(product), .out_settled(settled));
+    assign             result = settled[52:31] + ({2'd0, l1, 4'd0} | (half ? 22'd1 << 17 - U : 22'd0));
+    wire               outside = beyond || settled[53:49] != {5{settled[53]}};
+
+    // v = 1 - c2^2 has 26 fraction bits. First factors of sqrt(v), 1/q', 2/sqrt(q') have 22 bits and a constant 1.
+    wire        root = |(rest & ROOT), read = |(rest & READ), inverse = |(rest & INVERSE);
+    wire [25:0] v = ~settled[50:25];
+    wire        low = v[25:21] == 0;
+    wire [20:0] e = low ? v[20:0] : v[25:5];
+    wire [21:0] root_w = {e[20:11], ~e[11], e[10:0]};
+    wire [21:0] inverse_w = {1'b0, word[24:16], ~word[15], clamped ? {word[15], ~word[14:5]} : ~word[14:4]};
+    reg  [21:0] factor;
+    reg         negative;
+    wire [19:0] slope;
+    kernel_vector_slopes #(.PIPE(PIPE)) slopes (.clk(clk), .in_read(root || read),
+        .in_range(read ? {1'b1, clamped} : {1'b0, low}), .in_segment(read ? factor[20:12] : e[20:12]),
+        .out_slope(slope));
+
+    assign out_cos = {|(rest & COS3), |(rest & COS2), |(rest & COS1)};
+    assign out_sin = {|(rest & SIN3), |(rest & SIN2), |(rest & SIN1)};
+    assign out_none = zero;
+    assign out_word = {result, settled[30:29]};
+    assign out_flat = outside;
+    assign out_negative = short;
+    assign out_status = {1'b0, over_z, zero || zero3, clamped || LATERAL && near_axis};
+    wire   unused = &{1'b0, cfg_base, cfg_shoulder, cfg_lateral, cfg_bb, odd_root, rest};
+    wire   first = |(operands & FIRST), plain = |(rest & PLAIN), near = |(rest & NEAR);
+    wire   cos2 = |(rest & COS2), sin3 = |(rest & SIN3);
+    always @(posedge clk) begin
+        if (LATERAL == 0)
+            minus_q <= !sin3 ? 34'd0 : SHOULDER ? {{6{~cfg_shoulder[13]}}, ~cfg_shoulder, 14'h3fff} : 34'd512;
+        else if (accept)
+            minus_q <= {{2{cfg_bb[31]}}, cfg_bb};
+        else if (plain)
+            minus_q <= 34'd0;
+        if (first)
+            minus_q <= cfg_q;
+        if (accept) begin
+            elbow  <= in_elbow;
+            back   <= in_back;
+            over_z <= beyond_z;
+        end
+        if (|(rest & TEST))
+            near_axis <= total[36];
+        if (rho)
+            zero3 <= zero;
+        if (first)
+            s <= cfg_e;
+        if (|(rest & BYTES))
+            s[3:2] <= coarse;
+        if (cos2 || accept || near)
+            clamped <= accept || cos2 && outside || near && near_axis;
+        if (|(rest & PAIRS)) begin
+            s[1:0] <= fine;
+            zero   <= none;
+        end
+        if (|(rest & HALVE) && clamped) begin
+            s        <= s >> 1;
+            odd_root <= s[0];
+        end
+        if (|(rest & GAP)) begin
+            beyond <= over;
+            short  <= total[36];
+        end
+
+        l1   <= cfg_l1;
+        half <= |(addend & HALF);
+        if ((addend & LENGTH) == 0)
+            l1 <= 16'd0;
+        if (root || inverse) begin
+            factor   <= inverse ? inverse_w : {22{elbow}} ^ root_w;
+            negative <= root && elbow;
+        end
+        if (root && (clamped || settled[51])) begin  // the root of 1 - (-1)^2 would read 1
+            factor   <= 22'd0;
+            negative <= 1'b0;
+        end
+        if (left_from != HOLD)
+            case (left_from)
+                PRODUCT: left <= product[50:24];
+                FACTOR: left <= {negative, factor, 4'd8};
+                default: left <= word;
+            endcase
+        if (right_from < SAME)
+            case ({1'b0, right_from[1:0]})
+                CFG_R: right <= {1'b0, cfg_r};
+                CFG_L2: right <= {1'b0, cfg_l2, 10'd0};
+                SLOPE: right <= {1'b0, slope, 6'd0};
+                default: right <= product[49:23];
+            endcase
+        if (cos2 && outside)
+            left <= {short, 1'b1, 25'd0};
+    end
 endmodule
 `default_nettype wire

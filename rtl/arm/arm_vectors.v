@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Registers of the unit vectors that arm_solve gives coordinate by coordinate, as in unit_vectors. Joint 2 is also
 // turned by a constant (elbow offset) and by joint 1 (elbow measured from the base).
-//   in_to_c, then in_to_n: (c2, n2) is turned by (cfg_ce, cfg_ne), or with in_by1 by (c1, n1)
+//   in_kept, then in_turned: (c2, n2) is turned by (cfg_ce, cfg_ne), or with in_by1 by (c1, n1); in_sine chooses the
+//   operands of the sine. PIPE = 0: in_sine is with in_turned. PIPE = 1: the operands precede in_kept and in_turned by
+//   two clocks, in which in_by1 is the same
 //   in_load: joints 1 and 3 are loaded from in_last_*, which they hold where they have no direction
 // Formats: in_word s4.20, rounded to U fraction bits; cfg_ce, cfg_ne, out_c, out_n s2.U, joint 1 in the lowest bits.
 // Error of a turn: less than 1 LSB of U by truncation, and 1 LSB times the sine, since ~n replaces -n. Reset sets
-// joints 1 and 3 to (1, 0). Joint 2 is not reset: every sample writes it. Latency 1, of a turn 2.
+// joints 1 and 3 to (1, 0). Joint 2 is not reset: every sample writes it. Latency 1, of a turn 2, 4 with PIPE = 1.
 // Models: kernel_vector_solve.unit_word, arm.turn
 `default_nettype none
 module arm_vectors #(
     parameter U = 16,       // fraction bits of cosine and sine, 8 to 16 (default 16)
     parameter ELBOW = 1,    // 1 (default): joint 2 is turned by the constant; 0: not
-    parameter ABSOLUTE = 1  // 1 (default): joint 2 is turned by joint 1; 0: not
+    parameter ABSOLUTE = 1, // 1 (default): joint 2 is turned by joint 1; 0: not
+    parameter PIPE = 0      // 0 or 1 (default 0: fewest clocks); 1: registers in front of the products and behind them
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -23,9 +26,10 @@ module arm_vectors #(
     input  wire                in_flat,
     input  wire                in_negative,
     input  wire                in_none,
-    input  wire                in_to_c,
-    input  wire                in_to_n,
+    input  wire                in_sine,
     input  wire                in_by1,
+    input  wire                in_kept,
+    input  wire                in_turned,
     input  wire                in_load,
     input  wire [3*(U+2)-1:0]  in_last_c,
     input  wire [3*(U+2)-1:0]  in_last_n,
@@ -42,12 +46,29 @@ module arm_vectors #(
     wire               turn = ELBOW && !in_by1 || ABSOLUTE && in_by1;
     wire               by1 = BOTH ? in_by1 : ABSOLUTE != 0;
     wire signed [U+1:0] c = by1 ? c1 : cfg_ce, n = by1 ? n1 : cfg_ne;
-    wire signed [U+1:0] right1 = in_to_n ? n : c, right2 = in_to_n ? c : ~n;
-    wire signed [2*U+3:0] product1 = c2 * right1, product2 = n2 * right2;
+    wire signed [U+1:0] right1 = in_sine ? n : c, right2 = in_sine ? c : ~n;
+    wire signed [2*U+3:0] product1, product2;
+    generate
+        if (PIPE == 0) begin : g_now
+            assign product1 = c2 * right1;
+            assign product2 = n2 * right2;
+        end else begin : g_registered
+            reg signed [U+1:0]   chosen1, chosen2;
+            reg signed [2*U+3:0] whole1, whole2;
+            always @(posedge clk) begin
+                chosen1 <= right1;
+                chosen2 <= right2;
+                whole1  <= c2 * chosen1;
+                whole2  <= n2 * chosen2;
+            end
+            assign product1 = whole1;
+            assign product2 = whole2;
+        end
+    endgenerate
     wire        [U+2:0] sum = product1[2*U+1:U-1] + product2[2*U+1:U-1] + {{(U+2){1'b0}}, 1'b1};
     reg         [U+1:0] kept;
-    wire               unused = &{1'b0, in_word, product1, product2, sum[0], in_by1, in_to_c, in_to_n, cfg_ce, cfg_ne,
-                                  in_last_c, in_last_n};
+    wire               unused = &{1'b0, in_word, product1, product2, sum[0], in_by1, in_sine, in_kept, in_turned,
+                                  cfg_ce, cfg_ne, in_last_c, in_last_n};
     always @(posedge clk) begin
         if (in_load) begin
             {c3, c1} <= {in_last_c[2*(U+2) +: U+2], in_last_c[U+1:0]};
@@ -65,9 +86,9 @@ module arm_vectors #(
             c2 <= in_flat ? {in_negative, 1'b1, {U{1'b0}}} : word;
         if (in_sin[1])
             n2 <= word;
-        if (turn && in_to_c)
+        if (turn && in_kept)
             kept <= sum[U+2:1];
-        if (turn && in_to_n) begin
+        if (turn && in_turned) begin
             c2 <= kept;
             n2 <= sum[U+2:1];
         end
