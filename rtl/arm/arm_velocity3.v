@@ -6,14 +6,16 @@
 // s(W-F).F in that unit of time, rounded to nearest (ties upward), saturated.
 // Error of a coordinate for vectors that are not longer than 1, rates in radians, s = w1 + w2:
 //   1/2 + (3 + sqrt(E^2 + (1 + (3 + sqrt 2) |w3|)^2)) / 16 LSB, E = 3 + sqrt((|s| + |w2| + 2)^2 + (2 |s| + 1)^2)
-// Latency and II: 10. The cycle table is in arm_jacobian.v. Status: overflow (a coordinate was saturated).
+// Latency and II: 10 + 9 PIPE. The cycle table is in arm_jacobian.v. Status: overflow (a coordinate was saturated).
 // Model: arm_velocity.velocity3
 `default_nettype none
 module arm_velocity3 #(
     parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18 (default 16)
     parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1 (default 8); they change no logic
     parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16)
-    parameter V = 12   // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad)
+    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad)
+    parameter PIPE = 0,      // registers around products, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -38,14 +40,15 @@ module arm_velocity3 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 8 || W > 18 || F < 0 || F >= W || U < 8 || U > 18 || V < W - 8 || V >= W || V > U) begin : g_illegal
-            arm_velocity3_needs_W_and_U_from_8_to_18_and_F_and_V_below_W_and_V_from_W_less_8_to_U rule ();
+        if (W < 8 || W > 18 || F < 0 || F >= W || U < 8 || U > 18 || V < W - 8 || V >= W || V > U
+            || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            arm_velocity3_needs_W_U_8_to_18_F_V_below_W_V_from_W_less_8_to_U_PIPE_0_or_1_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
     wire   overflow;
     assign out_status = {1'b0, overflow, 2'b00};
-    arm_jacobian #(.JOINTS(3), .W(W), .U(U), .V(V)) kernel (
+    arm_jacobian #(.JOINTS(3), .W(W), .U(U), .V(V), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid), .in_ready(in_ready),
         .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2), .in_c3(in_c3), .in_n3(in_n3),
         .in_w1(in_w1), .in_w2(in_w2), .in_w3(in_w3), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x),
