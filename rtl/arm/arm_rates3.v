@@ -5,7 +5,7 @@
 // Formats: in_c*, in_n* s2.U (1.0 is 2^U); in_x, in_y, in_z s(W-F).F in a unit of time; cfg_l1, cfg_l2, cfg_radius
 // u(W-F).F; cfg_sine u1.U; out_w* s(W-V).V, radians in that unit of time, rounded to nearest, saturated.
 // Error of the velocity that the rates give, in LSB: that of arm_rates2, and |rho| 2^-(V+1) + (3 sqrt(2) + 2 + 6 |w3|)
-// / 16 + 2 |v| 2^-U. Latency and II: 9 + 3 D, D = ceil((2 W + 7) / R). The cycle table is in arm_inverse.v.
+// / 16 + 2 |v| 2^-U. Latency and II: 9 + 11 PIPE + 3 D, D = ceil((2 W + 7) / R). The cycle table is in arm_inverse.v.
 // Status: singular (|n2| is below cfg_sine or |rho| below cfg_radius, which then replaces it; or a divisor is 0, and
 // the rate 0), overflow (a rate was saturated). Model: arm_velocity.rates3
 `default_nettype none
@@ -14,7 +14,9 @@ module arm_rates3 #(
     parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1 (default 8); they change no logic
     parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16)
     parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad)
-    parameter R = 4    // digits of a quotient in one clock, 1 to 5 (default 4)
+    parameter R = 4,   // digits of a quotient in one clock, 1 to 5 (default 4)
+    parameter PIPE = 0,      // registers around products, 0 or 1 (default 0: fewest clocks); 2 digits keep up with 1
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -42,12 +44,13 @@ module arm_rates3 #(
 );
     generate
         if (W < 8 || W > 18 || F < 0 || F >= W || U < 8 || U > 18 || V < W - 8 || V >= W || V > U || R < 1
-            || R > 5) begin : g_illegal
-            arm_rates3_needs_W_U_from_8_to_18_F_V_below_W_V_from_W_less_8_to_U_R_from_1_to_5 rule ();
+            || R > 5 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
+            || MULTIPLY % 9 != 0) begin : g_illegal
+            arm_rates3_needs_W_U_8_to_18_F_V_below_W_V_from_W_less_8_to_U_R_1_to_5_PIPE_to_1_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
-    arm_inverse #(.JOINTS(3), .W(W), .U(U), .V(V), .R(R)) kernel (
+    arm_inverse #(.JOINTS(3), .W(W), .U(U), .V(V), .R(R), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_sine(cfg_sine), .cfg_radius(cfg_radius),
         .in_valid(in_valid), .in_ready(in_ready), .in_c1(in_c1), .in_n1(in_n1), .in_c2(in_c2), .in_n2(in_n2),
         .in_c3(in_c3), .in_n3(in_n3), .in_x(in_x), .in_y(in_y), .in_z(in_z),
