@@ -7,13 +7,14 @@
 // out_number, the first one a clock after out_take. in_done says that it has ended; in_c, in_n and in_status hold until
 // out_next.
 // Formats: c, n, mc, mn, h s2.U, joint 1 in the lowest bits. Products are truncated: a cosine is low by 2 LSB at most.
-// Latency and II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1). Status: that of the chosen branch; out_beyond:
-// no branch is within the limits. Models: arm_keep.keep2, arm_keep.keep3
+// Latency and II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1 + PIPE). Status: that of the chosen branch;
+// out_beyond: no branch is within the limits. Models: arm_keep.keep2, arm_keep.keep3
 `default_nettype none
 module arm_choose #(
     parameter JOINTS = 3,   // joints, 2 or 3 (default 3)
     parameter BRANCHES = 4, // branches, 2: elbow, or 4: elbow and side of the shoulder (default 4)
-    parameter U = 16        // fraction bits of cosine and sine, 8 to 16 (default 16)
+    parameter U = 16,       // fraction bits of cosine and sine, 8 to 16 (default 16)
+    parameter PIPE = 0      // 0 or 1 (default 0: fewest clocks); 1: registers behind the products
 ) (
     input  wire                    clk,
     input  wire                    rst,
@@ -52,6 +53,7 @@ module arm_choose #(
         LAST2   = 3'b01_1,  // joint 2
         LAST3   = 3'b10_1;  // joint 3
     localparam [2:0]        // what the cosine is
+        NONE   = 3'b0_0_0,  // not used
         LIMIT  = 3'b1_0_0,  // of a joint with the middle of its limits
         STEP   = 3'b0_1_0,  // of the step of a joint
         BETTER = 3'b0_0_1;  // nothing; the branch is the answer if the best so far
@@ -69,6 +71,23 @@ module arm_choose #(
         /* limit 3 */ {LAST3,   LIMIT},
         /* step 3  */ {MIDDLE1, STEP},
         /* decide  */ {MIDDLE1, BETTER}};
+    // PIPE = 1: the cosine is there a clock later
+    localparam [6*6-1:0] TWO_1 = {
+        /* product */ {LAST1,   NONE},
+        /* limit 1 */ {MIDDLE2, LIMIT},
+        /* step 1  */ {LAST2,   STEP},
+        /* limit 2 */ {MIDDLE1, LIMIT},
+        /* step 2  */ {MIDDLE1, STEP},
+        /* decide  */ {MIDDLE1, BETTER}};
+    localparam [8*6-1:0] THREE_1 = {
+        /* product */ {LAST1,   NONE},
+        /* limit 1 */ {MIDDLE2, LIMIT},
+        /* step 1  */ {LAST2,   STEP},
+        /* limit 2 */ {MIDDLE3, LIMIT},
+        /* step 2  */ {LAST3,   STEP},
+        /* limit 3 */ {MIDDLE1, LIMIT},
+        /* step 3  */ {MIDDLE1, STEP},
+        /* decide  */ {MIDDLE1, BETTER}};
     wire [1:0] joint;
     wire       to_last, limit, step, better, idle;
     reg        busy, begun;     // a target is being solved; its first branch starts
@@ -76,11 +95,20 @@ module arm_choose #(
     wire       last_one = number == (BRANCHES == 4 ? 2'd3 : 2'd1);
     wire       start = in_done && idle;
     generate
-        if (JOINTS == 2) begin : g_two
+        if (JOINTS == 2 && PIPE == 0) begin : g_two
             schedule #(.LINES(5), .BITS(6), .TABLE(TWO)) control (.clk(clk), .rst(rst), .in_start(start),
                 .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
-        end else begin : g_three
+        end
+        if (JOINTS == 3 && PIPE == 0) begin : g_three
             schedule #(.LINES(7), .BITS(6), .TABLE(THREE)) control (.clk(clk), .rst(rst), .in_start(start),
+                .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
+        end
+        if (JOINTS == 2 && PIPE == 1) begin : g_two_1
+            schedule #(.LINES(6), .BITS(6), .TABLE(TWO_1)) control (.clk(clk), .rst(rst), .in_start(start),
+                .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
+        end
+        if (JOINTS == 3 && PIPE == 1) begin : g_three_1
+            schedule #(.LINES(8), .BITS(6), .TABLE(THREE_1)) control (.clk(clk), .rst(rst), .in_start(start),
                 .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
         end
     endgenerate
@@ -94,10 +122,29 @@ module arm_choose #(
     reg  [JOINTS*N-1:0] last_c, last_n;
     assign              out_last_c = last_c;
     assign              out_last_n = last_n;
-    reg  signed [N-1:0] c, n, to_c, to_n, h;
+    reg  signed [N-1:0] c, n, to_c, to_n, bound;
+    wire        [N-1:0] h;
     /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [2*N-1:0] product1 = c * to_c, product2 = n * to_n;
+    wire signed [2*N-1:0] product1, product2;
     /* verilator lint_on UNUSEDSIGNAL */
+    generate
+        if (PIPE == 0) begin : g_now
+            assign product1 = c * to_c;
+            assign product2 = n * to_n;
+            assign h = bound;
+        end else begin : g_registered
+            reg signed [2*N-1:0] whole1, whole2;
+            reg        [N-1:0]   bound_1;
+            always @(posedge clk) begin
+                whole1  <= c * to_c;
+                whole2  <= n * to_n;
+                bound_1 <= bound;
+            end
+            assign product1 = whole1;
+            assign product2 = whole2;
+            assign h = bound_1;
+        end
+    endgenerate
     wire [S-1:0] cosine = {{2{product1[2*N-1]}}, product1[2*N-1:U]} + {{2{product2[2*N-1]}}, product2[2*N-1:U]};
     reg  [S-1:0] score, best_score;
     wire [S-1:0] sum = cosine + (limit ? ~{{(S-N){h[N-1]}}, h} : score);  // cosine - h - 1 is not negative
@@ -109,11 +156,11 @@ module arm_choose #(
     wire         take = better && (number == 0 || key > best);
     assign       out_beyond = !best_allowed;
     always @(posedge clk) begin
-        c    <= in_c[joint*N +: N];
-        n    <= in_n[joint*N +: N];
-        to_c <= to_last ? last_c[joint*N +: N] : cfg_mc[joint*N +: N];
-        to_n <= to_last ? last_n[joint*N +: N] : cfg_mn[joint*N +: N];
-        h    <= cfg_h[joint*N +: N];
+        c     <= in_c[joint*N +: N];
+        n     <= in_n[joint*N +: N];
+        to_c  <= to_last ? last_c[joint*N +: N] : cfg_mc[joint*N +: N];
+        to_n  <= to_last ? last_n[joint*N +: N] : cfg_mn[joint*N +: N];
+        bound <= cfg_h[joint*N +: N];
         if (start || limit)
             allowed <= start || allowed && !sum[S-1];
         if (start || step)

@@ -3,7 +3,8 @@
 // then arm_choose. It prefers, in this order, a branch within the joint limits, one in reach, and the one nearest to
 // the last answer. Formats: those of arm_ik3; cfg_mc*, cfg_mn* s2.U the middle of a joint's range and cfg_h* s2.U the
 // cosine of half the range (arm_keep.limit). out_elbow and out_back are the chosen branch.
-// Error of the tip: bounds.arm.ik3. Latency and II: 106 + 20 LATERAL + 8 ABSOLUTE.
+// Error of the tip: bounds.arm.ik3. Latency and II: 106 + 20 LATERAL + 8 ABSOLUTE, with
+// PIPE = 1 202 + 4 LATERAL + 16 ABSOLUTE.
 // Status: unreachable (the nearest point in the plane of the arm is answered), singular (a joint without a direction
 // takes its word from the last answer), overflow (z - base was saturated). out_beyond: no branch is within the limits;
 // the answer is not remembered.
@@ -17,7 +18,9 @@ module arm_keep3 #(
     parameter SHOULDER = 1,  // 1 (default): with shoulder offset, radial; 0: without
     parameter LATERAL = 1,   // 1 (default): the arm's plane passes beside the yaw axis; 0: through it
     parameter ELBOW = 1,     // 1 (default): with elbow offset, which turns joint 2 by a constant; 0: without
-    parameter ABSOLUTE = 1   // 1 (default): joint 2 is measured from the base (parallelogram); 0: from link 1
+    parameter ABSOLUTE = 1,  // 1 (default): joint 2 is measured from the base (parallelogram); 0: from link 1
+    parameter PIPE = 0,      // registers behind products, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -62,8 +65,9 @@ module arm_keep3 #(
     generate
         if (W < 8 || W > 16 || F < 0 || F >= W || U < 8 || U > 16 || BASE < 0 || BASE > 1 || SHOULDER < 0
             || SHOULDER > 1 || LATERAL < 0 || LATERAL > 1 || ELBOW < 0 || ELBOW > 1 || ABSOLUTE < 0
-            || ABSOLUTE > 1) begin : g_illegal
-            arm_keep3_needs_W_and_U_from_8_to_16_and_F_below_W_and_switches_of_0_or_1 rule ();
+            || ABSOLUTE > 1 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
+            || MULTIPLY % 9 != 0) begin : g_illegal
+            arm_keep3_needs_W_and_U_8_to_16_and_F_below_W_and_switches_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     localparam N = U + 2;
@@ -82,7 +86,8 @@ module arm_keep3 #(
             y <= {in_y, {(16-W){1'b0}}};
             z <= {in_z, {(16-W){1'b0}}};
         end
-    arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE)) kernel (
+    arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE), .PIPE(PIPE),
+        .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_base(base),
         .cfg_shoulder(shoulder), .cfg_lateral(lateral), .cfg_bb(cfg_bb),
@@ -90,11 +95,11 @@ module arm_keep3 #(
         .out_valid(done), .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat),
         .out_negative(negative), .out_none(none), .out_sine(sin2), .out_by1(by1), .out_kept(kept),
         .out_turned(turned), .out_status(status));
-    arm_vectors #(.U(U), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE)) codec (
+    arm_vectors #(.U(U), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE), .PIPE(PIPE)) codec (
         .clk(clk), .rst(rst), .cfg_ce(cfg_ce), .cfg_ne(cfg_ne), .in_cos(cosine), .in_sin(sine), .in_word(word),
         .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(sin2), .in_by1(by1),
         .in_kept(kept), .in_turned(turned), .in_load(go), .in_last_c(last_c), .in_last_n(last_n), .out_c(c), .out_n(n));
-    arm_choose #(.JOINTS(3), .BRANCHES(4), .U(U)) choice (
+    arm_choose #(.JOINTS(3), .BRANCHES(4), .U(U), .PIPE(PIPE)) choice (
         .clk(clk), .rst(rst), .cfg_mc({cfg_mc3, cfg_mc2, cfg_mc1}), .cfg_mn({cfg_mn3, cfg_mn2, cfg_mn1}),
         .cfg_h({cfg_h3, cfg_h2, cfg_h1}), .in_valid(in_valid), .in_ready(in_ready), .out_take(take), .out_go(go),
         .out_number(number), .in_done(done), .out_next(next), .in_c(c), .in_n(n), .in_status(status),
