@@ -11,7 +11,7 @@ from quadrance.parallel.geometry import PoseError
 
 from tb.engine.delta import MM, scale, words, workspace
 
-CORES = [core for core in cores.all_cores() if core.name == "engine_delta_fk"]
+CORES = [core for core in cores.all_cores() if core.name == "engine_delta_fk" and not core.params["PIPE"]]
 EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
 ROBOTS = pytest.mark.parametrize("name", sorted(MM))
 

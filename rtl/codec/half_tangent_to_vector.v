@@ -4,26 +4,27 @@
 // The table holds the signs: c has the sign of the half turn, n has that of t too.
 // Formats: in_j half-tangent u2.T (rtl/codec/README.md); out_c, out_n s2.U (1.0 is 2^U), rounded to nearest; exact on
 // the axes. Error of a coordinate: 1.14 * 2^-U at U = 16, 0.67 * 2^-U at U = 13, half a unit of rounding included.
-// Latency 2, II 2: the cosine, then the sine of the accepted word.
+// Latency 2, 4 at PIPE = 1; II 2: the cosine, then the sine of the accepted word.
 // Status: none. Source: stereographic form of the unit circle. Model: conversion.half_tangent_to_vector
 `default_nettype none
 module half_tangent_to_vector #(
     parameter T = 16,  // fraction bits of the half-tangent, 9 to 19 (default 16, 0.0009 degrees at the x axis)
-    parameter U = 16   // fraction bits of cosine and sine, 12 to 18 (default 16: a vector turns by 0.0006 degrees)
+    parameter U = 16,  // fraction bits of cosine and sine, 12 to 18 (default 16: a vector turns by 0.0006 degrees)
+    parameter PIPE = 0 // registers behind table and product, 0 or 1 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire                rst,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire [T+1:0]        in_j,
-    output reg                 out_valid,
+    output wire                out_valid,
     input  wire                out_ready,
     output reg  signed [U+1:0] out_c,
     output wire signed [U+1:0] out_n
 );
     generate
-        if (T < 9 || T > 19 || U < 12 || U > 18) begin : g_illegal
-            half_tangent_to_vector_needs_T_from_9_to_19_and_U_from_12_to_18 rule ();
+        if (T < 9 || T > 19 || U < 12 || U > 18 || PIPE < 0 || PIPE > 1) begin : g_illegal
+            half_tangent_to_vector_needs_T_from_9_to_19_U_from_12_to_18_and_PIPE_0_or_1 rule ();
         end
     endgenerate
 
@@ -62,7 +63,8 @@ module half_tangent_to_vector #(
             end
         end
 
-    reg    second;  // second clock of a sample: the cosine is completed, the sine is read
+    wire   second;  // second clock of a sample: the sine is read
+    wire   read, cosine;  // the table is read; out_n is the cosine
     wire   accept = in_valid && in_ready;
     assign in_ready = !second && (!out_valid || out_ready);
 
@@ -77,27 +79,59 @@ module half_tangent_to_vector #(
     wire [11:0]    cut;
     wire           same;      // a copy of the sign
     wire [2:0]     dropped;
-    assign {knot_read, step} = chord;
-    assign {same, rise, cut} = $signed(step) * $signed({1'b0, place});
     assign {out_n, dropped} = knot_read + {{7{rise[K-6]}}, rise};
     wire           unused = &{1'b0, same, cut, dropped};
 
     always @(posedge clk) begin
-        if (accept || second)
+        if (read)
             chord <= chords[second ? {negative, 1'b1, segment} : {in_j[T+1] ^ below, 1'b0, size[19:12]}];
         if (accept) begin
             segment  <= size[19:12];
             place    <= size[11:0];
             negative <= in_j[T+1];
         end
-        if (second)
+        if (cosine)
             out_c <= out_n;
-        second    <= accept;
-        out_valid <= second || (out_valid && !out_ready);
-        if (rst) begin
-            second    <= 1'b0;
-            out_valid <= 1'b0;
-        end
     end
+
+    generate
+        if (PIPE == 0) begin : g_now
+            assign {knot_read, step} = chord;
+            assign {same, rise, cut} = $signed(step) * $signed({1'b0, place});
+            reg [1:0] stages;  // the cosine is completed; the sine is
+            assign    {out_valid, second} = stages;
+            assign    read = accept || second;
+            assign    cosine = second;
+            always @(posedge clk)
+                stages <= rst ? 2'b00 : {second || (out_valid && !out_ready), accept};
+        end
+        if (PIPE == 1) begin : g_registers
+            wire           move = !out_valid || out_ready;
+            reg  [2*K-4:0] held;
+            reg  [11:0]    offset;
+            reg  [K+1:0]   start;
+            reg  [K+7:0]   product;
+            reg  [3:0]     stages;  // the stages that hold a cosine, with the sine one stage behind it; the sine
+            wire [K+1:0]   segment_knot;
+            assign {segment_knot, step} = held;
+            assign knot_read = start;
+            assign {same, rise, cut} = product;
+            assign second = stages[0];
+            assign out_valid = stages[3];
+            assign read = move;
+            assign cosine = stages[2];  // two samples are two stages apart, so nothing waits in front of it
+            always @(posedge clk) begin
+                if (move) begin
+                    held    <= chord;
+                    offset  <= place;
+                    start   <= segment_knot;
+                    product <= $signed(step) * $signed({1'b0, offset});
+                    stages  <= {stages[2:0], accept};
+                end
+                if (rst)
+                    stages <= 4'b0000;
+            end
+        end
+    endgenerate
 endmodule
 `default_nettype wire

@@ -4,13 +4,14 @@
 // Error for the minor coordinate as it is given: 0.89 LSB at A = 18, 0.76 at A = 14. Rounding of a unit vector costs
 // 0.73 * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06. For
 // vectors of any length use table_ik1.
-// Latency 2, II 1.
+// Latency 2, 4 at PIPE = 1; II 1.
 // Status: singular (|c| < 1/2 and |n| < 11/16, no unit vector: the last word is held, 0 after a reset).
 // Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_angle
 `default_nettype none
 module vector_to_angle #(
     parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16: a vector turns by 0.0006 degrees)
-    parameter A = 18   // bits of the word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter A = 18,  // bits of the word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter PIPE = 0 // registers behind table and product, 0 or 1 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -24,11 +25,12 @@ module vector_to_angle #(
     output wire [3:0]          out_status
 );
     generate
-        if (U < 8 || U > 18 || A < 10 || A > 24) begin : g_illegal
-            vector_to_angle_needs_U_from_8_to_18_and_A_from_10_to_24 rule ();
+        if (U < 8 || U > 18 || A < 10 || A > 24 || PIPE < 0 || PIPE > 1) begin : g_illegal
+            vector_to_angle_needs_U_from_8_to_18_A_from_10_to_24_and_PIPE_0_or_1 rule ();
         end
     endgenerate
 
+    localparam N = 2 + 2 * PIPE;  // stages
     wire               none;
     wire [1:0]         near;
     wire signed [21:0] sine;
@@ -39,33 +41,53 @@ module vector_to_angle #(
 
     reg  [11:0]    place;
     reg  [1:0]     axis;
-    reg  [1:0]     stages;  // the stages that hold a sample
-    reg            lacks, singular;  // of the sample in the first stage; of that in the second
-    wire [A:0]     knot;
-    wire [A-8:0]   step, rise;
+    reg  [N-1:0]   stages;  // the stages that hold a sample
+    reg  [N-1:0]   lacks;   // of the sample in each stage
+    wire [A:0]     knot_read;
+    wire [A-8:0]   step_read;
+    wire [A+1:0]   from_read = {axis[1] ^ (knot_read[A] && !axis[0]), axis[0] ^ knot_read[A], knot_read[A-1:0]};
+    wire [A+1:0]   from;
+    wire [A-8:0]   rise;
     wire [11:0]    cut;
-    assign         {rise, cut} = step * place;
-    wire [A+1:0]   from = {axis[1] ^ (knot[A] && !axis[0]), axis[0] ^ knot[A], knot[A-1:0]};
     wire [A+1:0]   word = from + {9'd0, rise};
     wire           unused = &{1'b0, sine[21], cut, word[1:0]};
 
     arcsine_chords #(.A(A)) arcsine (
-        .clk(clk), .in_read(in_ready), .in_segment(sine[20:12]), .out_knot(knot), .out_step(step));
-    assign out_valid = stages[1];
+        .clk(clk), .in_read(in_ready), .in_segment(sine[20:12]), .out_knot(knot_read), .out_step(step_read));
+    generate
+        if (PIPE == 0) begin : g_now
+            assign from = from_read;
+            assign {rise, cut} = step_read * place;
+        end
+        if (PIPE == 1) begin : g_registers
+            reg [A+1:0] start, from_held;
+            reg [A-8:0] step;
+            reg [11:0]  offset;
+            reg [A+4:0] product;
+            assign from = from_held;
+            assign {rise, cut} = product;
+            always @(posedge clk)
+                if (in_ready) begin
+                    {start, step, offset} <= {from_read, step_read, place};
+                    from_held <= start;
+                    product   <= step * offset;
+                end
+        end
+    endgenerate
+    assign out_valid = stages[N-1];
     assign in_ready = !out_valid || out_ready;
-    assign out_status = {2'd0, singular, 1'b0};
+    assign out_status = {2'd0, lacks[N-1], 1'b0};
     always @(posedge clk) begin
         if (in_ready) begin
             place     <= sine[11:0];
             axis      <= near;
-            lacks     <= none;
-            stages    <= {stages[0], in_valid};
-            singular  <= lacks;
-            if (stages[0] && !lacks)
+            lacks     <= {lacks[N-2:0], none};
+            stages    <= {stages[N-2:0], in_valid};
+            if (stages[N-2] && !lacks[N-2])
                 out_j <= word[A+1:2];
         end
         if (rst) begin
-            stages    <= 2'b00;
+            stages    <= {N{1'b0}};
             out_j     <= {A{1'b0}};
         end
     end

@@ -4,13 +4,14 @@
 // Formats: in_c, in_n s2.U (1.0 is 2^U); out_j half-tangent u2.T modulo 4 (rtl/codec/README.md), rounded to nearest.
 // Error for the minor coordinate as it is given: 0.92 LSB at T = 16, 0.76 at T = 12. Rounding of a unit vector costs
 // 0.73 * 2^-U rad more. The vector is not normalised: a length of 1 + e turns it by e * tan with tan <= 1.06.
-// Latency 2, II 1.
+// Latency 2, 4 at PIPE = 1; II 1.
 // Status: singular (|c| < 1/2 and |n| < 11/16, no unit vector: the last word is held, 0 after a reset).
 // Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_half_tangent
 `default_nettype none
 module vector_to_half_tangent #(
     parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16: a vector turns by 0.0006 degrees)
-    parameter T = 16   // fraction bits of the half-tangent, 8 to 20 (default 16, 0.0009 degrees at the x axis)
+    parameter T = 16,  // fraction bits of the half-tangent, 8 to 20 (default 16, 0.0009 degrees at the x axis)
+    parameter PIPE = 0 // registers behind table and product, 0 or 1 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -24,8 +25,8 @@ module vector_to_half_tangent #(
     output wire [3:0]          out_status
 );
     generate
-        if (U < 8 || U > 18 || T < 8 || T > 20) begin : g_illegal
-            vector_to_half_tangent_needs_U_from_8_to_18_and_T_from_8_to_20 rule ();
+        if (U < 8 || U > 18 || T < 8 || T > 20 || PIPE < 0 || PIPE > 1) begin : g_illegal
+            vector_to_half_tangent_needs_U_from_8_to_18_T_from_8_to_20_and_PIPE_0_or_1 rule ();
         end
     endgenerate
 
@@ -79,6 +80,7 @@ module vector_to_half_tangent #(
             end
         end
 
+    localparam N = 2 + 2 * PIPE;  // stages
     wire               none;
     wire [1:0]         near;
     wire signed [21:0] sine;
@@ -90,33 +92,53 @@ module vector_to_half_tangent #(
     reg  [2*T-3:0] chord;
     reg  [11:0]    place;
     reg  [1:0]     axis;
-    reg  [1:0]     stages;  // the stages that hold a sample
-    reg            lacks, singular;  // of the sample in the first stage; of that in the second
-    wire [T+2:0]   start;
-    wire [T-6:0]   step, rise;
+    reg  [N-1:0]   stages;  // the stages that hold a sample
+    reg  [N-1:0]   lacks;   // of the sample in each stage
+    wire [T+2:0]   knot_read;
+    wire [T-6:0]   step_read;
+    assign         {knot_read, step_read} = chord;
+    wire [T+3:0]   from_read = {axis[1] ^ (knot_read[T+2] && !axis[0]), axis[0] ^ knot_read[T+2], knot_read[T+1:0]};
+    wire [T+3:0]   from;
+    wire [T-6:0]   rise;
     wire [11:0]    cut;
-    assign         {start, step} = chord;
-    assign         {rise, cut} = step * place;
-    wire [T+3:0]   from = {axis[1] ^ (start[T+2] && !axis[0]), axis[0] ^ start[T+2], start[T+1:0]};
     wire [T+3:0]   word = from + {9'd0, rise};
     wire           unused = &{1'b0, sine[21], cut, word[1:0]};
 
-    assign out_valid = stages[1];
+    generate
+        if (PIPE == 0) begin : g_now
+            assign from = from_read;
+            assign {rise, cut} = step_read * place;
+        end
+        if (PIPE == 1) begin : g_registers
+            reg [T+3:0] start, from_held;
+            reg [T-6:0] step;
+            reg [11:0]  offset;
+            reg [T+6:0] product;
+            assign from = from_held;
+            assign {rise, cut} = product;
+            always @(posedge clk)
+                if (in_ready) begin
+                    {start, step, offset} <= {from_read, step_read, place};
+                    from_held <= start;
+                    product   <= step * offset;
+                end
+        end
+    endgenerate
+    assign out_valid = stages[N-1];
     assign in_ready = !out_valid || out_ready;
-    assign out_status = {2'd0, singular, 1'b0};
+    assign out_status = {2'd0, lacks[N-1], 1'b0};
     always @(posedge clk) begin
         if (in_ready) begin
             chord     <= chords[{near[0], sine[20:12]}];
             place     <= sine[11:0];
             axis      <= near;
-            lacks     <= none;
-            stages    <= {stages[0], in_valid};
-            singular  <= lacks;
-            if (stages[0] && !lacks)
+            lacks     <= {lacks[N-2:0], none};
+            stages    <= {stages[N-2:0], in_valid};
+            if (stages[N-2] && !lacks[N-2])
                 out_j <= word[T+3:2];
         end
         if (rst) begin
-            stages    <= 2'b00;
+            stages    <= {N{1'b0}};
             out_j     <= {(T+2){1'b0}};
         end
     end

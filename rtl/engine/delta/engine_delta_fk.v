@@ -4,7 +4,8 @@
 //   N = a x b, V = |a|^2 b - |b|^2 a, D = 4 LB^2 N^2 - V^2, Q = V x N -+ N sqrt(D), tip = E + LB Q / |Q|
 // Formats: in_c*, in_n* cos and sin of a crank, s2.U; out_x, out_y, out_z s(W-F).F, rounded to nearest (ties upward),
 // saturated, from the middle of the plane of the crank axes; cfg_base, cfg_la, cfg_lb s(W-F).(F+4), cfg_c*, cfg_n*
-// azimuths s2.25: engine_delta.config. Error: 1/2 LSB and bounds.engine.delta_tip. Latency and II: 66.
+// azimuths s2.25: engine_delta.config. Error: 1/2 LSB and bounds.engine.delta_tip. Latency and II: 66, 77 at PIPE = 1,
+// 83 at PIPE = 2.
 // Status: unreachable (the spheres do not meet: LB from elbow 1 towards the centre of the circle through the elbows),
 // singular (the elbows meet in one point: the last tip is held, elbow 1 before there was one), overflow (saturated).
 // Source: three spheres. Model: engine_delta.fk
@@ -12,7 +13,8 @@
 module engine_delta_fk #(
     parameter W = 16,  // bits of a coordinate, 4 to 16 (default 16: 1024 mm at 1/64 mm)
     parameter F = 6,   // fraction bits of a coordinate, 0 to W - 1 (default 6); they change no logic
-    parameter U = 16   // fraction bits of a unit vector, 8 to 18 (default 16, 0.0009 degrees)
+    parameter U = 16,  // fraction bits of a unit vector, 8 to 18 (default 16, 0.0009 degrees)
+    parameter PIPE = 0 // registers behind the engine's products, 0 to 2 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -42,8 +44,8 @@ module engine_delta_fk #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18) begin : g_illegal
-            engine_delta_fk_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18 rule ();
+        if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 18 || PIPE < 0 || PIPE > 2) begin : g_illegal
+            engine_delta_fk_needs_W_from_4_to_16_and_F_below_W_and_U_from_8_to_18_and_PIPE_from_0_to_2 rule ();
         end
     endgenerate
 
@@ -51,8 +53,8 @@ module engine_delta_fk #(
     wire        accept = in_valid && in_ready;
     wire [46:0] op;
     assign      in_ready = idle && (!out_valid || out_ready);
-    engine_delta_program control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_done(done),
-        .out_op(op));
+    engine_delta_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+        .out_done(done), .out_op(op));
 
     // Ports as words of the engine; a length of 1.0 is 2^(W + 2) LSB, so that no word formed of lengths overflows
     reg  [6*U+11:0]  cranks;
@@ -77,8 +79,9 @@ module engine_delta_fk #(
     // The root is negative for the lower point where the normal of the plane of the elbows points upwards
     localparam [5:0] NZ = 6'd24, X = 6'd3, Y = 6'd7, Z = 6'd11;  // registers of engine_delta_program
     reg         down;
-    product_engine #(.WRIST(7)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle), .in_op(op),
-        .in_port(port), .in_signs({2'd0, !down ^ cfg_above}), .out_word(word), .out_dest(dest), .out_status(status));
+    product_engine #(.PIPE(PIPE), .WRIST(7)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
+        .in_op(op), .in_port(port), .in_signs({2'd0, !down ^ cfg_above}), .out_word(word), .out_dest(dest),
+        .out_status(status));
 
     wire [W+5:0] near = {word[26], word[26:22-W]} + 1'b1;
     wire         over = near[W+5:W] != {6{near[W+5]}};
