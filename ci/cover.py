@@ -7,7 +7,8 @@
 
 `tb/lib/legal.py` makes the list. A set passes where Verilator has no warning of it, and the core equals its bit-true
 model at the full rate and under stalls, on every corner and some 500 random words, with the latency and the interval
-of rtl/cores.toml. A set of rtl/cores.toml whose bulk run `make test` leaves out gets the whole one.
+of rtl/cores.toml. A set of rtl/cores.toml that `make test` leaves out gets the whole bulk run, and the cocotb bench
+where it is the first of its PIPE.
 reports/cover.json holds the digest of what each verdict follows from: sources, model, samples, harness and tools, but
 no comment. It is written as the run goes: one that is cut goes on where it stopped.
 """
@@ -33,7 +34,7 @@ from quadrance.cores import Core, all_cores, at
 
 from ci import cache as store
 from tb.lib import bulk, legal, program, stimulus, suite, tools
-from tb.lib.simulate import incomplete
+from tb.lib.simulate import BenchFailed, incomplete, simulate
 
 STORE = tools.ROOT / "reports" / "cover.json"
 HARNESS = ("tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/stimulus.py")  # and `run`
@@ -83,11 +84,14 @@ def listed(name: str) -> dict[str, Core]:
 
 
 def _whole(core: Core) -> None:
-    """The bulk run of one listed set."""
+    """The bulk run of one listed set, and the bench of the first one of a PIPE."""
+    seed, folder = int(store.digest(core.id)[:8], 16), program.build(core, LABEL).parent
     try:
-        suite.bulk_run(core, suite.bulk_samples(core), int(store.digest(core.id)[:8], 16), label=LABEL)
+        suite.bulk_run(core, suite.bulk_samples(core), seed, label=LABEL)
+        if core.first_set:
+            shutil.rmtree(simulate(core, suite.simulators()[0], seed=suite.SEED, label=LABEL), ignore_errors=True)
     finally:
-        shutil.rmtree(program.build(core, LABEL).parent, ignore_errors=True)
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def verdict(name: str, label: str, params: legal.Params) -> str:
@@ -99,7 +103,7 @@ def verdict(name: str, label: str, params: legal.Params) -> str:
             _whole(own)
         else:
             run(at(_core(name), params))
-    except AssertionError as error:
+    except (AssertionError, BenchFailed) as error:
         return str(error)
     except Exception as error:  # a model or stimulus that cannot take these parameters has failed them too
         where = traceback.extract_tb(error.__traceback__)[-1]
@@ -133,7 +137,8 @@ def wanted(chosen: Iterable[Core]) -> dict[tuple[str, str], tuple[legal.Params, 
             found[core.name, one.set_id] = params, store.digest([follows, params, one.latency, one.ii])[:12]
         for one in legal.sets(core):
             if not legal.daily(one):
-                parts = [follows, one.params, one.latency, one.ii, store.meaning(SUITE)]
+                parts = [follows, one.params, one.latency, one.ii, store.meaning(SUITE),
+                         *(store.of_cocotb() if one.first_set else ())]
                 found[core.name, one.set_id] = one.params, store.digest(parts)[:12]
     return found
 

@@ -33,12 +33,13 @@ def _both() -> set[str]:
 
 
 def _marks(core: Core, simulator: str) -> list[pytest.MarkDecorator]:
-    """The first parameter set of every core in the first simulator, and of a core of each family in the second; the
-    long run has the rest.
+    """The first set of every MODE in the first simulator, and of a core of each family in the second; `make cover` has
+    the first sets of a further PIPE, the long run the rest.
     """
-    if not core.first_set or simulator != USABLE[0] and core.name not in _both():
+    first = simulator == USABLE[0]
+    if not core.first_set or not first and not (core.name in _both() and legal.daily(core)):
         return [pytest.mark.slow]
-    return [pytest.mark.full] + [pytest.mark.smoke] * (simulator == USABLE[0])
+    return [pytest.mark.full, *[pytest.mark.smoke if legal.daily(core) else pytest.mark.further] * first]
 
 
 @pytest.mark.parametrize(("simulator", "core"), [

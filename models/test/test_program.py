@@ -291,7 +291,8 @@ def test_the_checker_accepts_what_is_assembled(path):
     assert assembler.problems(one) == []
 
 
-@EACH
+@pytest.mark.parametrize("path", [
+    pytest.param(path, id=path.stem, marks=[pytest.mark.slow] * path.stem.endswith("_all")) for path in PROGRAMS])
 def test_an_order_that_the_rules_refuse_the_checker_refuses_too(path):
     """Lines moved by some places: what the rules allow the checker accepts, and what they forbid it refuses.
 

@@ -368,7 +368,9 @@ def takes(core: Core, arm: Machine) -> str:
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("core", CORES, ids=lambda core: core.name)
+@pytest.mark.parametrize("core", [
+    pytest.param(core, id=core.id, marks=[pytest.mark.slow] * bool(core.params.get("PIPE")))  # the same words and bits
+    for core in CORES])
 def test_the_printed_instance_is_the_arm(core: Core) -> None:
     rng, runs = np.random.default_rng([7, *core.name.encode()]), {}
     for name in arms.known():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from quadrance.cores import all_cores, find
 
-from tb.lib import stimulus
+from tb.lib import legal, stimulus
 from tb.lib.suite import SEED, bulk_run, bulk_samples
 from tb.lib.test_bench_bites import altered
 
@@ -59,7 +59,7 @@ AGAIN = "paper_fk5", "engine_delta_fk_angle", "table_fk6"  # others behind a cod
 
 
 @pytest.mark.parametrize("core", [pytest.param(
-    core, id=core.id, marks=pytest.mark.full if core.first_set and core.name not in AGAIN else pytest.mark.slow)
+    core, id=core.id, marks=pytest.mark.full if legal.daily(core) and core.name not in AGAIN else pytest.mark.slow)
     for core in OVERFLOWS])
 def test_corners_have_both_sides_of_both_ends(core):
     """Every coordinate, rate or velocity, each sign: saturated while the others are not, and the last word that fits.
@@ -153,7 +153,7 @@ def test_either_link_alone_is_too_long(core):
 
 # Configurations of the daily bulk run
 
-CORES = [core for core in all_cores() if core.first_set and core.cfg]
+CORES = [core for core in all_cores() if legal.daily(core) and core.cfg]
 SQUARE, NORMALISED = "no square has this bit", "the leading bit of a normalised word"
 NEVER = {  # facts that no legal configuration has, by family and port: (bits, value) and the reason
     ("classic", "cfg_far"): {(2, 2): SQUARE}, ("classic", "cfg_near"): {(2, 2): SQUARE},
