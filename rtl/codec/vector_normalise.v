@@ -8,7 +8,7 @@
 // Source: y (3 - y^2) / 2 of the reciprocal root. Model: conversion.vector_normalise
 `default_nettype none
 module vector_normalise #(
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16: a vector turns by 0.0006 degrees)
+    parameter U = 16,        // fraction bits of cosine and sine, 8 to 18 (default 16: a vector turns by 0.0006 degrees)
     parameter PIPE = 0,      // registers behind sums and products, 0 or 1 (default 0: fewest clocks)
     parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
