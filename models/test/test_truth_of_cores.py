@@ -10,10 +10,10 @@ from dataclasses import fields
 
 import numpy as np
 import pytest
-from claims import CLAIMS, Claim, angles
 from quadrance import accuracy, bounds, classic, codecs, cordic, truth
 from quadrance.cores import Core, all_cores, at, joints
 
+from models.test.claims import CLAIMS, Claim, angles
 from tb.lib import legal
 from tb.lib.suite import SEED
 
