@@ -2,7 +2,8 @@
 
 The models are the cores bit by bit (tb/ shows it). Errors are held to the derived bound of the set, flags to the
 integers that the pages name, or to the band that the bound leaves; what a core claims stands in claims.py. Nothing
-here is measured: beyond a core's own bound a round trip has what half an LSB of a word moves the tip."""
+here is measured: beyond a core's own bound a round trip has what half an LSB of a word moves the tip.
+"""
 
 from __future__ import annotations
 
