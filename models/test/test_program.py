@@ -523,8 +523,25 @@ def right_or_refused(text, pipe, accepted=None):
             accepted.append(not code)
 
 
+@st.composite
+def torn(draw):
+    """Bytes of any kind, or those of such a text, some changed, left out or put in, or its end torn off."""
+    if draw(st.integers(0, 4)) == 0:
+        return draw(st.binary(max_size=60))
+    found = draw(meant()).encode(draw(st.sampled_from(("utf-8", "utf-8", "utf-8", "utf-8-sig", "utf-16"))))
+    for _ in range(draw(st.integers(0, 2))):
+        at, how = draw(st.integers(0, len(found))), draw(st.integers(0, 3))
+        new = b"" if how == 0 else draw(st.sampled_from([*BYTES, *(bytes([one]) for one in b"+-*/=(),<.#09 xn\n")]))
+        found = found[:at] + new + (b"" if how == 3 else found[at + (how < 2):])
+    return found
+
+
+BYTES = (b"\0", b"\xff", b"\xfe\xff", b"\xc3", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\x1b[2J", b"\r", b"\x0c",
+         b"\x85", b"\xc2\x85", b"\x7f", b"\xe2\x80\xa8", b"\xd9\xa3", b"\xc2\xa0")
+
+
 @pytest.mark.parametrize("examples", [100, pytest.param(10_000, marks=[pytest.mark.slow, pytest.mark.timeout(7200)])])
-@pytest.mark.parametrize("strategy", [meant(), mangled(), st.binary(max_size=60)], ids=("meant", "mangled", "bytes"))
+@pytest.mark.parametrize("strategy", [meant(), mangled(), torn()], ids=("meant", "mangled", "bytes"))
 def test_a_foreign_text_is_right_or_refused(strategy, examples):
     accepted = []
     settings(max_examples=examples, deadline=None)(given(strategy, st.integers(0, 2))(
