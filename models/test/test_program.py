@@ -356,6 +356,40 @@ def test_the_command_prints_and_writes(tmp_path, capsys):
     assert "my.order: a line is" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("name", ["my.order", "my_program.v"])
+def test_a_table_replaces_a_table_alone(name, tmp_path, capsys):
+    """Where one of the files is another's, neither is written."""
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL)
+    (tmp_path / name).write_text("# mine\n")
+    for _ in range(2):
+        assert main(["assemble", str(path), "--seconds", "1", "--write"]) == 2
+        assert f"{name} is not of `quadrance assemble`, and is not overwritten" in capsys.readouterr().err
+        assert sorted(tmp_path.iterdir()) == sorted([path, tmp_path / name])
+        assert (tmp_path / name).read_text() == "# mine\n"
+    (tmp_path / name).unlink()
+    for _ in range(2):
+        assert main(["assemble", str(path), "--seconds", "1", "--write"]) == 0
+    assert table.stale(tmp_path) == []
+
+
+def test_a_new_text_gets_new_orders(tmp_path, capsys):
+    """An order of another text is refused, also where it only guides; --write looks for new ones, of every PIPE."""
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL)
+    for pipe in "012":
+        assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", pipe, "--write"]) == 0
+    path.write_text(SMALL.replace("u = x - a", "u = x - a\nv = y - a").replace("(u, y)", "(u, v)"))
+    parser.load.cache_clear()
+    before = {one: one.read_bytes() for one in tmp_path.iterdir()}
+    for pipe in "012":
+        assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", pipe]) == 2
+        assert "my.order: the order is not one of these 10 lines\n" in capsys.readouterr().err
+    assert before == {one: one.read_bytes() for one in tmp_path.iterdir()}
+    assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", "1", "--write"]) == 0
+    assert table.stale(tmp_path) == [] and assembler.orders(parser.load(path)) == [0, 1, 2]
+
+
 def test_an_image_replaces_an_image_alone(tmp_path, capsys):
     """Not its own text, nor another file; a text that is no file, or has no end, is not read."""
     path = tmp_path / "my.kin"
@@ -499,6 +533,47 @@ def plays(program, made):
     read = found["out_word"][kinds == READ].reshape(count, -1)
     return not found["out_refused"].any() and np.array_equal(read, want) and np.array_equal(
         found["out_status"][kinds == RUN], np.broadcast_to(said.status, count))
+
+
+@st.composite
+def orders(draw):
+    """The order of SMALL with some words changed, put in or left out, or bytes of any kind."""
+    rows = ["# Order of the program's lines by `quadrance assemble`", "pipe 0: 2 0 1 - 4 3 - - 5 - - 6 8 - 7",
+            "pipe 1: 2 0 1 - - 4 3 - - - 5 - - 6 - 8 - 7", ""]
+    if draw(st.integers(0, 5)) == 0:
+        return draw(st.binary(max_size=40))
+    words = [row.split(" ") for row in rows]
+    for _ in range(draw(st.integers(0, 3))):
+        row = draw(st.sampled_from(words))
+        at = draw(st.integers(0, len(row)))
+        new = draw(st.sampled_from(("-", "0", "3", "8", "9", "-1", "99", "9" * 5000, "pipe", "0:", "1:", "٣", "²", "",
+                                    "#", "x", "\n", "\0", "1.", "0x1", "- " * 3000)))
+        row[at:at + draw(st.integers(0, 1))] = draw(st.sampled_from(([new], [])))
+    code = draw(st.sampled_from(("utf-8", "utf-8", "utf-8", "utf-16", "latin-1")))
+    return "\n".join(" ".join(row) for row in words).encode(code, "replace")
+
+
+def ordered(order, pipe, write):
+    """An order beside a text is taken where it is right, or refused in a line, and then nothing is written."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, out, err = Path(folder) / "my.kin", io.StringIO(), io.StringIO()
+        path.write_text(SMALL)
+        path.with_suffix(".order").write_bytes(order)
+        parser.load.cache_clear()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = main(["assemble", str(path), "--seconds", "0.01", "--pipe", str(pipe), *["--write"] * write])
+        if code:
+            assert code == 2 and not out.getvalue() and err.getvalue().count("\n") == 1
+            assert err.getvalue().startswith("quadrance: ") and len(list(Path(folder).iterdir())) == 2
+            assert path.with_suffix(".order").read_bytes() == order
+        else:
+            assert not write or table.stale(Path(folder)) == []
+            assert re.search(r"^module my_program #\(", out.getvalue(), re.M)
+
+
+@pytest.mark.parametrize("examples", [100, pytest.param(10_000, marks=[pytest.mark.slow, pytest.mark.timeout(7200)])])
+def test_a_foreign_order_is_right_or_refused(examples):
+    settings(max_examples=examples, deadline=None)(given(orders(), st.integers(0, 2), st.booleans())(ordered))()
 
 
 def right_or_refused(text, pipe, accepted=None):
