@@ -356,6 +356,44 @@ def test_the_command_prints_and_writes(tmp_path, capsys):
     assert "my.order: a line is" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("name", ["my.order", "my_program.v"])
+def test_a_table_replaces_a_table_alone(name, tmp_path, capsys):
+    """Where one of the files is another's, neither is written."""
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL)
+    (tmp_path / name).write_text("# mine\n")
+    for _ in range(2):
+        assert main(["assemble", str(path), "--seconds", "1", "--write"]) == 2
+        assert f"{name} is not of `quadrance assemble`, and is not overwritten" in capsys.readouterr().err
+        assert sorted(tmp_path.iterdir()) == sorted([path, tmp_path / name])
+        assert (tmp_path / name).read_text() == "# mine\n"
+    (tmp_path / name).unlink()
+    for _ in range(2):
+        assert main(["assemble", str(path), "--seconds", "1", "--write"]) == 0
+    assert table.stale(tmp_path) == []
+
+
+def test_a_new_text_gets_new_orders(tmp_path, capsys):
+    """An order of another text is refused, also where it only guides; --write looks for new ones, of every PIPE."""
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL)
+    for pipe in "012":
+        assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", pipe, "--write"]) == 0
+    path.write_text(SMALL.replace("u = x - a", "u = x - a\nv = y*a\nw = v*a\nz = w*a").replace("(u, y)", "(u, z)"))
+    parser.load.cache_clear()
+    before = {one: one.read_bytes() for one in tmp_path.iterdir()}
+    for pipe in "012":
+        assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", pipe]) == 2
+        assert "my.order: the order is not one of these 12 lines\n" in capsys.readouterr().err
+    assert before == {one: one.read_bytes() for one in tmp_path.iterdir()}
+    rows = (order := path.with_suffix(".order")).read_text()
+    order.write_text(rows.replace("8 - 7", "99 - 7", 1).partition("pipe 1")[0])
+    assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", "1"]) == 2
+    order.write_text(rows)
+    assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", "1", "--write"]) == 0
+    assert table.stale(tmp_path) == [] and assembler.orders(parser.load(path)) == [0, 1, 2]
+
+
 def test_an_image_replaces_an_image_alone(tmp_path, capsys):
     """Not its own text, nor another file; a text that is no file, or has no end, is not read."""
     path = tmp_path / "my.kin"
@@ -501,6 +539,47 @@ def plays(program, made):
         found["out_status"][kinds == RUN], np.broadcast_to(said.status, count))
 
 
+@st.composite
+def orders(draw):
+    """The order of SMALL with some words changed, put in or left out, or bytes of any kind."""
+    rows = ["# Order of the program's lines by `quadrance assemble`", "pipe 0: 2 0 1 - 4 3 - - 5 - - 6 8 - 7",
+            "pipe 1: 2 0 1 - - 4 3 - - - 5 - - 6 - 8 - 7", ""]
+    if draw(st.integers(0, 5)) == 0:
+        return draw(st.binary(max_size=40))
+    words = [row.split(" ") for row in rows[:2] + rows[2 + draw(st.integers(0, 1)):]]
+    for _ in range(draw(st.integers(0, 3))):
+        row = draw(st.sampled_from(words))
+        at = draw(st.integers(0, len(row)))
+        new = draw(st.sampled_from(("-", "0", "3", "8", "9", "-1", "99", "9" * 5000, "pipe", "0:", "1:", "٣", "²", "",
+                                    "#", "x", "\n", "\0", "1.", "0x1", "- " * 3000)))
+        row[at:at + draw(st.integers(0, 1))] = draw(st.sampled_from(([new], [])))
+    code = draw(st.sampled_from(("utf-8", "utf-8", "utf-8", "utf-16", "latin-1")))
+    return "\n".join(" ".join(row) for row in words).encode(code, "replace")
+
+
+def ordered(order, pipe, write):
+    """An order beside a text is taken where it is right, or refused in a line, and then nothing is written."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, out, err = Path(folder) / "my.kin", io.StringIO(), io.StringIO()
+        path.write_text(SMALL)
+        path.with_suffix(".order").write_bytes(order)
+        parser.load.cache_clear()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = main(["assemble", str(path), "--seconds", "0.01", "--pipe", str(pipe), *["--write"] * write])
+        if code:
+            assert code == 2 and not out.getvalue() and err.getvalue().count("\n") == 1
+            assert err.getvalue().startswith("quadrance: ") and len(list(Path(folder).iterdir())) == 2
+            assert path.with_suffix(".order").read_bytes() == order
+        else:
+            assert not write or table.stale(Path(folder)) == []
+            assert re.search(r"^module my_program #\(", out.getvalue(), re.M)
+
+
+@pytest.mark.parametrize("examples", [100, pytest.param(10_000, marks=[pytest.mark.slow, pytest.mark.timeout(7200)])])
+def test_a_foreign_order_is_right_or_refused(examples):
+    settings(max_examples=examples, deadline=None)(given(orders(), st.integers(0, 2), st.booleans())(ordered))()
+
+
 def right_or_refused(text, pipe, accepted=None):
     """A text is refused in a line and nothing is written, or its image plays as the text says; neither takes long."""
     with tempfile.TemporaryDirectory() as folder:
@@ -523,8 +602,25 @@ def right_or_refused(text, pipe, accepted=None):
             accepted.append(not code)
 
 
+@st.composite
+def torn(draw):
+    """Bytes of any kind, or those of such a text, some changed, left out or put in, or its end torn off."""
+    if draw(st.integers(0, 4)) == 0:
+        return draw(st.binary(max_size=60))
+    found = draw(meant()).encode(draw(st.sampled_from(("utf-8", "utf-8", "utf-8", "utf-8-sig", "utf-16"))))
+    for _ in range(draw(st.integers(0, 2))):
+        at, how = draw(st.integers(0, len(found))), draw(st.integers(0, 3))
+        new = b"" if how == 0 else draw(st.sampled_from([*BYTES, *(bytes([one]) for one in b"+-*/=(),<.#09 xn\n")]))
+        found = found[:at] + new + (b"" if how == 3 else found[at + (how < 2):])
+    return found
+
+
+BYTES = (b"\0", b"\xff", b"\xfe\xff", b"\xc3", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\x1b[2J", b"\r", b"\x0c",
+         b"\x85", b"\xc2\x85", b"\x7f", b"\xe2\x80\xa8", b"\xd9\xa3", b"\xc2\xa0")
+
+
 @pytest.mark.parametrize("examples", [100, pytest.param(10_000, marks=[pytest.mark.slow, pytest.mark.timeout(7200)])])
-@pytest.mark.parametrize("strategy", [meant(), mangled(), st.binary(max_size=60)], ids=("meant", "mangled", "bytes"))
+@pytest.mark.parametrize("strategy", [meant(), mangled(), torn()], ids=("meant", "mangled", "bytes"))
 def test_a_foreign_text_is_right_or_refused(strategy, examples):
     accepted = []
     settings(max_examples=examples, deadline=None)(given(strategy, st.integers(0, 2))(

@@ -317,6 +317,8 @@ def _check(args: argparse.Namespace) -> None:
                            if about["functions"] else "none serves it"))
     for reason, names in about["refused"].items():
         print(f"  not      {', '.join(names)}: {reason}")
+    for line in about["frames"]:
+        print(f"  frame    {line}")
     for line in about["advice"]:
         print(f"  advice   {line}")
 
@@ -349,7 +351,7 @@ def _import(args: argparse.Namespace) -> None:
         _write(Path(args.out), found["text"])
     if args.json:
         return _json(found)
-    print(f"{args.out}: {found['kind']}; now: quadrance check {args.out}" if args.out else found["text"], end="")
+    print(f"{args.out}: {found['kind']}; now: quadrance check {args.out}\n" if args.out else found["text"], end="")
 
 
 def _write(path: Path, text: str) -> None:
