@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-import re
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,23 +19,10 @@ MARK = "`quadrance assemble`"  # stands at the head of what it writes
 
 
 def _order(program: Program) -> str:
-    """What is wrong with the order beside a text, "" where there is none or it is one of PIPE 0, which guides others.
-
-    Raises
-    ------
-    Refused
-        One line: file and reason.
-    """
-    path = assembler.order_path(program)
-    try:
-        if path.exists() and re.search(r"[0-9]{9}", arms.read(path).decode()):
-            raise Refused(f"{path}: a number has more than eight digits")
-        guide = assembler.read_order(program)
-    except UnicodeDecodeError:
-        raise Refused(f"{path}: it is no text") from None
-    count = len(assembler.lines(program))
+    """What is wrong with the order of a text, "" where there is none or it is one of PIPE 0, which guides others."""
+    guide, count = assembler.read_order(program), len(assembler.lines(program))
     fits = guide is None or sorted(i for i in guide if i is not None) == list(range(count))
-    return "" if fits else f"{path.name}: the order is not one of these {count} lines"
+    return "" if fits else f"{program.path.name}: the order is not one of these {count} lines"
 
 
 def _made(path: Path, pipe: int, seconds: float, anew: bool) -> Assembled:
@@ -49,7 +36,7 @@ def _made(path: Path, pipe: int, seconds: float, anew: bool) -> Assembled:
     except Wrong:
         if not anew:
             raise
-        free = replace(program, path=path / path.name)  # beside which there is no order
+        free = replace(program, path=path / path.name)  # where there is no order
         return replace(assembler.assemble(free, pipe, None, seconds), program=program)
 
 
@@ -82,9 +69,9 @@ def assemble(path: Path, pipe: int = 0, seconds: float = assembler.SECONDS,
 
 
 def write(one: Assembled, seconds: float = assembler.SECONDS) -> list[Path]:
-    """Write the orders of the lines, and the table of every PIPE that has an order, beside the text.
+    """Write the orders of the lines into the text, and the table of every PIPE that has an order beside it.
 
-    They replace what this command has written before, and no other file.
+    The table replaces what this command has written before, and no other file.
 
     Raises
     ------
@@ -95,19 +82,30 @@ def write(one: Assembled, seconds: float = assembler.SECONDS) -> list[Path]:
     try:
         others = [_made(path, pipe, seconds, True) for pipe in assembler.orders(program) if pipe != one.pipe]
         every = sorted([one, *others], key=lambda other: other.pipe)
-        paths = {assembler.order_path(program): assembler.order_text({other.pipe: other.order for other in every}),
+        paths = {path: assembler.with_orders(path, {other.pipe: other.order for other in every}),
                  table.table_path(path): table.verilog(every)}
     except Wrong as error:
         raise Refused(str(error)) from None
-    for path in paths:
-        if not _ours(path, f"by {MARK}"):
-            raise Refused(f"{path} is not of `quadrance assemble`, and is not overwritten")
+    if not _ours(made := table.table_path(path), f"by {MARK}"):
+        raise Refused(f"{made} is not of `quadrance assemble`, and is not overwritten")
     for path, content in paths.items():
         try:
-            path.write_text(content)
+            _replace(path, content)
         except OSError as error:
             raise Refused(f"{path} cannot be written: {error.strerror}") from None
     return list(paths)
+
+
+def _replace(path: Path, content: str) -> None:
+    """Write a file as a whole or not at all: one of them is the user's own text."""
+    partial = path.with_name(f"{path.name}.partial")
+    try:
+        partial.write_bytes(content.encode())
+        if path.exists():
+            shutil.copymode(path, partial)
+        partial.replace(path.resolve())
+    finally:
+        partial.unlink(missing_ok=True)
 
 
 def _ours(path: Path, mark: str = "") -> bool:
