@@ -14,7 +14,7 @@ from quadrance.cores import find
 
 from ci import cache, netlist, synth
 from ci.netlist import FAILED, LATE, LEFT, PASSED, TESTS, Verdict
-from ci.synth.__main__ import scratch_ports
+from ci.synth.__main__ import clocks, scratch_ports
 from tb.lib import tools
 from tb.lib.simulate import available
 from tb.lib.suite import SEED
@@ -70,6 +70,15 @@ def test_the_clock_is_the_median_of_as_many_seeds_as_it_takes(placed, runs, cloc
     assert bench.seeds == list(synth.SEEDS[:runs])
     assert synth.fmax("core", {}, [], [], [], True) == clock
     assert len(bench.seeds) == runs, "the second time from the cache"
+
+
+def test_registers_are_timed_from_every_seed_and_so_is_their_core(bench):
+    """Also where the first two agree; a seed that the report has placed is not placed again."""
+    bench.placed = [100, 101, 90, 80, 110]
+    synth.fmax("core", {}, [], [], [], True)
+    made = synth.netlist("core", {}, [], [], [], True)
+    assert clocks(made, 5) == [100, 101, 90, 80, 110] and bench.seeds == [1, 2, 3, 4, 5]
+    assert clocks(made, 3) == [100, 101, 90] and len(bench.seeds) == 5
 
 
 def test_a_changed_flow_is_measured_again(bench, monkeypatch):
