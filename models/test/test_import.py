@@ -7,6 +7,7 @@ that comes out is read by `arms.load` and put together from the page's words, jo
 import contextlib
 import importlib.util
 import io
+import json
 import math
 import os
 import re
@@ -22,8 +23,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from quadrance import arms
-from quadrance.cli import main
+from quadrance import arms, codecs, cores
+from quadrance.cli import catalogue, main
 from quadrance.cli import urdf as cli_urdf
 
 X, Y, Z = np.eye(3)
@@ -129,13 +130,20 @@ def oracle(text, base, tip, samples):
     return np.array([by_matrices(text, base, tip, q) for q in samples])
 
 
+def frames_of(text, mark, what=""):
+    """Frames (4, 4), mm, of base and tip, and the joints beside the arm, that lines with this mark say."""
+    frames = {"base": np.eye(4), "tip": np.eye(4)}
+    for name, xyz, angles in re.findall(rf"^{mark}(base|tip){what}: .* = \[(.*)\] mm, rpy = \[(.*)\] degrees$", text,
+                                        re.M):
+        frames[name] = move(*map(float, xyz.split(","))) @ rpy(*np.radians([float(one) for one in angles.split(",")]))
+    joint = rf"^{mark}joint '(.*)' \(.*\) (moves|turns) .* sign = (-?1), zero = (.*); no core"
+    return frames, re.findall(joint, text, re.M)
+
+
 def of_file(path, samples):
     """Poses (n, 4, 4), mm, that an imported file says, frames and joints of its comments included."""
     arm, text = arms.load(path), Path(path).read_text()
-    frames = {"base": np.eye(4), "tip": np.eye(4)}
-    for name, xyz, angles in re.findall(r"^# (base|tip) frame: .* = \[(.*)\] mm, rpy = \[(.*)\] degrees$", text, re.M):
-        frames[name] = move(*map(float, xyz.split(","))) @ rpy(*np.radians([float(one) for one in angles.split(",")]))
-    rest = re.findall(r"^# joint '(.*)' \(.*\) (moves|turns) .* sign = (-?1), zero = (.*); no core", text, re.M)
+    frames, rest = frames_of(text, "# ", " frame")
     lean = math.radians(arm.elbow_angle)
     found = []
     for q in samples:
@@ -285,8 +293,14 @@ def mounted(text, xyz=(0, 0, 0), angles=(0, 0, 0)):
     return text.replace('xyz="0.0 0.0 0.0" rpy="0.0 0.0 0.0"', f'xyz="{numbers(xyz)}" rpy="{numbers(angles)}"', 1)
 
 
+MOUNT = joint_("mount", "floor", "base_link", "fixed", (0.3, -0.1, 0.2), (0.3, 1.2, -2))
+GRIP = joint_("grip", "tool0", "pen", "fixed", (0.02, -0.03, 0.1), (0.1, 0.2, 0.3))
+LEAN = joint_("lean", "tool0", "pen", "fixed", angles=(0.7, 0, 0))
 ROBOTS = {"scara": (scara((math.pi, 0, 0)), "world", "tool0", "a SCARA"),
+          "leaning scara": (grown(scara(), LEAN), "world", "pen", "a SCARA"),
           "kr6": (KR6, "base_link", "tool0", "an ortho-parallel arm with a spherical wrist"),
+          "mounted kr6": (grown(KR6.replace("</robot>", MOUNT + '<link name="floor"/></robot>'), GRIP), "floor", "pen",
+                          "an ortho-parallel arm with a spherical wrist"),
           "puma": (PUMA, "b", "tip", "an ortho-parallel arm with a spherical wrist"),
           "planar": (PLANAR, "rail", "point", "a planar arm"),
           "leg": (LEG, "trunk", "f", "a yaw with two links"),
@@ -349,6 +363,122 @@ def test_an_imported_arm_goes_through_the_commands(urdf, tmp_path, name, cores):
     for core in cores:
         assert f"{core} #(" in run("instance", core, "--arm", file)[1]
     assert "units, 100.0000 mm" in run("encode", "coordinate:32.20", "100", "--arm", file)[1]
+
+
+def followed(text, where, known):
+    """The names of `known` after the assignments in front of the core or behind it, angles in degrees."""
+    steps = ";  ".join(re.findall(rf"^//   {where} +(.*)$", text, re.M)).split(";  ")
+    functions = {"cos": lambda x: np.cos(np.radians(x)), "sin": lambda x: np.sin(np.radians(x)), "sqrt": np.sqrt,
+                 "hypot": np.hypot, "atan2": lambda y, x: np.degrees(np.arctan2(y, x))}
+    for name, formula in (step.split(" = ") for step in steps if step):
+        known = known | {name: eval(formula, {"__builtins__": {}}, functions | known)}
+    return known
+
+
+def as_said(text, robot, own, q):
+    """The robot's pose (4, 4) as the instance says it, and the core's, its joints beside the arm at q (degrees, m)."""
+    said, rest = frames_of(text, "//   frame  ")
+    joints = product(*(move(z=1000 * int(sign) * q[name]) if how == "moves" else
+                       turn(Z, math.radians(int(sign) * q[name] + float(zero))) for name, how, sign, zero in rest))
+    parts = {"base": said["base"], "tip": said["tip"], "(the joints above)": joints, "(the core's)": own,
+             "(the robot's)": robot}
+    rule = re.search(r"^//   frame  the (?:robot's pose|core's target) = (.*)$", text, re.M)[1].split(" * ")
+    return product(*(np.linalg.inv(parts[one[:-3]]) if one.endswith("^-1") else parts[one] for one in rule))
+
+
+PLACES, TURNS = ("x", "y", "z"), [f"r{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+
+
+@pytest.mark.parametrize(("name", "core"), [
+    ("scara", "table_fk2"), ("leaning scara", "vector_fk2"), ("leg", "table_fk3"), ("mounted kr6", "vector_fk6"),
+    ("mounted kr6", "arm_fk3"), ("leaning", "vector_ur_fk")])
+def test_what_an_instance_says_of_frames_is_the_chain(urdf, tmp_path, name, core):
+    """Forward: joints of the robot, through the formulas and the core's model, and its frames: the robot's pose."""
+    text, base, tip, _ = ROBOTS[name]
+    run("import", urdf(text), "--base", base, "--tip", tip, "--out", tmp_path / "arm.toml")
+    said = json.loads(run("instance", core, "--arm", tmp_path / "arm.toml", "--json")[1])
+    core, arm = catalogue.find(core, said["params"]), arms.load(tmp_path / "arm.toml")
+    lsb, samples = arm.mm_per_unit / 2 ** core.params["F"], values(text, base, tip, 40)
+    want = oracle(text, base, tip, samples)
+    for q, robot in zip(samples, want):
+        robot[:3, 3] *= 1000
+        q = {key: value if key == "c" else math.degrees(value) for key, value in q.items()}
+        seen = followed(said["verilog"], "before", q)
+        words = {}
+        for i, ports in enumerate(cores.joints(core.inputs), 1):
+            kind, bits = ports[0].type, ports[0].width - 2 * (ports[0].type != "angle")
+            words |= zip((port.name for port in ports), np.atleast_2d(codecs.from_degrees(kind, bits, [seen[f"j{i}"]])))
+        out = core.model(core.params, **words, **said["cfg"])
+        own = np.eye(4)
+        place = {one: float(out[f"out_{one}"][0]) * lsb for one in PLACES if f"out_{one}" in out}
+        place = followed(said["verilog"], "after", seen | place)
+        own[:3, 3] = [place.get(one, 0.0) for one in PLACES]
+        turned = "out_r11" in out
+        if turned:
+            own[:3, :3] = np.reshape([float(out[f"out_{one}"][0]) for one in TURNS], (3, 3)) / 2 ** core.params["U"]
+        if core.name == "arm_fk3":
+            assert "this core ends at the wrist, and tip is behind it" in said["verilog"]
+            robot = robot @ np.linalg.inv(frames_of(said["verilog"], "//   frame  ")[0]["tip"]) @ move(z=-arm.flange)
+        found = as_said(said["verilog"], robot, own, q)
+        assert np.linalg.norm(found[:3, 3] - robot[:3, 3]) < 8 * lsb
+        assert not turned or np.abs(found[:3, :3] - robot[:3, :3]).max() < 1e-3
+
+
+@pytest.mark.parametrize(("name", "core"), [
+    ("scara", "table_ik2"), ("leaning scara", "vector_ik2"), ("planar", "table_ik3r"), ("leg", "table_ik3"),
+    ("mounted kr6", "vector_ik6"), ("leaning", "vector_ur_ik"), ("odd iiwa", "vector_srs_ik"),
+    ("iiwa on a wall", "table_srs_ik")])
+def test_a_target_of_the_robot_is_reached_as_an_instance_says(urdf, tmp_path, name, core):
+    """Inverse: a pose of the robot, its frames taken off, through the core's model: joints that are there again."""
+    text, base, tip, _ = ROBOTS[name]
+    run("import", urdf(text), "--base", base, "--tip", tip, "--out", tmp_path / "arm.toml")
+    said = json.loads(run("instance", core, "--arm", tmp_path / "arm.toml", "--json")[1])
+    core, scale, off_by = catalogue.find(core, said["params"]), arms.load(tmp_path / "arm.toml").mm_per_unit, []
+    samples = values(text, base, tip, 40)
+    want = oracle(text, base, tip, samples)
+    want[:, :3, 3] *= 1000
+    for q, robot in zip(samples, want):
+        degrees = {key: value if key == "c" else math.degrees(value) for key, value in q.items()}
+        own = as_said(said["verilog"], robot, None, degrees)
+        place = followed(said["verilog"], "before", dict(zip(PLACES, own[:3, 3])))
+        words = {f"in_{one}": [round(place[one] / scale * 2 ** core.params["F"])] for one in PLACES}
+        words |= {f"in_{one}": [round(value * 2 ** core.params.get("U", 16))] for one, value in zip(
+            TURNS, own[:3, :3].ravel())}
+        turn_of = math.degrees(math.atan2(own[1, 0], own[0, 0]))
+        words |= {"in_cs": [1 << 16], "in_ns": [0], "in_elbow": [0], "in_branch": [0],
+                  "in_phi": codecs.from_degrees("angle", core.params.get("A", 16), [turn_of])}
+        out = core.model(core.params, **{port.name: words[port.name] for port in core.inputs}, **said["cfg"])
+        joints = {}
+        for i, ports in enumerate(cores.joints(core.outputs), 1):
+            kind, bits = ports[0].type, ports[0].width - 2 * (ports[0].type != "angle")
+            found = [out[port.name] for port in ports]
+            joints[f"j{i}"] = float(codecs.to_degrees(kind, bits, found if len(found) > 1 else found[0])[0])
+        machine = followed(said["verilog"], "after", place | joints)
+        again = q | {key: math.radians(machine[key]) for key in q if key in machine}
+        again = by_matrices(text, base, tip, again)
+        off_by.append(np.linalg.norm(1000 * again[:3, 3] - robot[:3, 3]))
+    assert np.quantile(off_by, 0.8) < 6 * scale / 2 ** core.params["F"], sorted(off_by)
+
+
+def test_frames_of_a_file_are_said_and_wrong_ones_refused(urdf, tmp_path):
+    """`check`, the header in C and VHDL say them; a comment that is not as import writes it is refused by all."""
+    run("import", urdf(scara((math.pi, 0, 0))), "--out", file := tmp_path / "arm.toml")
+    good = file.read_text()
+    assert len(re.findall(r"^  frame    (?:base|tip|joint '[cd]')", run("check", file)[1], re.M)) == 4
+    assert json.loads(run("check", file, "--json")[1])["frames"][0].startswith("base: the cores' frame seen from '")
+    for form, start in (("c", "/*"), ("vhdl", "--")):
+        assert f"{start}   frame  base: " in run("instance", "table_ik2", "--arm", file, "--format", form)[1]
+    run("registers", "table_ik2", "--arm", file, "--out", tmp_path / "hw")
+    assert "/* base: the cores' frame seen from 'world': xyz = [300" in (tmp_path / "hw" / "table_ik2.h").read_text()
+    file.write_text(good.replace("# base frame: ", "# the base: ").replace("# tip", "#tip").replace("# joint", "# j"))
+    assert "  frame" not in run("check", file)[1]
+    for old, new in (("[300.0,", "[x,"), ("[300.0,", "[nan,"), ("[300.0,", "["), (" degrees\n", "\n"),
+                     ("'world'", "''"), ("# base", good.split("\n")[1] + "\n# base"), ("seen from", "seen by"),
+                     ("[300.0,", "[1e300,")):
+        file.write_text(good.replace(old, new, 1))
+        for command in (("check", file), ("instance", "table_ik2", "--arm", file)):
+            assert "arm.toml: the comment of the base frame must be one, and as import writes it: # base frame: " in \
+                refused(*command)
 
 
 def test_kr6_is_the_arm_of_the_library(urdf, tmp_path):
@@ -923,7 +1053,7 @@ def checked(text):
     """An arm file is checked, or refused in a line; what it says of words and instances too."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "arm.toml"
-        path.write_bytes(text.encode("utf-8", "surrogatepass"))
+        path.write_bytes(text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass"))
         code, out, _ = run("check", path)
         assert code or ": right\n  links " in out
         for core in () if code else ("arm_ik3", "table_ik2"):
@@ -951,10 +1081,30 @@ def broken(draw):
     return text
 
 
+@st.composite
+def torn(draw, texts):
+    """Such a text in some encoding, with bytes put in, left out or doubled, or with its end torn off."""
+    code = draw(st.sampled_from(("utf-8", "utf-8", "utf-8-sig", "utf-16", "latin-1")))
+    found = draw(texts).encode(code, "replace")
+    for _ in range(draw(st.integers(1, 4))):
+        at, how = draw(st.integers(0, len(found))), draw(st.integers(0, 5))
+        upto = at + draw(st.integers(1, 200 if how == 3 else 2))
+        found = found[:at] + (b"" if how == 0 else found[at:upto] * 2 if how == 3 else draw(st.sampled_from(BYTES))) + \
+            (b"" if how == 4 and draw(st.booleans()) else found[upto if how < 2 else at:])
+    return found
+
+
+BYTES = (b"\0", b"\xff", b"\xfe\xff", b"\xc3", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\x1b[2J", b"\r", b"\n", b"\x0c",
+         b"\x85", b"\x7f", b'"', b"'", b"<", b"&", b"#", b"[", b"]", b"=", b"{", b"9", b"-", b".", b" ")
+
+
 @pytest.mark.parametrize("examples", [100, pytest.param(10_000, marks=[pytest.mark.slow, pytest.mark.timeout(7200)])])
 @pytest.mark.parametrize(("strategy", "body"), [
     (robots(), lambda found: right_or_refused(found[0], True)), (broken(), lambda text: right_or_refused(text, False)),
-    (st.binary(max_size=60), lambda text: right_or_refused(text, False)), (tables(), lambda text: checked(text))],
-    ids=("arms of every kind", "broken", "bytes", "arm files"))
+    (st.one_of(st.binary(max_size=60), torn(st.sampled_from([one[0] for one in ROBOTS.values()]))),
+     lambda text: right_or_refused(text, False)), (tables(), lambda text: checked(text)),
+    (st.one_of(st.binary(max_size=60), torn(st.sampled_from(arms.known()).map(lambda name: arms.path_of(
+        name).read_text()))), lambda text: checked(text))],
+    ids=("arms of every kind", "broken", "bytes", "arm files", "bytes of arm files"))
 def test_a_foreign_file_is_right_or_refused(strategy, body, examples):
     settings(max_examples=examples, deadline=None)(given(strategy)(body))()

@@ -11,18 +11,9 @@ from quadrance.cores import all_cores
 from quadrance.iterative import newton_fixed
 from quadrance.program import meaning
 
-from models.test import (
-    oracles,
-    test_oracles_config,
-    test_oracles_engine,
-    test_oracles_program,
-    test_oracles_srs,
-    test_oracles_status,
-    test_oracles_ur,
-)
+from models.test import oracles, test_oracles_config, test_oracles_engine, test_oracles_program, test_oracles_status
 
-JUDGES = (test_oracles_config, test_oracles_engine, test_oracles_program, test_oracles_srs, test_oracles_status,
-          test_oracles_ur)
+JUDGES = (test_oracles_config, test_oracles_engine, test_oracles_program, test_oracles_status)
 PLAIN = {"l1", "l2", "l3", "base", "shoulder", "lateral", "elbow", "d4", "d5", "sine", "radius", "tol", "limit"}
 """Words that are a number of the user's in the port's format: lengths, thresholds, a tolerance, a limit of steps."""
 FUNCTIONS = list(dict.fromkeys(f"{core.family}.{core.function}" for core in all_cores()))

@@ -145,7 +145,7 @@ def test_circles_and_programs_of_others_are_no_order():
     order = assembler.assemble(program, seconds=1).order
     assert not schedule.faults(found, made, order)
     assert "is not one of these" in schedule.faults(found, made, order[:-1])[0]
-    with pytest.raises(Wrong, match="my.order: .* lines after"):
+    with pytest.raises(Wrong, match="my.kin: order: .* lines after"):
         assembler.assemble(program, order=order[::-1])
 
 
@@ -351,9 +351,55 @@ def test_the_command_prints_and_writes(tmp_path, capsys):
     assert list(tmp_path.iterdir()) == [path]
     assert main(["assemble", str(path), "--seconds", "1", "--write"]) == 0
     assert table.stale(tmp_path) == []
-    (tmp_path / "my.order").write_text("pipe 0: 1 0 x\n")
-    assert main(["assemble", str(path)]) == 2
-    assert "my.order: a line is" in capsys.readouterr().err
+    written = path.read_text()
+    assert written.startswith(SMALL) and sorted(tmp_path.iterdir()) == [path, tmp_path / "my_program.v"]
+    assert main(["assemble", str(path), "--write"]) == 0 and path.read_text() == written
+    for odd in ("# pipe 0: 1 0 x", "# mine", "check c*c - n*n"):  # nobody's line is lost
+        path.write_text(f"{written}{odd}\n")
+        parser.load.cache_clear()
+        for write in ([], ["--write"]):
+            assert main(["assemble", str(path), *write]) == 2
+            assert f"my.kin: '{odd}' stands behind the order" in capsys.readouterr().err
+        assert path.read_text() == f"{written}{odd}\n"
+
+
+@pytest.mark.parametrize("name", ["my_program.v"])
+def test_a_table_replaces_a_table_alone(name, tmp_path, capsys):
+    """Where it is another's file, the text is left as it is too."""
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL)
+    (tmp_path / name).write_text("# mine\n")
+    for _ in range(2):
+        assert main(["assemble", str(path), "--seconds", "1", "--write"]) == 2
+        assert f"{name} is not of `quadrance assemble`, and is not overwritten" in capsys.readouterr().err
+        assert sorted(tmp_path.iterdir()) == sorted([path, tmp_path / name])
+        assert (tmp_path / name).read_text() == "# mine\n" and path.read_text() == SMALL
+    (tmp_path / name).unlink()
+    for _ in range(2):
+        assert main(["assemble", str(path), "--seconds", "1", "--write"]) == 0
+    assert table.stale(tmp_path) == []
+
+
+def test_a_new_text_gets_new_orders(tmp_path, capsys):
+    """An order of another text is refused, also where it only guides; --write looks for new ones, of every PIPE."""
+    path = tmp_path / "my.kin"
+    path.write_text(SMALL)
+    for pipe in "012":
+        assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", pipe, "--write"]) == 0
+    longer = path.read_text().replace("u = x - a", "u = x - a\nv = y*a\nw = v*a\nz = w*a").replace("(u, y)", "(u, z)")
+    path.write_text(longer)
+    parser.load.cache_clear()
+    before = {one: one.read_bytes() for one in tmp_path.iterdir()}
+    for pipe in "012":
+        assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", pipe]) == 2
+        assert "my.kin: the order is not one of these 12 lines\n" in capsys.readouterr().err
+    assert before == {one: one.read_bytes() for one in tmp_path.iterdir()}
+    text = path.read_text()
+    path.write_text(text.replace("8 - 7", "99 - 7", 1).partition("# pipe 1")[0])
+    assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", "1"]) == 2
+    path.write_text(text)
+    assert main(["assemble", str(path), "--seconds", "0.1", "--pipe", "1", "--write"]) == 0
+    assert table.stale(tmp_path) == [] and assembler.orders(parser.load(path)) == [0, 1, 2]
 
 
 def test_an_image_replaces_an_image_alone(tmp_path, capsys):
@@ -378,7 +424,7 @@ def test_a_wrong_program_overwrites_nothing(tmp_path, capsys):
     (tmp_path / "my_program.v").write_text("mine")
     assert main(["assemble", str(path), "--write"]) == 2
     assert capsys.readouterr().err == "quadrance: my.kin:5: b is not defined\n"
-    assert (tmp_path / "my_program.v").read_text() == "mine" and not (tmp_path / "my.order").exists()
+    assert (tmp_path / "my_program.v").read_text() == "mine" and assembler.ORDER not in path.read_text()
     for name, says in (("none.kin", "cannot be read"), ("my-own.kin", "my-own.kin:1: the name of the file is the")):
         if "-" in name:
             (tmp_path / name).write_text(SMALL)
@@ -387,15 +433,15 @@ def test_a_wrong_program_overwrites_nothing(tmp_path, capsys):
 
 
 def test_a_changed_text_order_or_table_is_stale(tmp_path):
-    for path in (six.FORWARD, six.FORWARD.with_suffix(".order"), table.table_path(six.FORWARD)):
+    for path in (six.FORWARD, table.table_path(six.FORWARD)):
         (tmp_path / path.name).write_text(path.read_text())
     assert table.stale(tmp_path) == []
-    text, order, module = (tmp_path / name for name in ("vector_fk6.kin", "vector_fk6.order", "vector_fk6_program.v"))
+    text, module = (tmp_path / name for name in ("vector_fk6.kin", "vector_fk6_program.v"))
     for path, change in ((text, lambda t: t.replace("e3 = c6*m5", "e3 = n6*m5")),
                          (module, lambda t: t.replace("U1, ", "E1, ", 1)),
                          (module, lambda t: swapped(t, "/* t = c5*c4", "/* s = c5*n4")),
-                         (order, lambda t: t.replace("pipe 0: 3 4", "pipe 0: 4 3")),
-                         (order, lambda t: t.replace("pipe 0: 3 4", "pipe 0: 41 4"))):
+                         (text, lambda t: t.replace("pipe 0: 3 4", "pipe 0: 4 3")),
+                         (text, lambda t: t.replace("pipe 0: 3 4", "pipe 0: 41 4"))):
         before = path.read_text()
         assert change(before) != before
         path.write_text(change(before))
@@ -403,7 +449,7 @@ def test_a_changed_text_order_or_table_is_stale(tmp_path):
         assert len(table.stale(tmp_path)) == 1, path
         path.write_text(before)
         parser.load.cache_clear()
-    order.unlink()
+    text.write_text(text.read_text().partition(assembler.ORDER)[0])
     assert "no order is committed" in table.stale(tmp_path)[0]
 
 
@@ -501,6 +547,46 @@ def plays(program, made):
         found["out_status"][kinds == RUN], np.broadcast_to(said.status, count))
 
 
+@st.composite
+def orders(draw):
+    """The order of SMALL with some words changed, put in or left out, or bytes of any kind."""
+    rows = [assembler.ORDER, "# pipe 0: 2 0 1 - 4 3 - - 5 - - 6 8 - 7",
+            "# pipe 1: 2 0 1 - - 4 3 - - - 5 - - 6 - 8 - 7", ""]
+    if draw(st.integers(0, 5)) == 0:
+        return draw(st.binary(max_size=40))
+    words = [row.split(" ") for row in rows[:2] + rows[2 + draw(st.integers(0, 1)):]]
+    for _ in range(draw(st.integers(0, 3))):
+        row = draw(st.sampled_from(words))
+        at = draw(st.integers(0, len(row)))
+        new = draw(st.sampled_from(("-", "0", "3", "8", "9", "-1", "99", "9" * 5000, "pipe", "0:", "1:", "٣", "²", "",
+                                    "#", "x", "\n", "\0", "1.", "0x1", "- " * 3000)))
+        row[at:at + draw(st.integers(0, 1))] = draw(st.sampled_from(([new], [])))
+    code = draw(st.sampled_from(("utf-8", "utf-8", "utf-8", "utf-16", "latin-1")))
+    return "\n".join(" ".join(row) for row in words).encode(code, "replace")
+
+
+def ordered(order, pipe, write):
+    """An order behind a text is taken where it is right, or refused in a line, and then nothing is written."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, out, err = Path(folder) / "my.kin", io.StringIO(), io.StringIO()
+        path.write_bytes(before := SMALL.encode() + b"\n" + order)
+        parser.load.cache_clear()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = main(["assemble", str(path), "--seconds", "0.01", "--pipe", str(pipe), *["--write"] * write])
+        if code:
+            assert code == 2 and not out.getvalue() and err.getvalue().count("\n") == 1
+            assert err.getvalue().startswith("quadrance: ") and [*Path(folder).iterdir()] == [path]
+            assert path.read_bytes() == before
+        else:
+            assert not write or table.stale(Path(folder)) == []
+            assert re.search(r"^module my_program #\(", out.getvalue(), re.M)
+
+
+@pytest.mark.parametrize("examples", [100, pytest.param(10_000, marks=[pytest.mark.slow, pytest.mark.timeout(7200)])])
+def test_a_foreign_order_is_right_or_refused(examples):
+    settings(max_examples=examples, deadline=None)(given(orders(), st.integers(0, 2), st.booleans())(ordered))()
+
+
 def right_or_refused(text, pipe, accepted=None):
     """A text is refused in a line and nothing is written, or its image plays as the text says; neither takes long."""
     with tempfile.TemporaryDirectory() as folder:
@@ -523,8 +609,25 @@ def right_or_refused(text, pipe, accepted=None):
             accepted.append(not code)
 
 
+@st.composite
+def torn(draw):
+    """Bytes of any kind, or those of such a text, some changed, left out or put in, or its end torn off."""
+    if draw(st.integers(0, 4)) == 0:
+        return draw(st.binary(max_size=60))
+    found = draw(meant()).encode(draw(st.sampled_from(("utf-8", "utf-8", "utf-8", "utf-8-sig", "utf-16"))))
+    for _ in range(draw(st.integers(0, 2))):
+        at, how = draw(st.integers(0, len(found))), draw(st.integers(0, 3))
+        new = b"" if how == 0 else draw(st.sampled_from([*BYTES, *(bytes([one]) for one in b"+-*/=(),<.#09 xn\n")]))
+        found = found[:at] + new + (b"" if how == 3 else found[at + (how < 2):])
+    return found
+
+
+BYTES = (b"\0", b"\xff", b"\xfe\xff", b"\xc3", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\x1b[2J", b"\r", b"\x0c",
+         b"\x85", b"\xc2\x85", b"\x7f", b"\xe2\x80\xa8", b"\xd9\xa3", b"\xc2\xa0")
+
+
 @pytest.mark.parametrize("examples", [100, pytest.param(10_000, marks=[pytest.mark.slow, pytest.mark.timeout(7200)])])
-@pytest.mark.parametrize("strategy", [meant(), mangled(), st.binary(max_size=60)], ids=("meant", "mangled", "bytes"))
+@pytest.mark.parametrize("strategy", [meant(), mangled(), torn()], ids=("meant", "mangled", "bytes"))
 def test_a_foreign_text_is_right_or_refused(strategy, examples):
     accepted = []
     settings(max_examples=examples, deadline=None)(given(strategy, st.integers(0, 2))(

@@ -1,4 +1,4 @@
-"""rational_* models against float64, one joint and forward: derived error bounds, borders, symmetries, status."""
+"""rational_* models against float64: derived error bounds, borders, symmetries, status, held words."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from quadrance import arith, bounds, codecs, rational, truth
 from quadrance.cores import Port
+
+# One joint, and forward
 
 ONE = {"W": 16, "F": 8, "S": 24}
 LENGTHS = (1, 100, 4095, 8320, 11111, 16383, 16384)  # LSB; 16384 is 64 units of Q7.8
@@ -204,3 +206,238 @@ def test_overflow_is_flagged_exactly_where_a_coordinate_leaves_the_word() -> Non
     assert np.array_equal((out["out_status"] == 4)[told], (beyond > 0)[told])
     for axis, value in zip("xyz", exact):
         assert np.max(np.abs(out[f"out_{axis}"] - np.clip(value, -32768, 32767))) <= bound
+
+
+# Inverse of two and three joints: tip error, flags, held words, worst places
+
+P = {"W": 16, "F": 8, "S": 24}
+JOINTS = [(Port(f"out_j{i}", 26, False, "spread"),) for i in (1, 2, 3)]
+INVERSE_LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16000, 300), (300, 16000), (768, 512),
+                 (30, 20), (5, 2), (1, 1), (16384, 16384), (30000, 2000), (60000, 60000)]
+
+
+def _targets(l1: int, l2: int, count: int = 60_000) -> tuple[np.ndarray, ...]:
+    """Targets from folded to stretched, a quarter of them at the borders of reach; both elbows."""
+    rng = np.random.default_rng(l1 + 3 * l2)
+    turn = rng.uniform(-np.pi, np.pi, count)
+    radius = rng.uniform(abs(l1 - l2), l1 + l2, count)
+    near = rng.exponential(4, count // 4)
+    radius[::4] = np.where(rng.random(near.size) < 0.5, abs(l1 - l2) + near, l1 + l2 - near)
+    x, y = (np.rint(radius * part).astype(np.int64) for part in (np.cos(turn), np.sin(turn)))
+    inside = (np.abs(x) < 32768) & (np.abs(y) < 32768)
+    return x[inside], y[inside], rng.integers(0, 2, count)[inside]
+
+
+def _answer(l1: int, l2: int, x: np.ndarray, y: np.ndarray, elbow: np.ndarray) -> dict[str, np.ndarray]:
+    return rational.ik2(P, in_x=x, in_y=y, in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                        **rational.config(P, cfg_l1=l1, cfg_l2=l2))
+
+
+@pytest.mark.parametrize(("l1", "l2"), INVERSE_LINKS)
+def test_ik2_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
+    x, y, elbow = _targets(l1, l2)
+    rho = np.hypot(x, y)
+    keep = (rho > 0) & (rho <= l1 + l2) & (rho >= abs(l1 - l2))
+    x, y, elbow, rho = x[keep], y[keep], elbow[keep], rho[keep]
+    out, exact = _answer(l1, l2, x, y, elbow), truth.ik2(x, y, l1, l2, elbow)
+    assert not out["out_status"].any()  # nothing in reach is flagged, borders included
+    tip = truth.fk2(*(codecs.within_cell(joint, out, theta) for joint, theta in zip(JOINTS, exact)), l1, l2)
+    error = np.hypot(tip[0] - x, tip[1] - y)
+    assert np.all(error <= bounds.rational.ik2(P, l1, l2, rho))
+    if l1 + l2 <= 16384:  # 64 units of Q7.8
+        away = (rho >= 256) & (np.abs(np.sin(exact[1])) > 2**-8)
+        assert np.max(error[away], initial=0) <= 1.0
+
+
+@pytest.mark.parametrize(("l1", "l2"), INVERSE_LINKS)
+def test_ik2_out_of_reach_answers_the_nearest_point(l1: int, l2: int) -> None:
+    rng = np.random.default_rng(5)
+    x, y, elbow = rng.integers(-32768, 32768, 40_000), rng.integers(-32768, 32768, 40_000), rng.integers(0, 2, 40_000)
+    hole = rng.uniform(0, abs(l1 - l2), 10_000) + 1
+    x[:10_000] = np.clip(np.rint(hole * np.cos(x[:10_000])), -32768, 32767)
+    y[:10_000] = np.clip(np.rint(np.sqrt(np.maximum(hole**2 - x[:10_000] ** 2.0, 0))), 0, 32767)
+    q, edge = x * x + y * y, bounds.rational.gap(P, l1, l2)
+    far, near = q > (l1 + l2) ** 2 + edge, q < (l1 - l2) ** 2 - edge
+    out = _answer(l1, l2, x, y, elbow)
+    assert np.all(out["out_status"][far | near] & 1)
+    x, y, rho = x[far | near], y[far | near], np.sqrt(q[far | near])
+    keep = rho > 0
+    exact = truth.ik2(x, y, l1, l2)
+    assert np.all(np.isin(out["out_j2"][far | near], (0, 2 << 24)))
+    theta = [codecs.within_cell(JOINTS[0], {"out_j1": out["out_j1"][far | near]}, np.nan_to_num(exact[0])),
+             np.where(near[far | near], np.pi, 0)]
+    reached, nearest = truth.fk2(*theta, l1, l2), np.where(near[far | near], abs(l1 - l2), l1 + l2) / np.maximum(rho, 1)
+    error = np.hypot(reached[0] - x * nearest, reached[1] - y * nearest)
+    assert np.all((error <= bounds.rational.nearest(P, l1, l2, np.stack([x, y])))[keep])
+
+
+@pytest.mark.parametrize(("l1", "l2"), INVERSE_LINKS)
+def test_ik3_puts_the_tip_within_its_bound(l1: int, l2: int) -> None:
+    rng = np.random.default_rng(l1 + 7 * l2)
+    radius, z, elbow = _targets(l1, l2)
+    turn = rng.uniform(-np.pi, np.pi, radius.size)
+    x, y = (np.rint(radius * part).astype(np.int64) for part in (np.cos(turn), np.sin(turn)))
+    rho, length = np.hypot(x, y), np.sqrt(x * x + y * y + z * z)
+    keep = (rho > 0) & (length <= l1 + l2) & (length >= abs(l1 - l2))
+    x, y, z, elbow, rho, length = (word[keep] for word in (x, y, z, elbow, rho, length))
+    out = rational.ik3(P, in_x=x, in_y=y, in_z=z, in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                       **rational.config(P, cfg_l1=l1, cfg_l2=l2))
+    assert not out["out_status"].any()
+    exact = truth.ik3(x, y, z, l1, l2, elbow)
+    tip = truth.fk3(*(codecs.within_cell(joint, out, theta) for joint, theta in zip(JOINTS, exact)), l1, l2)
+    error = np.sqrt(sum((a - b) ** 2 for a, b in zip(tip, (x, y, z))))
+    n2 = np.abs(np.sin(exact[1]))
+    assert np.all(error <= bounds.rational.ik3(P, l1, l2, np.array([x, y, z])))
+    if l1 + l2 <= 16384:
+        away = (length >= 256) & (n2 > 2**-8)
+        assert np.max(error[away], initial=0) <= 1.0
+
+
+def test_ik3_agrees_with_ik2_in_the_plane_and_holds_on_the_axis() -> None:
+    x, y, z = np.array([0, 0, 6000, 0, 0, -6000]), np.array([0, 0, 0, 0, 0, 0]), np.array([0, 5000, 3000, -4000, 0, 1])
+    words = rational.config(P, cfg_l1=8192, cfg_l2=8192)
+    out = rational.ik3(P, in_x=x, in_y=y, in_z=z, in_elbow=0, cfg_l1=8192, cfg_l2=8192, **words)
+    assert out["out_status"].tolist() == [2, 2, 0, 2, 2, 0]
+    assert out["out_j3"].tolist() == [0, 0, 0, 0, 0, 2 << 24]
+    assert out["out_j1"][4] == out["out_j1"][3] and out["out_j1"][0] == 0
+    flat = rational.ik2(P, in_x=np.abs(x), in_y=z, in_elbow=0, cfg_l1=8192, cfg_l2=8192, **words)
+    assert np.array_equal(flat["out_j2"], out["out_j2"])
+    turned = truth.difference(*(truth.spread_word_to_angle(words["out_j1"][1:4], 24) for words in (flat, out)))
+    assert np.max(np.abs(turned)) <= 2**-12
+
+
+def test_ik2_holds_joint_1_at_the_shoulder() -> None:
+    x, y = np.array([0, 0, 5000, 0, 0]), np.array([0, 3000, 0, 0, 0])
+    out = _answer(8192, 8192, x, y, np.zeros(5, dtype=np.int64))
+    assert out["out_status"].tolist() == [2, 0, 0, 2, 2]
+    assert out["out_j1"][0] == 0 and out["out_j1"][3] == out["out_j1"][4] == out["out_j1"][2]
+    assert abs(int(out["out_j2"][0]) - (2 << 24)) <= 2**5  # folded
+
+
+def test_ik2_elbows_mirror_joint_2_exactly() -> None:
+    x, y, _ = _targets(8320, 7040)
+    up, down = (_answer(8320, 7040, x, y, np.full(x.shape, elbow))["out_j2"] for elbow in (0, 1))
+    assert np.all(up + down & (4 << 24) - 1 == 0)
+
+
+@pytest.mark.parametrize(("l1", "l2"), [(0, 0), (0, 8192), (8192, 0), (65535, 65535), (65535, 0)])
+def test_ik2_degenerate_links_still_point_at_the_target(l1: int, l2: int) -> None:
+    x, y, elbow = _targets(9000, 9000)
+    x = np.where((x == 0) & (y == 0), 1, x)
+    out = _answer(l1, l2, x, y, elbow)
+    theta = [truth.spread_word_to_angle(out[f"out_j{i}"], 24) for i in (1, 2)]
+    reached = truth.fk2(*theta, l1, l2)
+    if l1 == 0 or l2 == 0:
+        turned = truth.difference(np.arctan2(reached[1], reached[0]), np.arctan2(y, x))
+        assert l1 == l2 or np.max(np.abs(turned)) <= 6e-4
+    if l1 != l2:
+        rho = np.hypot(x, y)
+        assert np.all((out["out_status"] & 1)[np.abs(rho - max(l1, l2)) > 1])
+
+
+# The laws at their worst: the lattice points closest to the circles of the stretched and the folded arm, where random
+# targets hardly come, and those next to the base of an arm with a hole
+
+SETS = [{"W": 16, "F": 8, "S": s} for s in (16, 20, 24)] + [{"W": 12, "F": 6, "S": 16}]
+CIRCLES = [(8192, 8192), (8320, 7040), (5000, 11384), (304, 16000), (320, 208)]
+SET = pytest.mark.parametrize("p", SETS, ids=lambda p: f"W{p['W']}S{p['S']}")
+
+
+def _links(p: dict[str, int], l1: int, l2: int) -> tuple[int, int]:
+    return l1 >> 16 - p["W"], l2 >> 16 - p["W"]
+
+
+def _tip(p: dict[str, int], out: dict[str, np.ndarray], exact, l1: int, l2: int) -> np.ndarray:
+    """Tip (2 or 3, N) of the angles nearest to `exact` that round to the answered words."""
+    joint = (Port("j", p["S"] + 2, False, "spread"),)
+    near = [codecs.within_cell(joint, {"j": out[f"out_j{i}"]}, np.nan_to_num(theta))
+            for i, theta in enumerate(exact, 1)]
+    return np.stack((truth.fk2 if len(near) == 2 else truth.fk3)(*near, l1, l2))
+
+
+def _beside(radius: int, width: int) -> tuple[np.ndarray, np.ndarray]:
+    """Lattice points next to a circle, inside and outside, in two quadrants."""
+    x = np.arange(min(radius + 1, 1 << width - 1))
+    y = np.sqrt(np.maximum(radius * radius - x * x, 0)).astype(np.int64)
+    x, y = np.concatenate([x, x, -x]), np.concatenate([y, y + 1, y])
+    inside = y < 1 << width - 1
+    return x[inside], y[inside]
+
+
+def _near_circles(p: dict[str, int], l1: int, l2: int) -> tuple[np.ndarray, ...]:
+    """Targets in reach beside both circles, and which elbow."""
+    x, y = np.concatenate([_beside(radius, p["W"]) for radius in (l1 + l2, abs(l1 - l2))], axis=1)
+    q = x * x + y * y
+    keep = (q > 0) & (q <= (l1 + l2) ** 2) & (q >= (l1 - l2) ** 2)
+    return x[keep], y[keep], np.arange(keep.sum()) % 2
+
+
+@SET
+@pytest.mark.parametrize(("l1", "l2"), CIRCLES)
+def test_ik2_beside_the_circles(p: dict[str, int], l1: int, l2: int) -> None:
+    l1, l2 = _links(p, l1, l2)
+    x, y, elbow = _near_circles(p, l1, l2)
+    out = rational.ik2(p, in_x=x, in_y=y, in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                       **rational.config(p, cfg_l1=l1, cfg_l2=l2))
+    assert not out["out_status"].any()
+    error = np.hypot(*(_tip(p, out, truth.ik2(x, y, l1, l2, elbow), l1, l2) - np.stack([x, y])))
+    assert np.all(error <= bounds.rational.ik2(p, l1, l2, np.hypot(x, y)))
+
+
+def test_coarse_words_cost_most_beside_the_circles() -> None:
+    """The figures of the page: at S = 16 and 20 joint 2 is off by more than its word at S = 24 would let it."""
+    worst = {}
+    for p in SETS[:3]:
+        x, y, elbow = _near_circles(p, 5000, 11384)
+        out = rational.ik2(p, in_x=x, in_y=y, in_elbow=elbow, cfg_l1=5000, cfg_l2=11384,
+                           **rational.config(p, cfg_l1=5000, cfg_l2=11384))
+        error = np.hypot(*(_tip(p, out, truth.ik2(x, y, 5000, 11384, elbow), 5000, 11384) - np.stack([x, y])))
+        worst[p["S"]] = float(error.max())
+    assert worst[24] < 0.6 < 4 < worst[20] < 5 and 4 < worst[16] < 5
+
+
+@SET
+@pytest.mark.parametrize(("l1", "l2"), CIRCLES)
+def test_ik3_beside_the_circles(p: dict[str, int], l1: int, l2: int) -> None:
+    l1, l2 = _links(p, l1, l2)
+    across, z, elbow = _near_circles(p, l1, l2)
+    turn = np.random.default_rng(9).uniform(-np.pi, np.pi, across.size)
+    turn[::2] = np.pi / 2 * np.round(turn[::2])  # on an axis rho is a whole number, so the circle is as near
+    x, y = (np.rint(across * part).astype(np.int64) for part in (np.cos(turn), np.sin(turn)))
+    q = x * x + y * y + z * z
+    keep = (x * x + y * y > 0) & (q <= (l1 + l2) ** 2) & (q >= (l1 - l2) ** 2)
+    x, y, z, elbow = x[keep], y[keep], z[keep], elbow[keep]
+    out = rational.ik3(p, in_x=x, in_y=y, in_z=z, in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                       **rational.config(p, cfg_l1=l1, cfg_l2=l2))
+    assert not out["out_status"].any()
+    target = np.stack([x, y, z])
+    error = np.linalg.norm(_tip(p, out, truth.ik3(*target, l1, l2, elbow), l1, l2) - target, axis=0)
+    assert np.all(error <= bounds.rational.ik3(p, l1, l2, target))
+
+
+@SET
+@pytest.mark.parametrize("joints", [2, 3])
+@pytest.mark.parametrize(("l1", "l2"), [(12000, 4384), (4384, 12000), (16000, 304), (30000, 2000), (320, 208)])
+def test_out_of_reach_and_in_the_hole_the_nearest_point(p: dict[str, int], joints: int, l1: int, l2: int) -> None:
+    l1, l2 = _links(p, l1, l2)
+    rng, full, hole = np.random.default_rng(3), 1 << p["W"] - 1, abs(l1 - l2)
+    short = hole * 2.0 ** -rng.uniform(0, p["W"], 30_000)
+    long = rng.uniform(l1 + l2, 2 * full, 8000)
+    way = rng.normal(size=(joints, short.size + long.size))
+    target = np.rint(np.append(short, long) * way / np.linalg.norm(way, axis=0))
+    few = rng.integers(-3, 4, (joints, 4000))  # next to the base, where an error of rho turns the arm most
+    target = np.clip(np.concatenate([target, few], axis=1), -full, full - 1).astype(np.int64)
+    target = target[:, (target[:2] != 0).any(axis=0)]
+    elbow = rng.integers(0, 2, target.shape[1])
+    model, inverse = (rational.ik2, truth.ik2) if joints == 2 else (rational.ik3, truth.ik3)
+    out = model(p, **dict(zip(("in_x", "in_y", "in_z"), target)), in_elbow=elbow, cfg_l1=l1, cfg_l2=l2,
+                **rational.config(p, cfg_l1=l1, cfg_l2=l2))
+    flagged = out["out_status"] == 1
+    assert flagged.sum() > 3000
+    exact = truth.nearest(target.T, l1, l2).T if joints == 3 else \
+        target * np.clip(np.hypot(*target), hole, l1 + l2) / np.hypot(*target)
+    error = np.linalg.norm(_tip(p, out, inverse(*target, l1, l2, elbow), l1, l2) - exact, axis=0)
+    law = bounds.rational.nearest(p, l1, l2, target)
+    assert np.all((error <= law)[flagged])
+    if joints == 3 and (l1, l2) == (12000, 4384) and p["S"] == 24:  # the hole's own law is needed, and not idle
+        assert error[flagged].max() > 80 and np.max((error / law)[flagged]) > 0.3

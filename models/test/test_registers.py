@@ -1,13 +1,22 @@
-"""`quadrance registers`: what it writes and what it refuses; the driver, on a bus of Python."""
+"""`quadrance registers`: what it writes and what it refuses; the driver, on a bus of Python; the C headers."""
 
+import dataclasses
 import json
+import math
+import os
 import re
+import subprocess
 
+import numpy as np
 import pytest
 from peakrdl_cheader.exporter import CHeaderExporter
 from peakrdl_html import HTMLExporter
-from quadrance import arms, cores, device
-from quadrance.cli import catalogue, main, registers, verilog
+from quadrance import arms, codecs, cores, device, fixed
+from quadrance.arms import ArmError
+from quadrance.cli import c, catalogue, main, registers, verilog
+from quadrance.cli.catalogue import Refused
+from quadrance.program import assembler, image
+from quadrance.program.language import Wrong
 from systemrdl import RDLCompiler
 
 
@@ -145,3 +154,237 @@ def test_peakrdl_reads_the_description(name, readback, tmp_path):
     assert (tmp_path / "html" / "index.html").is_file()
     CHeaderExporter().export(top.parent, str(tmp_path / "map.h"))
     assert re.search(r"uint32_t ID;", (tmp_path / "map.h").read_text())
+
+
+# The C headers: they compile, and answer as Python does
+
+STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-ffp-contract=off")
+STANDARDS = {"c": ("gcc", "-std=c99"), "cpp": ("g++", "-std=c++17", "-xc++")}
+ARMED = [core for core in cores.all_cores() if core.clocked and core.first_set and core.cfg
+         and verilog.takes_an_arm(core)]
+SHAPES = list({(core.function if core.family in ("arm", "six") else "", core.family,
+                tuple(port.name for port in core.cfg)): core for core in reversed(ARMED)}.values())
+FIELDS = ("mm_per_unit", "l1", "l2", "l3", "base", "shoulder", "lateral", "elbow", "flange", "offset",
+          "singular_elbow", "singular_axis")
+
+
+def drawn(rng, absolute):
+    """A random arm, and its second link: extremes, zero offsets and scales at which words do not fit among them."""
+    def some(most, chance=0.7):
+        return float(rng.uniform(-most, most)) if rng.random() < chance else 0.0
+
+    l1, forearm, offset = *np.exp(rng.uniform(math.log(0.5), math.log(2000), 2)).tolist(), some(60)
+    flange = float(rng.uniform(0, 300))
+    ends = [sorted(rng.uniform(-400, 400, 2).tolist()) for _ in range(4)]
+    return dataclasses.replace(
+        arms.load("ur5"), id="drawn", mm_per_unit=float(np.exp(rng.uniform(math.log(2), math.log(40)))), l1=l1,
+        l2=math.hypot(forearm, offset), base=some(300), shoulder=some(100), lateral=some(100), elbow=offset,
+        elbow_angle=math.degrees(math.atan2(offset, forearm)), absolute_elbow=absolute,
+        limits=tuple(map(tuple, ends[:3])), forearm_limit=tuple(ends[3]), l3=float(rng.uniform(1, 300)), spherical=True,
+        flange=flange, d5=some(300), d6=flange,
+        singular=(float(rng.uniform(0.1, 30)), float(rng.uniform(0.1, 30)))), forearm
+
+
+def numbers(arm, forearm):
+    """An arm as the C program reads it: what its file would say."""
+    return [arm.mm_per_unit, arm.l1, forearm, arm.l3, arm.base, arm.shoulder, arm.lateral, arm.elbow, arm.flange,
+            arm.d5, *arm.singular, *(end for limit in arm.limits for end in limit), *arm.forearm_limit]
+
+
+def compiled(folder, text, headers, standard="c"):
+    """A program of C with these headers."""
+    for name, header in {**headers, "quadrance.h": c.SHARED.read_text()}.items():
+        (folder / name).write_text(header)
+    (folder / "main.c").write_text(text)
+    compiler, *options = STANDARDS[standard]
+    subprocess.run([compiler, *options, *STRICT, "main.c", "-o", f"main-{standard}", "-lm"], cwd=folder, check=True)
+    return folder / f"main-{standard}"
+
+
+def program(some):
+    """A program that reads arms and prints the words of some cores, x where one does not fit."""
+    reads = " || ".join([f"fread(&arm.{name}, 8, 1, stdin) != 1" for name in FIELDS] + [
+        f"fread(arm.{name}_limit, 8, 2, stdin) != 2" for name in ("shoulder", "elbow", "yaw", "forearm")])
+    lines = ["#include <stdio.h>", "#include <inttypes.h>", *(f'#include "{core.name}.h"' for core in some),
+             "int main(void) {", "    quadrance_arm arm;", "    for (;;) {", f"        if ({reads}) return 0;"]
+    for core in some:
+        words = " ".join('%" PRId64 "' for _ in core.cfg)
+        values = ", ".join(f"(int64_t)cfg.{port.name[4:]}" for port in core.cfg)
+        lines += [f'        {{ {core.name}_cfg cfg; if ({core.name}_of_arm(&cfg, &arm)) printf("x;");',
+                  f'          else printf("{words};", {values}); }}']
+    return "\n".join([*lines, '        printf("\\n");', "    }", "}"]) + "\n"
+
+
+def fitting(some, absolute):
+    """Cores with the switch that an absolute elbow wants."""
+    return [catalogue.at(core, {"ABSOLUTE": int(absolute)}) if "ABSOLUTE" in core.params else core for core in some]
+
+
+def check_arms(folder, count, seed, absolute, some=()):
+    rng = np.random.default_rng(seed)
+    some = some or fitting(SHAPES, absolute)
+    run = compiled(folder, program(some), {f"{core.name}.h": c.header(core) for core in some})
+    drew = [drawn(rng, absolute) for _ in range(count)]
+    drew += [(dataclasses.replace(drew[0][0], mm_per_unit=8.0, l1=l1, l2=l2, base=-2.5 / 32, shoulder=1.5 / 32,
+                                  lateral=0.0, elbow=0.0, elbow_angle=0.0), l2)  # ties, and links of some LSB or none
+             for l1, l2 in ((100.5 / 32, 101.5 / 32), (1e-6, 1e-6), (1 / 32, 1e-6), (1 / 32, 1 / 32), (3 / 32, 1 / 32))]
+    data = np.array([numbers(*one) for one in drew], dtype="<f8").tobytes()
+    said = subprocess.run([run], input=data, capture_output=True, check=True).stdout.decode().splitlines()
+    assert len(said) == len(drew)
+    fits = dict.fromkeys((core.name for core in some), 0)
+    for (arm, _), line in zip(drew, said):
+        for core, found in zip(some, line.split(";")):
+            try:
+                seven = dataclasses.replace(arm, upper_limit=(-170.0, 170.0))
+                words = verilog.config(core, seven if core.family == "srs" else arm)
+                want = " ".join(str(words[port.name]) for port in core.cfg)
+                fits[core.name] += 1
+            except (Refused, ArmError):
+                want = "x"
+            assert found == want, f"{core.id}: C {found}, Python {want}: {arm}"
+    assert all(len(drew) < 20 * one for one in fits.values()), fits
+    print(len(drew), fits)
+    odd = np.array([[value] * 20 for value in (math.nan, math.inf, -math.inf, 1e300, 0.0)], dtype="<f8")
+    said = subprocess.run([run], input=odd.tobytes(), capture_output=True, check=True).stdout.decode().splitlines()
+    assert set("".join(said[:3])) <= {"x", ";"} and len(said) == len(odd), said
+
+
+@pytest.mark.parametrize("absolute", [False, True])
+def test_words_of_random_arms_are_those_of_python(absolute, tmp_path):
+    check_arms(tmp_path, 200, 2026, absolute)
+
+
+@pytest.mark.parametrize("w", [17, 20, 21, 24])
+def test_words_of_wide_coordinates_are_those_of_python(w, tmp_path):
+    core = catalogue.find("vector_ik2")
+    check_arms(tmp_path, 200, 2026, False, [catalogue.at(core, core.params | {"W": w, "F": w - 8})])
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(3600)
+def test_words_of_a_hundred_thousand_arms_are_those_of_python(tmp_path):
+    seed = int(os.environ.get("SEED", 2026))
+    print(f"SEED={seed}")
+    assert {"ur", "srs", "six", "arm"} <= {core.family for core in ARMED}
+    for absolute in (False, True):
+        check_arms(tmp_path, 50_000, seed, absolute, fitting(ARMED, absolute))
+
+
+def strictly(folder, some, standard):
+    """Their headers, with the constants of an arm where one fits, included twice, in one program without a warning."""
+    headers = {}
+    for core in some:
+        try:
+            arm = arms.load({"six": "puma560", "ur": "ur5e", "srs": "iiwa7"}.get(core.family, "cobra600"))
+            verilog.config(core, arm)
+        except (Refused, ArmError):
+            arm = None
+        headers[f"{core.name}.h"] = c.header(core, arm)
+    includes = "".join(f'#include "{name}"\n#include "{name}"\n' for name in headers)
+    compiled(folder, f"{includes}int main(void) {{ return 0; }}\n", headers, standard)
+
+
+@pytest.mark.parametrize("standard", STANDARDS)
+def test_the_header_of_every_set_compiles_strictly(standard, tmp_path):
+    """Of every clocked core: a program for the first sets, one for the second ones, and so on."""
+    rounds = {}
+    for core in cores.all_cores():
+        if core.clocked:
+            rounds.setdefault(sum(core.name in some for some in rounds.values()), {})[core.name] = core
+    assert sum(map(len, rounds.values())) == sum(core.clocked for core in cores.all_cores())
+    for some in rounds.values():
+        strictly(tmp_path, some.values(), standard)
+
+
+def joint_program(headers):
+    return "\n".join(["#include <stdio.h>", *(f'#include "{name}"' for name in headers), "int main(void) {",
+                      "    double degrees; int32_t c, n; uint32_t a, s;",
+                      "    while (fread(&degrees, 8, 1, stdin) == 1) {",
+                      "        quadrance_vector(degrees, 16, &c, &n);",
+                      "        a = table_ik2_angle(degrees); s = rational_ik2_spread(degrees);",
+                      '        printf("%ld %ld %lu %lu %.17g %.17g %.17g %ld\\n", (long)c, (long)n, (unsigned long)a,',
+                      "            (unsigned long)s, table_ik2_degrees_of_angle(a), rational_ik2_degrees_of_spread(s),",
+                      "            quadrance_vector_degrees(c, n), (long)TABLE_IK2_MM(degrees));", "    }", "}"]) + "\n"
+
+
+@pytest.mark.parametrize("standard", STANDARDS)
+@pytest.mark.parametrize("name", ("vector_ik6", "vector_xyzac"))
+def test_a_program_of_the_engine_is_a_header(name, standard, tmp_path):
+    """With a constant and without one: what the core loads, and where inputs and results are."""
+    made = image.image(assembler.assembled(cores.RTL / "program" / f"{name}.kin", 0), start=700, version=9)
+    ports = [port for port in (*made["inputs"], *made["outputs"]) if "word" not in port]
+    values = ["(long long)one->header", "one->count", "one->start", "one->one",
+              *(f"one->lines[{i}]" for i in range(len(made["lines"]))),
+              *(f"{name.upper()}_{port['name'].upper()}" for port in ports)]
+    prints = "".join(f'    printf("%lld\\n", (long long)({value}));\n' for value in values)
+    text = (f'#include <stdio.h>\n#include "{name}.h"\nint main(void) {{\n'
+            f"    const kinematics_engine_program *one = &{name};\n{prints}    return 0;\n}}\n")
+    core = cores.find("kinematics_engine")
+    headers = {"kinematics_engine.h": c.header(core), f"{name}.h": image.header(made)}
+    run = compiled(tmp_path, text, headers, standard)
+    found = list(map(int, subprocess.run([run], capture_output=True, check=True, text=True).stdout.split()))
+    assert found == [int(made["header"], 16), len(made["lines"]), 700, 22 if name == "vector_ik6" else -1,
+                     *(int(line, 16) for line in made["lines"]), *(port["at"] for port in ports)]
+    headers["kinematics_engine.h"] = c.header(catalogue.at(core, {"PIPE": 1}))
+    with pytest.raises(subprocess.CalledProcessError):
+        compiled(tmp_path, text, headers, standard)
+
+
+def test_a_program_whose_name_is_none_in_c_is_refused():
+    with pytest.raises(Wrong, match="^'my-pan' is no name in C"):
+        image.header({"program": "my-pan"})
+
+
+def test_joints_and_millimetres_are_those_of_python(tmp_path):
+    arm = arms.load("cobra600")
+    headers = {f"{name}.h": c.header(cores.find(name), arm) for name in ("table_ik2", "rational_ik2")}
+    rng = np.random.default_rng(1)
+    degrees = np.concatenate([rng.uniform(-800, 800, 4000), np.arange(-720, 721, 45), [359.9999999, -1e-9, 0.5 / 256]])
+    run = compiled(tmp_path, joint_program(headers), headers)
+    rows = subprocess.run([run], input=degrees.tobytes(), capture_output=True, check=True).stdout.decode().splitlines()
+    found = np.array([[float(word) for word in row.split()] for row in rows]).T
+    vector, angle, spread = (codecs.from_degrees(kind, bits, degrees)
+                             for kind, bits in (("vector", 16), ("angle", 18), ("spread", 24)))
+    for have, want in zip(found[:4], (*vector, angle, spread)):
+        assert np.array_equal(have, want), degrees[have != want]
+    for have, want in zip(found[4:7], (codecs.to_degrees("angle", 18, angle), codecs.to_degrees("spread", 24, spread),
+                                       codecs.to_degrees("vector", 16, vector))):
+        assert np.max(np.abs((have - want + 180) % 360 - 180)) < 1e-9
+    assert np.array_equal(found[7], fixed.to_fixed(degrees / arm.mm_per_unit, 8))
+
+
+def test_the_driver_drives_registers(tmp_path):
+    """A device in memory: what the driver writes is where the map says, and a result is read with its sign."""
+    arm, core = arms.load("cobra600"), catalogue.find("vector_ik2")
+    words = {word.name: word for word in registers.words(core)}
+    text = """#include <stdio.h>
+#include "vector_ik2.h"
+static uint32_t memory[1024];
+int main(void) {
+    vector_ik2_out out; unsigned i;
+    memory[0] = VECTOR_IK2_IDENTITY;
+    if (!vector_ik2_probe(memory)) return 1;
+    memory[0] ^= 1;
+    if (vector_ik2_probe(memory)) return 2;
+    vector_ik2_configure(memory, &vector_ik2_arm);
+    vector_ik2_interrupt(memory, 1);
+    memory[3] = 0x302; memory[0x300 / 4] = 0xffff0001; memory[0x304 / 4] = 7;
+    vector_ik2_run(memory, -5, 300, 1, &out);
+    for (i = 0; i < 1024; i++) if (memory[i]) printf("%x %x ", 4 * i, memory[i]);
+    printf("\\n%d %d %u\\n", (int)out.c1, (int)out.n1, (unsigned)out.status);
+    vector_ik2_acknowledge(memory);
+    if (memory[3] != 2) return 3;
+    memory[3] = 0x30e;
+    if (vector_ik2_flags(memory) != 12 || memory[3] != 12) return 4;
+    return 0;
+}
+"""
+    run = compiled(tmp_path, text.replace("\\\\n", "\\n"), {"vector_ik2.h": c.header(core, arm)})
+    memory, result = subprocess.run([run], capture_output=True, text=True, check=True).stdout.splitlines()
+    pairs = memory.split()
+    found = {int(at, 16): int(word, 16) for at, word in zip(pairs[::2], pairs[1::2])}
+    cfg = verilog.config(core, arm)
+    want = {word.address: cfg[word.port] >> word.low & 0xFFFFFFFF for word in words.values() if word.kind == "cfg"}
+    want |= {0x000: registers.identity(core) ^ 1, 0x008: 1, 0x00C: 0x302, 0x010: 1, 0x200: 0xFFFFFFFB, 0x204: 300,
+             0x208: 1, 0x300: 0xFFFF0001, 0x304: 7}
+    assert found == {at: word for at, word in want.items() if word} and result == "-65535 7 3"

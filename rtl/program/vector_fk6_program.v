@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembled from vector_fk6.kin and vector_fk6.order by `quadrance assemble`; do not edit.
+// Assembled from vector_fk6.kin by `quadrance assemble`; do not edit.
 //   Six unit vectors to R = R03 R36 and the tip: ortho-parallel base, spherical wrist
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
 // a word of capitals and a small letter is one that the assembler has added.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembled from vector_ur_fk.kin and vector_ur_fk.order by `quadrance assemble`; do not edit.
+// Assembled from vector_ur_fk.kin by `quadrance assemble`; do not edit.
 //   Six unit vectors to the rotation matrix and the tip: axes 2, 3 and 4 are parallel
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
 // a word of capitals and a small letter is one that the assembler has added.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembled from vector_ur_ik.kin and vector_ur_ik.order by `quadrance assemble`; do not edit.
+// Assembled from vector_ur_ik.kin by `quadrance assemble`; do not edit.
 //   A pose to the six unit vectors of one branch: axes 2, 3 and 4 are parallel
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
 // a word of capitals and a small letter is one that the assembler has added.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembled from vector_xyzac.kin and vector_xyzac.order by `quadrance assemble`; do not edit.
+// Assembled from vector_xyzac.kin by `quadrance assemble`; do not edit.
 //   Axes of a machine tool from a point of its workpiece: a table that turns about z on one that tilts about x
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
 // a word of capitals and a small letter is one that the assembler has added.

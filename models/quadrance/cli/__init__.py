@@ -317,6 +317,8 @@ def _check(args: argparse.Namespace) -> None:
                            if about["functions"] else "none serves it"))
     for reason, names in about["refused"].items():
         print(f"  not      {', '.join(names)}: {reason}")
+    for line in about["frames"]:
+        print(f"  frame    {line}")
     for line in about["advice"]:
         print(f"  advice   {line}")
 
@@ -349,7 +351,7 @@ def _import(args: argparse.Namespace) -> None:
         _write(Path(args.out), found["text"])
     if args.json:
         return _json(found)
-    print(f"{args.out}: {found['kind']}; now: quadrance check {args.out}" if args.out else found["text"], end="")
+    print(f"{args.out}: {found['kind']}; now: quadrance check {args.out}\n" if args.out else found["text"], end="")
 
 
 def _write(path: Path, text: str) -> None:
@@ -481,7 +483,7 @@ def parser() -> Parser:
     sub.add_argument("program", metavar="FILE.kin")
     sub.add_argument("--pipe", type=int, default=0, choices=range(3), help="registers after the engine's products")
     sub.add_argument("--seconds", type=float, default=60, help="time to look for the shortest order (default 60)")
-    sub.add_argument("--write", action="store_true", help="write FILE.order and FILE_program.v")
+    sub.add_argument("--write", action="store_true", help="write the order into FILE, and FILE_program.v")
     sub.add_argument("--image", metavar="FILE", help="write what kinematics_engine loads: C in FILE.h, else JSON")
     sub.add_argument("--start", type=int, default=0, help="address of the image in its memory (default 0)")
     sub.add_argument("--release", type=int, default=0, help="the version that it answers with (default 0)")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from quadrance import classic, kinematics_engine, six
 from quadrance.arms import Arm
-from quadrance.cli import registers, verilog
+from quadrance.cli import frames, registers, verilog
 from quadrance.cli.catalogue import Refused
 from quadrance.cores import STATUS_BITS, Core, Port
 from quadrance.cores import joints as joints_of
@@ -263,6 +263,7 @@ def _constants(core: Core, arm: Arm | None) -> list[str]:
     if arm is None:
         return []
     n, big, lines = core.name, core.name.upper(), ["", f"/* {_plain(arm.name)} */"]
+    lines += [f"/* {_plain(one)} */" for one in frames.around(core, arm)]
     if "F" in core.params:
         w, f = core.params["W"], core.params["F"]
         lines += [f"#define {big}_MM_PER_UNIT {arm.mm_per_unit!r}",

@@ -7,6 +7,7 @@ from dataclasses import asdict
 
 from quadrance import arms
 from quadrance.arms import REACH, Arm, ArmError
+from quadrance.cli import frames
 from quadrance.cli.around import PLANE, WRISTED
 from quadrance.cli.catalogue import Refused, choose, find
 from quadrance.cli.verilog import config, fitted, takes_an_arm
@@ -22,7 +23,9 @@ def load(name_or_path: str) -> Arm:
     if "." not in name_or_path and "/" not in name_or_path:
         choose("arm", name_or_path, arms.known())
     try:
-        return arms.load(name_or_path)
+        path = arms.path_of(name_or_path)
+        text = arms.read(path)
+        return frames.placed(arms.parse(path, text), path, text)
     except ArmError as error:
         raise Refused(str(error)) from None
 
@@ -99,7 +102,7 @@ def check(arm: Arm) -> dict:
             "axes": arm.axes,
             "l1_mm": arm.l1, "l2_mm": arm.l2, "reach_mm": [abs(arm.l1 - arm.l2), arm.l1 + arm.l2],
             "limits_degrees": [list(pair) for pair in limits], "mm_per_unit": arm.mm_per_unit,
-            "machine": [asdict(one) for one in arm.joints],
+            "machine": [asdict(one) for one in arm.joints], "frames": frames.lines(arm),
             "units": {"l1": arm.links[0], "l2": arm.links[1], "reach": sum(arm.links), "largest": REACH}
             | {axis: length / arm.mm_per_unit for axis, length in found.items()},
             "lsb_mm": arm.mm_per_unit / 2**F, "best_mm_per_unit": best,

@@ -16,7 +16,7 @@ import numpy as np
 
 from quadrance import arms, truth, truth_arm, truth_six, truth_srs, truth_ur
 from quadrance.arms import Arm
-from quadrance.cli import check, urdf
+from quadrance.cli import check, frames, urdf
 from quadrance.cli.catalogue import Refused
 from quadrance.cli.urdf import Chain
 from quadrance.truth import Floats
@@ -393,9 +393,8 @@ def arm_file(chain: Chain, source: str) -> dict:
         raise Refused(f"{source}: it is nearly {kind.name}, but not within {2 * MM:g} mm and {2 * RAD:g} rad: the tip "
                       f"would be off by {mm:.3g} mm and {rad:.3g} rad; {worst}")
     notes = [f"{kind.name}: within {mm:.1g} mm and {rad:.1g} rad of its source at {SAMPLES} joint vectors"]
-    for name, (xyz, rpy), what in (("base", base, f"the cores' frame seen from '{chain.base}'"),
-                                   ("tip", tool, f"'{chain.tip}' seen from the cores' frame at the tip")):
-        notes += [f"{name} frame: {what}: xyz = {xyz} mm, rpy = {rpy} degrees"] if any(xyz + rpy) else []
+    notes += [frames.comment(name, frames.Frame(link, *map(tuple, where))) for name, link, where in (
+        ("base", chain.base, base), ("tip", chain.tip, tool)) if any((*where[0], *where[1]))]
     for part in rest:
         joint, moves = joints[part.joint], "moves the tip along z" if part.key == "slide" else "turns the tip about z"
         notes.append(f"joint '{joint.name}' ({_span(joint)}) {moves}, sign = {part.sign}, zero = {zeros[part.key]!r}; "

@@ -9,6 +9,7 @@ from pathlib import Path
 from quadrance import accuracy, six
 from quadrance import arm as arm_model
 from quadrance.arms import SEVEN, Arm, ArmError
+from quadrance.cli import frames
 from quadrance.cli.around import INSIDE, PLANE, SPACE, WRISTED, around, plus
 from quadrance.cli.catalogue import Refused, at, compile_order, timing
 from quadrance.cores import Core, Port, all_cores
@@ -190,7 +191,8 @@ def notes(core: Core, arm: Arm | None) -> list[str]:
     for where, steps in (("before", found.before), ("after", found.after)):
         for i in range(0, len(steps), 4):
             lines.append(f"  {where:6} {';  '.join(steps[i:i + 4])}")
-    return lines + [f"  note   {one}" for one in found.remarks]
+    lines += [f"  note   {one}" for one in found.remarks]
+    return lines + [f"  frame  {one}" for one in frames.around(core, arm)]
 
 
 def file_list(core: Core, relative_to: Path | None = None) -> list[str]:

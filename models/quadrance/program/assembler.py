@@ -1,10 +1,12 @@
 """This module assembles a program: its text and the order of its lines become control words and a Verilog table.
 
-The order is committed beside the text, NAME.order, so that a table follows from both whatever scheduler has found it.
+The order is committed as comments at the end of the text, so that a table follows from it whatever scheduler has found
+it.
 """
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,6 +35,7 @@ OUT = {"plain": "OUT", "both": "PAIR", "flags": "FLAG", "far": "REACH"}  # DEST 
 Cells = tuple[str, ...]  # names, in the order of FIELDS
 IDLE: Cells = ("PORT", NIL, "BY", "NOUGHT", NIL, NIL, "LONE", "DONE", "HIGH", NIL, "OTHER")
 SECONDS = 60.0  # for an order
+ORDER = "# Order of these lines by `quadrance assemble`, for each number of registers after the products"
 
 
 @dataclass(frozen=True)
@@ -142,7 +145,7 @@ def assemble(program: Program, pipe: int = 0, order: Order | None = None, second
         order = schedule.listed(program, schedule.guided(rules, guide) if guide else rules, len(made))
         order = (solved(rules, len(made), order, seconds) or (order, False))[0]
     if wrong := schedule.faults(rules, made, order):
-        raise Wrong(f"{program.path.with_suffix('.order').name}: {wrong[0]}")
+        raise Wrong(f"{program.path.name}: order: {wrong[0]}")
     registers = allocated(program, made, order)
     numbers = {NIL: 0} | {_cell(name): number for name, number in registers.items()}
     numbers |= {f"I_{name.upper()}": i for i, name in enumerate((*program.inputs, ONE))}
@@ -158,23 +161,23 @@ def problems(one: Assembled) -> list[str]:
                                 one.pipe)
 
 
-# The order in a file
+# The order at the end of a text
 
 
-def order_path(program: Program) -> Path:
-    return program.path.with_suffix(".order")
+def _parted(path: Path) -> tuple[str, list[list[str]]]:
+    """A text without its order, and the words of the lines of this; of no file nothing."""
+    text, _, order = (path.read_bytes().decode() if path.exists() else "").partition(ORDER)
+    rows = [line for line in order.splitlines() if line.strip()]
+    if wrong := [line for line in rows if not re.fullmatch(r"# pipe [0-2]:( (-|[0-9]{1,8}))+", line)]:
+        raise Wrong(f"{path.name}: '{wrong[0][:40]}' stands behind the order of the lines: equations come before it, "
+                    "and its lines are '# pipe N: ' and numbers of lines, - for none")
+    return text, [line.split() for line in rows]
 
 
 def read_order(program: Program, pipe: int = 0) -> Order | None:
     """The committed order; None where there is none."""
-    path = order_path(program)
-    if not path.exists():
-        return None
-    rows = [line.split(":") for line in path.read_text().splitlines() if not line.startswith("#")]
-    found = [numbers.split() for number, numbers in (row for row in rows if len(row) == 2) if number == f"pipe {pipe}"]
-    if any(len(row) != 2 for row in rows) or any(not (one == "-" or one.isdecimal()) for row in found for one in row):
-        raise Wrong(f"{path.name}: a line is '# ...' or 'pipe N: ' and numbers of lines, - for none")
-    return [None if one == "-" else int(one) for row in found for one in row] or None
+    rows = [row[3:] for row in _parted(program.path)[1] if row[2] == f"{pipe}:"]
+    return [None if one == "-" else int(one) for row in rows for one in row] or None
 
 
 def orders(program: Program) -> list[int]:
@@ -182,12 +185,12 @@ def orders(program: Program) -> list[int]:
     return [pipe for pipe in range(3) if read_order(program, pipe)]
 
 
-def order_text(every: dict[int, Order]) -> str:
-    """The file of the orders by `pipe`."""
-    text = "# Order of the program's lines by `quadrance assemble`, for each number of registers after the products\n"
+def with_orders(path: Path, every: dict[int, Order]) -> str:
+    """The text of a program with its orders by `pipe`."""
+    text = f"{_parted(path)[0].rstrip()}\n\n{ORDER}\n"
     for pipe, order in every.items():
         numbers = " ".join("-" if i is None else str(i) for i in order)
-        text += "".join(f"pipe {pipe}: {row}\n" for row in textwrap.wrap(numbers, 110, break_on_hyphens=False))
+        text += "".join(f"# pipe {pipe}: {row}\n" for row in textwrap.wrap(numbers, 110, break_on_hyphens=False))
     return text
 
 

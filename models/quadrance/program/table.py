@@ -14,7 +14,7 @@ from quadrance.program.ranges import proved
 WIDTH = 120
 _HEAD = """\
 // SPDX-License-Identifier: Apache-2.0
-// Assembled from {name}.kin and {name}.order by `quadrance assemble`; do not edit.
+// Assembled from {name}.kin by `quadrance assemble`; do not edit.
 //   {title}
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
 // a word of capitals and a small letter is one that the assembler has added.
@@ -124,7 +124,7 @@ def table_path(path: Path) -> Path:
 
 
 def stale(folder: Path) -> list[str]:
-    """A line for each program of a folder whose table is not what its text and its orders give."""
+    """A line for each program of a folder whose table is not what its text gives."""
     wrong = []
     for path in sorted(folder.glob("*.kin")):
         try:

@@ -1,17 +1,21 @@
-"""engine_rus_fk: its answers against float64, within derived bounds; flags, bad inputs."""
+"""engine_rus_fk and engine_delta_fk against float64, within derived bounds; flags, bad inputs."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import cores, engine_rus
+from quadrance import cores, engine_delta, engine_rus
 from quadrance import engine_rus_fk as fk
-from quadrance.bounds import rus_fk as bounds
-from quadrance.parallel import geometry, position
+from quadrance.bounds import engine as delta_bounds
+from quadrance.bounds import rus_fk as rus_bounds
+from quadrance.parallel import delta, geometry, position
 from quadrance.parallel.geometry import PoseError
 
+from tb.engine.delta import MM, scale, words, workspace
 from tb.engine.rus_fk import UNIT, assembled, poses
 from tb.engine.rus_ik import spiral
+
+# Six rods: engine_rus_fk
 
 CORES = [core for core in cores.all_cores() if core.name == "engine_rus_fk"]
 EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
@@ -80,12 +84,12 @@ def test_converged_rods_and_poses_keep_their_bounds(core, name):
         turns, places = pose_of(p, name, words)
         elbow, joint, lb = quantised(p, robot, name, alpha, beta)
         rods = np.linalg.norm(joint @ turns[0].T + places[0] - elbow, axis=1) - lb
-        limit = bounds.rod(tol, lb / unit, np.linalg.norm(joint, axis=1) / unit, p["W"]) * unit
+        limit = rus_bounds.rod(tol, lb / unit, np.linalg.norm(joint, axis=1) / unit, p["W"]) * unit
         assert np.all(np.abs(rods) <= limit)
         if p["W"] < 27:  # cranks are rounded: that is no error of the core
             continue
         rows6 = jacobian(turn, place, joint, elbow)
-        shift, angle = bounds.pose(rows6, limit + 2.0**-26 * unit * 4)
+        shift, angle = rus_bounds.pose(rows6, limit + 2.0**-26 * unit * 4)
         if shift < 0.01:  # mm: to the first order
             close += 1
             assert np.linalg.norm(places[0] - place) <= 1.1 * shift
@@ -137,7 +141,7 @@ def test_steps_are_newtons(core):
     for turn, place, beta, alpha in zip(*poses("rus_2x3", 12, rng)):
         start = near(turn, place, 1, 2, rng)
         status, steps, _ = run(p, fk.loads(p, robot, 512.0, *start, alpha, beta) + answer(), 256)
-        given = position.forward(robot, alpha, beta, *start, tolerance=256 * bounds.WORD * 512**2 / 800,
+        given = position.forward(robot, alpha, beta, *start, tolerance=256 * rus_bounds.WORD * 512**2 / 800,
                                  same_branch=False)
         same += status[0] == 0 and abs(steps[0] - given.steps) <= 1
     assert same >= 11
@@ -218,3 +222,111 @@ def test_words_that_do_not_fit_are_refused():
         fk.loads(p, geometry.load("klipper_delta"), 512.0, np.eye(3), [0, 0, 0], np.zeros(3))
     with pytest.raises(PoseError):
         fk.start(p, robot, 512.0, np.eye(3) * 1.1, [0, -300, 0])
+
+
+# The delta on the product engine
+
+DELTAS = [core for core in cores.all_cores() if core.name == "engine_delta_fk" and not core.params["PIPE"]]
+EVERY_DELTA = pytest.mark.parametrize("core", DELTAS, ids=lambda core: core.id)
+DELTA_ROBOTS = pytest.mark.parametrize("name", sorted(MM))
+
+
+def run_delta(core, name: str, alpha: np.ndarray, below: bool = True) -> tuple[dict, np.ndarray, dict, float]:
+    """Answer, its tip in LSB, what the words say, the rod in LSB."""
+    columns, cfg = words(core, alpha), engine_delta.config(core.params, geometry.load(name), scale(core, name), below)
+    answer = core.model(core.params, **columns, **cfg)
+    place = np.stack([answer[f"out_{axis}"] for axis in "xyz"], axis=-1)
+    return answer, place, engine_delta.exact(core.params, columns, cfg), cfg["cfg_lb"] * 2.0**-engine_delta.MORE
+
+
+@EVERY_DELTA
+@DELTA_ROBOTS
+@pytest.mark.parametrize("below", [True, False])
+def test_tip_and_reach_keep_their_bounds(core, name, below):
+    """In the workspace, and with cranks anywhere."""
+    rng = np.random.default_rng(3)
+    alpha = np.concatenate([workspace(name, 3000, rng), rng.uniform(-np.pi, np.pi, (6000, 3))])
+    answer, place, exact, lb = run_delta(core, name, alpha, below)
+    law, band = delta_bounds.delta_tip(core.params, exact["elbows"], np.nan_to_num(exact["tip"]), lb)
+    far, singular = (answer["out_status"] & bit > 0 for bit in (1, 2))
+    sure = np.abs(exact["gap"]) > band
+    assert sure.mean() > 0.99 and np.array_equal(far[sure], exact["gap"][sure] < 0)
+    clear = sure & ~far & ~singular
+    assert clear.mean() > 0.8
+    held = 1 << core.params["W"] - 1
+    off = np.abs(place - np.clip(exact["tip"], -held, held - 1)).max(axis=-1) - 0.5
+    assert np.all(off[clear] <= law[clear])
+    assert singular.mean() < 0.02 and law[:2500].max() < 25 and np.median(law[:2500]) < 1.7
+    over = np.abs(exact["tip"] + 0.5).max(axis=-1) - held
+    flag = answer["out_status"] & 4 > 0
+    assert np.all(flag[clear & (over > law + 0.5)]) and not np.any(flag[clear & (over < -law - 0.5)])
+
+
+@EVERY_DELTA
+@DELTA_ROBOTS
+@pytest.mark.parametrize("rod", [1, 0.4])
+def test_the_law_out_of_reach(core, name, rod):
+    """LB from elbow 1 towards the middle of the circle through the elbows, cranks anywhere; with shorter rods, too."""
+    p, rng = core.params, np.random.default_rng(6)
+    columns = words(core, np.concatenate([rng.uniform(-np.pi, np.pi, (20_000, 3)),
+                                          np.pi / 2 * rng.integers(0, 4, (2000, 3)) + rng.normal(size=(2000, 3)) / 50]))
+    cfg = engine_delta.config(p, geometry.load(name), scale(core, name))
+    cfg["cfg_lb"] = round(cfg["cfg_lb"] * rod)
+    answer, exact = core.model(p, **columns, **cfg), engine_delta.exact(p, columns, cfg)
+    lb = cfg["cfg_lb"] * 2.0**-engine_delta.MORE
+    _, band = delta_bounds.delta_tip(p, exact["elbows"], np.nan_to_num(exact["tip"]), lb)
+    far = (exact["gap"] < -band) & (answer["out_status"] & 6 == 0)
+    assert far.sum() > 100 and np.all(answer["out_status"][far] == 1)
+    off = np.abs(np.stack([answer[f"out_{axis}"] for axis in "xyz"], axis=-1) - exact["tip"])[far].max(axis=-1) - 0.5
+    law = delta_bounds.delta_nearest(p, exact["elbows"][far], lb)
+    assert np.all(off <= law) and np.any(off > 0.25 * law)
+
+
+@DELTA_ROBOTS
+def test_it_is_the_robot(name):
+    """Millimetres in the robot's frame against `delta.forward`, whose spheres are worked out another way."""
+    core, robot = DELTAS[0], geometry.load(name)
+    alpha = workspace(name, 2000, np.random.default_rng(4))
+    alpha = alpha[np.abs(np.diff(alpha[:, [0, 1, 2, 0]])).max(axis=1) < 1.2]
+    for below in (True, False):
+        answer, *_ = run_delta(core, name, alpha, below)
+        assert not np.any(answer["out_status"])
+        off = engine_delta.tip(robot, scale(core, name), answer) - delta.forward(robot, alpha, below)
+        assert np.abs(off).max() < 0.05, "mm, the cranks' rounding included"
+
+
+@EVERY_DELTA
+def test_no_tip(core):
+    """Spheres that do not meet: LB from elbow 1. Elbows in one point: the last tip, before there was one elbow 1."""
+    name, lsb = "klipper_delta", 2.0 ** core.params["W"]
+    robot = geometry.load(name)
+    cfg = engine_delta.config(core.params, robot, scale(core, name)) | {"cfg_base": 0}
+    cfg["cfg_lb"] >>= 2
+    one = np.pi / 2
+    columns = words(core, np.array([[one, one, one], [1.5, 1.6, 1.55], [0, 0, 0], [one, one, one], [-one, -one, -one]]))
+    answer = core.model(core.params, **columns, **cfg)
+    place = np.stack([answer[f"out_{axis}"] for axis in "xyz"], axis=-1)
+    exact = engine_delta.exact(core.params, columns, cfg)
+    assert [int(status) & 3 for status in answer["out_status"]] == [2, 2, 1, 2, 2]
+    assert np.array_equal(place[0], np.rint(exact["elbows"][0, 0]))
+    assert np.array_equal(place[3], place[2]) and np.array_equal(place[4], place[2])
+    rod = np.linalg.norm(place[2] - exact["elbows"][2, 0])
+    assert abs(rod - cfg["cfg_lb"] / 16) < 2 + lsb * 2.0**-15
+
+
+def test_words_that_do_not_fit():
+    p = DELTAS[0].params
+    with pytest.raises(PoseError, match="must be below 2.15 LSB"):
+        engine_delta.config(p, geometry.load("klipper_delta"), 1 / 200)
+    with pytest.raises(PoseError, match="three cranks alike"):
+        engine_delta.config(p, geometry.load("rotary_stewart"), 1 / 48)
+
+
+def test_angles_are_their_vectors():
+    core, name = cores.find("engine_delta_fk_angle"), "linuxcnc_delta"
+    alpha = workspace(name, 1000, np.random.default_rng(5))
+    cfg = engine_delta.config(core.params, geometry.load(name), scale(core, name))
+    by_angle = core.model(core.params, **words(core, alpha), **cfg)
+    by_vector = DELTAS[0].model(DELTAS[0].params, **words(DELTAS[0], alpha), **cfg)
+    for axis in "xyz":
+        assert np.abs(by_angle[f"out_{axis}"] - by_vector[f"out_{axis}"]).max() <= 3
