@@ -11,7 +11,7 @@ from quadrance import arms
 from quadrance.arm import switches
 from quadrance.cores import Core, all_cores, at, find
 
-from ci import cache, checks, cover, coverage, equivalence, miter, mutants, mutate
+from ci import cache, checks, cover, coverage, equivalence, mutants, mutate
 from tb.lib import legal, program
 from tb.lib.simulate import available, simulate
 from tb.lib.test_bench_bites import altered
@@ -106,7 +106,7 @@ def test_a_memory_that_is_written_keeps_its_words_or_has_one_that_nothing_reads(
     def text(init: str, facts: bool) -> str:
         design = {"modules": {"core": {"cells": {"file": cell | {"parameters": cell["parameters"] | {"INIT": init}}},
                                        "ports": {}}}}
-        (one,) = miter.cut(design, set(), {"file"})
+        (one,) = equivalence.cut_out(design, set(), {"file"})
         return one.results(facts) + "\n".join(one.watched(facts))
 
     kept, nil = text("xxxx0101xxxxxxxx", True), text("x", True)
