@@ -280,8 +280,8 @@ def test_a_list_has_ends_neighbours_an_odd_middle_and_all_pairs_of_switches():
     sets = legal.cover(core)
     assert sets == legal.cover(core) and len(sets) == legal.MOST and not any(map(legal.rule_of(core).broken, sets))
     for name, (low, high) in legal.ranges(core).items():
-        values = {one[name] for one in [*sets, core.params]}
-        assert {low, low + 1, high - 1, high} <= values
+        ends = {one for one in (low, low + 1, high - 1, high) if low <= one <= high and legal.near(core, {name: one})}
+        assert {low, high} <= ends <= {one[name] for one in [*sets, core.params]}
     assert any(one["W"] % 2 and one["W"] not in (9, 15) for one in sets)
     tops = ("BASE", "SHOULDER", "LATERAL", "ELBOW", "ABSOLUTE")
     for i, one in enumerate(tops):
