@@ -1072,7 +1072,7 @@ def checked(text):
         assert code or ": right\n  links " in out
         for core in () if code else ("arm_ik3", "table_ik2"):
             code, out, _ = run("instance", core, "--arm", path)
-            assert code or re.fullmatch(r"(//.*\n)+\w+ #\(.*\) \w+ \(\n( +\..*\n)+\);\n", out)
+            assert code or re.fullmatch(r"(//.*\n)+\w+ #\([^;]*\)\s+\w+ \(\n( +\..*\n)+\);\n", out)
 
 
 @st.composite
