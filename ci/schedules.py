@@ -17,6 +17,7 @@ from quadrance.cores import ROOT, RTL, Core, all_cores, expand, listed
 
 from ci import dataflow, programs
 from ci.programs import Played
+from tb.lib import legal
 
 SCHEDULES = ("schedule", "schedule_counter")
 INSTANCE = re.compile(rf"^[ \t]*(?:{'|'.join(programs.PLAYERS)})\s*#\(", re.M)
@@ -47,18 +48,23 @@ def loose(texts: dict[Path, str]) -> list[str]:
 
 
 def turned(core: Core) -> list[Core]:
-    """A core with one of its switches, parameters of 0 or 1, the other way."""
+    """A core with one of its switches, parameters of 0 or 1, the other way, where that is legal."""
     family, function, shared, name, own = next(
         entry for entry in listed((RTL / "cores.toml").read_text()) if entry[3] == core.name)
     own = {key: value for key, value in own.items() if key != "checks"}
-    return [one for key, value in core.params.items() if value in (0, 1) for one in expand(
+    return [one for key, value in core.params.items() if value in (0, 1)
+            and not legal.rule_of(core).broken(core.params | {key: 1 - value}) for one in expand(
         family, function, shared, name, own | {"sets": {f"{key}{1 - value}": core.params | {key: 1 - value}}},
         core.sources)]
 
 
 def chosen(tables: dict[Core, list[Played]]) -> list[Core]:
-    """Few cores that play every schedule between them, the first parameter sets before others."""
-    plays = {core: {(one.path, one.at) for one in every if one.player in SCHEDULES} for core, every in tables.items()}
+    """Few cores that play every schedule between them, the first parameter sets before others.
+
+    A table that parameters make in one place is another schedule for each of its words.
+    """
+    plays = {core: {(one.path, one.at, one.words) for one in every if one.player in SCHEDULES}
+             for core, every in tables.items()}
     wanted, found = set().union(*plays.values()), []
     while wanted:
         best = max(plays, key=lambda core: (len(plays[core] & wanted), core.first_set))
@@ -89,11 +95,9 @@ def played(cores: tuple[Core, ...]) -> dict[Core, list[Played]]:
 
 def check(cores: tuple[Core, ...]) -> list[str]:
     """Everything wrong with the tables and with the latencies that they give."""
-    tables, placed = played(cores), instances()
-    files = {path for path, _ in placed - {(one.path, one.at) for every in tables.values() for one in every}}
-    tables |= played(tuple(one for core in tables if core.first_set and files & set(core.sources)
-                           for one in turned(core)))
-    wrong = unread(tables, placed) + loose({path: path.read_text() for path in RTL.rglob("*.v")})
+    tables = played(cores)
+    tables |= played(tuple(one for core in tables if core.first_set for one in turned(core)))
+    wrong = unread(tables, instances()) + loose({path: path.read_text() for path in RTL.rglob("*.v")})
     by_place: dict[Place, Played] = {}
     for core, every in tables.items():
         by_place |= {(one.path, one.at): one for one in every if one.player not in SCHEDULES}

@@ -150,9 +150,9 @@ DIAGRAMS = (
     Diagram("arm", (
         ("arm_fk3", "c1 n1 … n3", (("arm_chain", "products, sums, offsets"),), "x y z"),
         ("arm_ik3", "tip, branch", (("arm_operands", "offsets, multiplexers"),
-                                      ("arm_path", "products; tables of 1/q and √v"),
+                                      ("arm_solve", "products; tables of 1/q and √v"),
                                       ("arm_vectors", "words, held where undefined")), "c1 n1 … n3"),
-        ("arm_rates2", "joints, ẋ ẏ", (("arm_inverse_path", "products of vectors and ẋ, ẏ"),
+        ("arm_rates2", "joints, ẋ ẏ", (("arm_inverse", "products of vectors and ẋ, ẏ"),
                                         ("arm_quotient", "division, rounding, saturation")), "rates"),
         ("arm_keep3", "x y z", (("arm_solve", "as arm_ik3, branch by branch"),
                                 ("arm_choose", "limits, nearest to the last")), "c1 n1 … n3"))),

@@ -11,7 +11,7 @@ from quadrance import arms
 from quadrance.arm import switches
 from quadrance.cores import Core, all_cores, at, find
 
-from ci import cache, checks, cover, coverage, equivalence, miter, mutants, mutate
+from ci import cache, checks, cover, coverage, equivalence, mutants, mutate
 from tb.lib import legal, program
 from tb.lib.simulate import available, simulate
 from tb.lib.test_bench_bites import altered
@@ -106,7 +106,7 @@ def test_a_memory_that_is_written_keeps_its_words_or_has_one_that_nothing_reads(
     def text(init: str, facts: bool) -> str:
         design = {"modules": {"core": {"cells": {"file": cell | {"parameters": cell["parameters"] | {"INIT": init}}},
                                        "ports": {}}}}
-        (one,) = miter.cut(design, set(), {"file"})
+        (one,) = equivalence.cut_out(design, set(), {"file"})
         return one.results(facts) + "\n".join(one.watched(facts))
 
     kept, nil = text("xxxx0101xxxxxxxx", True), text("x", True)
@@ -280,8 +280,8 @@ def test_a_list_has_ends_neighbours_an_odd_middle_and_all_pairs_of_switches():
     sets = legal.cover(core)
     assert sets == legal.cover(core) and len(sets) == legal.MOST and not any(map(legal.rule_of(core).broken, sets))
     for name, (low, high) in legal.ranges(core).items():
-        values = {one[name] for one in [*sets, core.params]}
-        assert {low, low + 1, high - 1, high} <= values
+        ends = {one for one in (low, low + 1, high - 1, high) if low <= one <= high and legal.near(core, {name: one})}
+        assert {low, high} <= ends <= {one[name] for one in [*sets, core.params]}
     assert any(one["W"] % 2 and one["W"] not in (9, 15) for one in sets)
     tops = ("BASE", "SHOULDER", "LATERAL", "ELBOW", "ABSOLUTE")
     for i, one in enumerate(tops):

@@ -1031,11 +1031,25 @@ VALUES = (
     "0x" + "f" * 5000, "[" * 2000, "1_0.0", '"é\\u0000"', "[[1], [2]]", "1e-5", "360", "[0x" + "f" * 5000 + ", 1]")
 
 
+COMMENTS = (
+    "# base frame: the cores' frame seen from 'a b': xyz = [1.0, -2.5, 0.0] mm, rpy = [0.0, 90.0, 0.0] degrees",
+    "# tip frame: 'tool' seen from the cores' frame at the tip: xyz = [0.0, 0.0, 5] mm, rpy = [0.0, 9.0, 0.0] degrees",
+    "# joint 'c' (0 to 150 mm) moves the tip along z, sign = -1, zero = 0.0; no core computes it",
+    "# joint 'd' (no limits given) turns the tip about z, sign = 1, zero = -90.5; no core computes it")
+
+
 @st.composite
 def tables(draw):
-    """An arm file with some values, keys and lines changed."""
+    """An arm file with some values, keys and lines changed, and comments about its frames."""
     lines = arms.path_of(draw(st.sampled_from(arms.known()))).read_text().splitlines()
-    for _ in range(draw(st.integers(1, 3))):
+    for _ in range(draw(st.integers(0, 2))):
+        line = list(draw(st.sampled_from(COMMENTS)))
+        for _ in range(draw(st.integers(0, 2))):
+            at = draw(st.integers(0, len(line)))
+            new = draw(st.sampled_from((*VALUES, "'", "*/", "\\", "\u2028", "\t", ", ")))
+            line[at:at + draw(st.integers(0, 3))] = new
+        lines.insert(draw(st.integers(0, len(lines))), "".join(line))
+    for _ in range(draw(st.integers(0, 3))):
         how, at = draw(st.integers(0, 5)), draw(st.integers(0, len(lines) - 1))
         key, equals, value = lines[at].partition("=")
         if how < 3 and equals:
@@ -1058,7 +1072,7 @@ def checked(text):
         assert code or ": right\n  links " in out
         for core in () if code else ("arm_ik3", "table_ik2"):
             code, out, _ = run("instance", core, "--arm", path)
-            assert code or re.fullmatch(r"(//.*\n)+\w+ #\(.*\) \w+ \(\n( +\..*\n)+\);\n", out)
+            assert code or re.fullmatch(r"(//.*\n)+\w+ #\([^;]*\)\s+\w+ \(\n( +\..*\n)+\);\n", out)
 
 
 @st.composite

@@ -265,9 +265,10 @@ def test_words_of_wide_coordinates_are_those_of_python(w, tmp_path):
 def test_words_of_a_hundred_thousand_arms_are_those_of_python(tmp_path):
     seed = int(os.environ.get("SEED", 2026))
     print(f"SEED={seed}")
-    assert {"ur", "srs", "six", "arm"} <= {core.family for core in ARMED}
+    some = {core.name: core for core in reversed(ARMED)}.values()
+    assert {"ur", "srs", "six", "arm"} <= {core.family for core in some}
     for absolute in (False, True):
-        check_arms(tmp_path, 50_000, seed, absolute, fitting(ARMED, absolute))
+        check_arms(tmp_path, 50_000, seed, absolute, fitting(some, absolute))
 
 
 def strictly(folder, some, standard):

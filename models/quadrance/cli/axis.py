@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+import textwrap
 from collections import Counter
 
 from quadrance import cores
@@ -133,6 +134,7 @@ def wrapper(core: Core) -> str:
             ".out_valid(m_axis_tvalid)", ".out_ready(m_axis_tready)", *(f".out_{name}({name})" for name, *_ in outs)]
     pins += [".out_status(m_axis_tuser)"] * (core.status is not None)
     values = ", ".join(f".{key}({key})" for key in core.params)
-    lines.append(f"    {core.name} {f'#({values}) ' if values else ''}core (")
+    lines += textwrap.wrap(f"{core.name} {f'#({values}) ' if values else ''}core (", 120, initial_indent="    ",
+                           subsequent_indent="        ")
     lines += [f"        {pin}{',' if i + 1 < len(pins) else ''}" for i, pin in enumerate(pins)]
     return "\n".join([*lines, "    );", "endmodule", "`default_nettype wire"]) + "\n"

@@ -7,6 +7,7 @@ The map is the same for every core: control words first, configuration from 0x10
 from __future__ import annotations
 
 import json
+import textwrap
 import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
@@ -134,7 +135,9 @@ def _select(name: str, addresses: list[int]) -> tuple[str, Callable[[int], str]]
 def _instance(name: str, label: str, pins: list[tuple[str, str]], params: dict[str, int] | None = None) -> list[str]:
     """An instantiation, as lines of at most 120 characters."""
     values = ", ".join(f".{key}({value})" for key, value in (params or {}).items())
-    lines, line = [f"    {name} {f'#({values}) ' if values else ''}{label} ("], "       "
+    lines = textwrap.wrap(f"{name} {f'#({values}) ' if values else ''}{label} (", 120, initial_indent="    ",
+                          subsequent_indent="        ")
+    line = "       "
     for i, (pin, signal) in enumerate(pins):
         text = f" .{pin}({signal}){',' if i + 1 < len(pins) else ');'}"
         if len(line) + len(text) > 120:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import textwrap
 from pathlib import Path
 
 from quadrance import accuracy, six
@@ -168,7 +169,7 @@ def instance(core: Core, arm: Arm | None = None, name: str | None = None, declar
             signal(port.name, port.width, port.signed)
     params = ", ".join(f".{key}({value})" for key, value in core.params.items())
     lines = [f"// {line}".rstrip() for line in notes(core, arm)] + (wires if declare else [])
-    lines.append(f"{core.name} {f'#({params}) ' if params else ''}{name} (")
+    lines += textwrap.wrap(f"{core.name} {f'#({params}) ' if params else ''}{name} (", 120, subsequent_indent="    ")
     width = max(len(f".{port}({value}),") for port, value, _ in ports)
     for i, (port, value, note) in enumerate(ports):
         text = f".{port}({value}){',' if i + 1 < len(ports) else ''}"
