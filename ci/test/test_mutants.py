@@ -12,7 +12,7 @@ from quadrance.arm import switches
 from quadrance.cores import Core, all_cores, at, find
 
 from ci import cache, checks, cover, coverage, equivalence, mutants, mutate
-from tb.lib import legal, program
+from tb.lib import legal, program, suite
 from tb.lib.simulate import available, simulate
 from tb.lib.test_bench_bites import altered
 
@@ -351,6 +351,18 @@ def test_every_listed_set_has_a_whole_bulk_run(tmp_path, monkeypatch):
     assert not legal.daily(core) and cover.verdict(core.name, core.set_id, core.params) == ""
     monkeypatch.setattr(cover, "listed", lambda name: {core.set_id: _broken_at(core.name, "1'b1", tmp_path)})
     assert "bulk run" in cover.verdict(core.name, core.set_id, core.params)
+
+
+@pytest.mark.full
+def test_the_first_set_of_a_further_pipe_has_a_bench(tmp_path, monkeypatch):
+    """What the bulk run would not find is found by the bench, and a sound core passes it."""
+    core = find("vector_fk2-PIPE1")
+    assert core.first_set and not legal.daily(core)
+    monkeypatch.setattr(suite, "bulk_run", lambda *_, **__: 1)
+    assert cover.verdict(core.name, core.set_id, core.params) == ""
+    broken = dataclasses.replace(core, sources=_broken_at(core.name, "1'b1", tmp_path).sources)
+    monkeypatch.setattr(cover, "listed", lambda name: {core.set_id: broken})
+    assert "FAILED" in cover.verdict(core.name, core.set_id, core.params)
 
 
 @pytest.mark.full
