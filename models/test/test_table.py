@@ -176,7 +176,7 @@ def test_one_joint_there_and_back(length):
     assert turned.max() <= 1.0 / (length - 1) + bounds.table.direction(DEFAULT)
 
 
-# Inverse, two and three joints: as rtl/vector but for the codec; models/test/test_vector_solve.py has the kernel's law
+# Inverse, two and three joints: as rtl/vector but for the codec; models/test/test_vector.py has the kernel's law
 
 LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (16000, 300), (300, 16000), (768, 512), (30, 20), (5, 2),
          (16384, 16384), (30000, 2000)]

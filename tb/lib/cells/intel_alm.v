@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Simulation models of the Cyclone V cells that Yosys' own (share/intel_alm/common: alm_sim.v, dff_sim.v, mem_sim.v)
-// do not simulate well. Equal to those where every input is defined, which ci/test_netlist.py proves; beyond that:
+// do not simulate well. Equal to those where every input is defined, which ci/test/test_netlist.py proves; beyond that:
 //   MISTRAL_ALUT*  theirs is `LUT >> inputs`, X as soon as one input is, so a LUT that holds `rst ? 0 : d` stays X in
 //                  reset. Here a tree of multiplexers: X only where the two words it lies between differ.
 //   MISTRAL_FF     theirs is 0 at power-up, as the device is. Here X, so that reset alone must define the state.
