@@ -18,6 +18,7 @@ from __future__ import annotations
 import argparse
 import inspect
 import json
+import logging
 import os
 import shutil
 import subprocess
@@ -89,8 +90,10 @@ def _whole(core: Core) -> None:
     try:
         suite.bulk_run(core, suite.bulk_samples(core), seed, label=LABEL)
         if core.first_set:
+            logging.disable(logging.INFO)  # what fails is in the verdict
             shutil.rmtree(simulate(core, suite.simulators()[0], seed=suite.SEED, label=LABEL), ignore_errors=True)
     finally:
+        logging.disable(logging.NOTSET)
         shutil.rmtree(folder, ignore_errors=True)
 
 
