@@ -7,8 +7,9 @@
 
 `tb/lib/legal.py` makes the list. A set passes where Verilator has no warning of it, and the core equals its bit-true
 model at the full rate and under stalls, on every corner and some 500 random words, with the latency and the interval
-of rtl/cores.toml. A set of rtl/cores.toml that `make test` leaves out gets the whole bulk run, and the cocotb bench
-where it is the first of its PIPE.
+of rtl/cores.toml. A set of rtl/cores.toml that `make test` leaves out gets the whole bulk run. The first set of a
+further PIPE, and that of a core of long samples, of whose cocotb bench `make test` runs the resets alone, gets the
+bench.
 reports/cover.json holds the digest of what each verdict follows from: sources, model, samples, harness and tools, but
 no comment. It is written as the run goes: one that is cut goes on where it stopped.
 """
@@ -35,7 +36,7 @@ from quadrance.cores import Core, all_cores, at
 
 from ci import cache as store
 from tb.lib import bulk, legal, program, stimulus, suite, tools
-from tb.lib.simulate import BenchFailed, incomplete, simulate
+from tb.lib.simulate import BenchFailed, incomplete, kept, simulate
 
 STORE = tools.ROOT / "reports" / "cover.json"
 HARNESS = ("tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/stimulus.py")  # and `run`
@@ -80,21 +81,28 @@ def run(core: Core) -> None:
 
 
 def listed(name: str) -> dict[str, Core]:
-    """The sets of rtl/cores.toml of which `make test` has no bulk run."""
-    return {core.set_id: core for core in all_cores() if core.name == name and not legal.daily(core)}
+    """The sets of rtl/cores.toml of which `make test` has no bulk run, or not the whole bench."""
+    return {core.set_id: core for core in all_cores() if core.name == name and _longer(core)}
+
+
+def _longer(core: Core) -> bool:
+    return not legal.daily(core) or kept(core)
 
 
 def _whole(core: Core) -> None:
-    """The bulk run of one listed set, and the bench of the first one of a PIPE."""
-    seed, folder = int(store.digest(core.id)[:8], 16), program.build(core, LABEL).parent
-    try:
-        suite.bulk_run(core, suite.bulk_samples(core), seed, label=LABEL)
-        if core.first_set:
-            logging.disable(logging.INFO)  # what fails is in the verdict
+    """Of one listed set the bulk run, where `make test` has none, and the bench of the first one of a PIPE."""
+    if not legal.daily(core):
+        seed, folder = int(store.digest(core.id)[:8], 16), program.build(core, LABEL).parent
+        try:
+            suite.bulk_run(core, suite.bulk_samples(core), seed, label=LABEL)
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
+    if core.first_set:
+        logging.disable(logging.INFO)  # what fails is in the verdict
+        try:
             shutil.rmtree(simulate(core, suite.simulators()[0], seed=suite.SEED, label=LABEL), ignore_errors=True)
-    finally:
-        logging.disable(logging.NOTSET)
-        shutil.rmtree(folder, ignore_errors=True)
+        finally:
+            logging.disable(logging.NOTSET)
 
 
 def verdict(name: str, label: str, params: legal.Params) -> str:
@@ -139,7 +147,7 @@ def wanted(chosen: Iterable[Core]) -> dict[tuple[str, str], tuple[legal.Params, 
             one = at(core, params)
             found[core.name, one.set_id] = params, store.digest([follows, params, one.latency, one.ii])[:12]
         for one in legal.sets(core):
-            if not legal.daily(one):
+            if _longer(one):
                 parts = [follows, one.params, one.latency, one.ii, store.meaning(SUITE),
                          *(store.of_cocotb() if one.first_set else ())]
                 found[core.name, one.set_id] = one.params, store.digest(parts)[:12]

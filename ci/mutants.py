@@ -36,13 +36,12 @@ from rich.table import Table
 from ci import cache, checks, equivalence, mutate, pool
 from ci.mutate import Mutant, Mutants
 from tb.lib import suite, tools
-from tb.lib.simulate import simulate
+from tb.lib.simulate import UNKNOWN, simulate
 
 MUTANTS = 100
 THRESHOLD = 0.99
 FEW = 2_000  # samples of a first bulk run, which kills most
 LABEL = "-mutant"
-UNKNOWN = r"\.(one_clock_of_reset|reset_in_flight)$"  # tests that show more where a register starts unknown
 AGAIN = 150  # seconds of a proof that is tried once more
 LONG_CLOCKS = 20_000_000  # of the long run, for what nothing else kills
 COLUMNS = ("core", "killed in bulk", "by the bench alone", "in the long run alone", "equivalent", "never read",

@@ -8,6 +8,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -22,6 +23,7 @@ from tb.lib import legal
 SCHEDULES = ("schedule", "schedule_counter")
 INSTANCE = re.compile(rf"^[ \t]*(?:{'|'.join(programs.PLAYERS)})\s*#\(", re.M)
 
+_listed = functools.cache(listed)  # one parse for all cores
 TABLE = re.compile(r"=\s*\{\s*\n\s*/\*.*?\*/")  # lines that begin with a label
 
 Place = tuple[Path, int]  # the file and the line of an instance
@@ -50,7 +52,7 @@ def loose(texts: dict[Path, str]) -> list[str]:
 def turned(core: Core) -> list[Core]:
     """A core with one of its switches, parameters of 0 or 1, the other way, where that is legal."""
     family, function, shared, name, own = next(
-        entry for entry in listed((RTL / "cores.toml").read_text()) if entry[3] == core.name)
+        entry for entry in _listed((RTL / "cores.toml").read_text()) if entry[3] == core.name)
     own = {key: value for key, value in own.items() if key != "checks"}
     return [one for key, value in core.params.items() if value in (0, 1)
             and not legal.rule_of(core).broken(core.params | {key: 1 - value}) for one in expand(

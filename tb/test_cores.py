@@ -16,7 +16,7 @@ from quadrance import accuracy, arms, bounds
 from quadrance.cores import Core, all_cores, at, find
 
 from tb.lib import bulk, chain, legal
-from tb.lib.simulate import simulate
+from tb.lib.simulate import UNKNOWN, kept, simulate
 from tb.lib.suite import LONG_SAMPLES, SEED, bulk_run, bulk_samples, simulators
 
 # The tests of tb/lib/bench.py that a core runs in the second simulator, Verilator, too: what its bulk runs have less of
@@ -53,9 +53,25 @@ def _marks(core: Core, simulator: str) -> list[pytest.MarkDecorator]:
 @pytest.mark.parametrize(("simulator", "core"), [
     pytest.param(simulator, core, id=f"{simulator}-{core.id}", marks=_marks(core, simulator))
     for simulator in USABLE for core in CORES])
-def test_bench(core: Core, simulator: str) -> None:
-    again = core.clocked and core.first_set and simulator != USABLE[0]
-    simulate(core, simulator, tests=AGAIN if again else None, seed=SEED)
+def test_bench(core: Core, simulator: str, request: pytest.FixtureRequest) -> None:
+    simulate(core, simulator, tests=chosen_tests(core, simulator, request.config.getoption("--core")), seed=SEED)
+
+
+def chosen_tests(core: Core, simulator: str, asked_for: str | None) -> str | None:
+    """Which tests of the bench are run: all of a further set, and of a core that --core asks for."""
+    if not core.clocked or not core.first_set:
+        return None
+    if simulator != USABLE[0]:
+        return AGAIN
+    return UNKNOWN if legal.daily(core) and kept(core) and not asked_for else None
+
+
+def test_a_core_of_long_samples_has_its_whole_bench_where_it_is_asked_for():
+    long, short, comb = map(find, ("arm_keep3", "vector_ik2", "isqrt_comb"))
+    assert chosen_tests(long, USABLE[0], None) == UNKNOWN
+    assert chosen_tests(long, USABLE[0], "arm_keep3") is chosen_tests(short, USABLE[0], None) is None
+    assert chosen_tests(comb, USABLE[0], None) is chosen_tests(find("vector_ik1-W12U10"), USABLE[0], None) is None
+    assert chosen_tests(short, "verilator", None) == ("verilator" in USABLE[1:] and AGAIN or None)
 
 
 @pytest.mark.full

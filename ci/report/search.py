@@ -8,6 +8,7 @@ again: where they are what they were, the search stands.
 
 from __future__ import annotations
 
+import functools
 import re
 import time
 from dataclasses import replace
@@ -23,6 +24,7 @@ from tb.lib import legal, tools
 
 CODE = [Path(reach.__file__)]
 FLOWS = ("ecp5", "cyclonev", "cyclonev_nodsp")
+_listed = functools.cache(cores.listed)  # one parse for all designs
 
 
 def judge() -> str:
@@ -41,9 +43,10 @@ def source(design: Design, arm_name: str) -> str:
     names = [design.core, *([design.codec] if design.codec else [])]
     models = {ROOT / "models" / "quadrance" / f"{cores.find(name).model_name.split('.')[0]}.py" for name in names}
     entries = [[*entry, designs.rule(name), legal.ranges(cores.find(name))]
-               for name in names for entry in cores.listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
+               for name in names for entry in _listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
     rules = {key: rule for key, rule in designs.RULES.items() if key != "price"}
-    own = [path for path in cache.closure(sorted(models)) if path not in cache.closure(CODE)]
+    judges = cache.closure(CODE)
+    own = [path for path in cache.closure(sorted(models)) if path not in judges]
     return cache.digest([entries, cache.digests(own), design.word, cache.meaning(arms.path_of(arm_name)), rules])[:16]
 
 

@@ -26,9 +26,10 @@ def asked(monkeypatch, tmp_path):
     calls, answers = [], {}
 
     def tool(name):
-        def ask(core, params):
-            calls.append((name, core.id, params == core.params))
-            return answers.get(name, (0, "")) if params == core.params else (1, "needs_needs_")
+        def ask(core, *sets):
+            legal = core.params in sets
+            calls.append((name, core.id, legal))
+            return answers.get(name, (0, "")) if legal else (1, "needs_needs_")
         ask.__name__ = name
         return ask
 
@@ -41,28 +42,29 @@ def asked(monkeypatch, tmp_path):
 CORE = cores.find("vector_fk1-U16")
 
 
-def test_what_passed_is_kept_until_something_changes(asked, monkeypatch, tmp_path):
-    assert lint.kept(CORE) == [] and {"verilator", "slang", "yosys"} <= {name for name, *_ in asked.calls}
+@pytest.mark.parametrize(("check", "tools"), [(lint.check_core, {"verilator", "slang"}), (lint.check_sets, {"yosys"})])
+def test_what_passed_is_kept_until_something_changes(asked, monkeypatch, tmp_path, check, tools):
+    assert lint.kept(check, CORE) == [] and tools <= {name for name, *_ in asked.calls}
     asked.calls.clear()
-    assert lint.kept(CORE) == [] and asked.calls == []
+    assert lint.kept(check, CORE) == [] and asked.calls == []
     source = tmp_path / "vector_fk1.v"
     source.write_text(CORE.sources[0].read_text() + "\n")
-    assert lint.kept(replace(CORE, sources=(source, *CORE.sources[1:]))) == [] and asked.calls
+    assert lint.kept(check, replace(CORE, sources=(source, *CORE.sources[1:]))) == [] and asked.calls
     asked.calls.clear()
     monkeypatch.setattr(lint, "_tools", lambda: ["another version"])
-    assert lint.kept(CORE) == [] and asked.calls
+    assert lint.kept(check, CORE) == [] and asked.calls
 
 
 def test_what_fails_is_not_kept(asked):
     asked.answers["verilator"] = (0, "%Warning-WIDTH: x")
     for _ in range(2):
-        assert lint.kept(CORE) == ["vector_fk1-U16: verilator: %Warning-WIDTH: x"]
+        assert lint.kept(lint.check_core, CORE) == ["vector_fk1-U16: verilator: %Warning-WIDTH: x"]
     del asked.answers["verilator"]
-    assert lint.kept(CORE) == []
+    assert lint.kept(lint.check_core, CORE) == []
 
 
 def test_the_first_illegal_set_stops_every_tool_and_each_one_slang(asked):
-    lint.check_core(CORE)
+    assert lint.check_core(CORE) == lint.check_sets(CORE) == []
     wrong = [name for name, _, legal in asked.calls if not legal]
     assert len(CORE.illegal) > 1 and wrong.count("slang") == len(CORE.illegal)
     assert wrong.count("verilator") == wrong.count("yosys") == 1
@@ -103,7 +105,7 @@ def test_yosys_elaborates_a_table_once_and_finds_what_is_wrong_in_it(monkeypatch
     folder = tools.BUILD / "test_lint" / tmp_path.name
     folder.mkdir(parents=True, exist_ok=True)
     asked, run = [], lint._yosys
-    monkeypatch.setattr(lint, "_yosys", lambda top, *more: asked.append(top) or run(top, *more))
+    monkeypatch.setattr(lint, "_yosys", lambda work, name, *more: asked.append(name) or run(work, name, *more))
 
     def said(table):
         for name, text in (("top", TOP), ("squares", table)):
@@ -113,6 +115,30 @@ def test_yosys_elaborates_a_table_once_and_finds_what_is_wrong_in_it(monkeypatch
     assert said(TABLE) == said(TABLE) == (0, "") and asked == ["top", "squares", "top"]
     assert "none' is implicitly declared" in said(TABLE.replace("i * i", "none"))[1]
     assert "used but has no driver" in said(TABLE.replace("[in_at]", "[none]"))[1]
+
+
+def test_yosys_leaves_tables_to_the_report_but_one_of_each_module(monkeypatch, tmp_path):
+    monkeypatch.setattr(cache, "FOLDER", tmp_path)
+    asked = []
+    monkeypatch.setattr(lint, "_yosys", lambda work, name, sets, sources: asked.append((name, list(sets))) or (0, ""))
+    first, other = cores.find("angle_to_vector"), cores.find("table_fk1")
+    for core, params in ((first, first.params), (other, other.params), (other, other.params | {"A": 20})):
+        assert lint.yosys(core, params) == (0, "")
+    assert [name for name, _ in asked] == ["angle_to_vector", "angle_chord", "table_fk1", "table_fk1", "angle_chord"]
+
+
+def test_a_set_that_yosys_refuses_is_named_and_the_others_are_not(monkeypatch):
+    sets = [core for core in cores.all_cores() if core.name == "vector_fk1"]
+    bad = sets[-1]
+
+    def yosys(core, *params):
+        return (0, "Warning: x") if bad.params in params else (0, "") if core.params in params else (1, "needs_needs_")
+
+    monkeypatch.setattr(lint, "yosys", yosys)
+    assert len(sets) > 1 and lint.check_sets(*sets) == [f"{bad.id}: yosys: Warning: x"]
+    monkeypatch.setattr(lint, "yosys", lambda core, *params: (0, "Warning: y" * (len(params) > 1)))
+    assert lint.check_sets(*sets)[0] == "vector_fk1: yosys: Warning: y"
+    assert "accepts illegal" in lint.check_sets(*sets)[1]
 
 
 def test_progress_is_a_line_now_and_then(monkeypatch, capsys):

@@ -349,15 +349,17 @@ def test_every_listed_set_has_a_whole_bulk_run(tmp_path, monkeypatch):
     assert {(core.name, core.set_id) for core in all_cores() if not legal.daily(core)} <= asked
     core = find("vector_ik1-W12U10")
     assert not legal.daily(core) and cover.verdict(core.name, core.set_id, core.params) == ""
-    monkeypatch.setattr(cover, "listed", lambda name: {core.set_id: _broken_at(core.name, "1'b1", tmp_path)})
+    broken = dataclasses.replace(core, sources=_broken_at(core.name, "1'b1", tmp_path).sources)
+    monkeypatch.setattr(cover, "listed", lambda name: {core.set_id: broken})
     assert "bulk run" in cover.verdict(core.name, core.set_id, core.params)
 
 
 @pytest.mark.full
-def test_the_first_set_of_a_further_pipe_has_a_bench(tmp_path, monkeypatch):
+@pytest.mark.parametrize("name", ["vector_fk2-PIPE1", "engine_quaternion_gd_n-N8"])
+def test_the_first_set_of_a_further_pipe_and_a_core_of_long_samples_have_a_bench(tmp_path, monkeypatch, name):
     """What the bulk run would not find is found by the bench, and a sound core passes it."""
-    core = find("vector_fk2-PIPE1")
-    assert core.first_set and not legal.daily(core)
+    core = find(name)
+    assert core.first_set and legal.daily(core) != bool(core.params.get("PIPE"))
     monkeypatch.setattr(suite, "bulk_run", lambda *_, **__: 1)
     assert cover.verdict(core.name, core.set_id, core.params) == ""
     broken = dataclasses.replace(core, sources=_broken_at(core.name, "1'b1", tmp_path).sources)

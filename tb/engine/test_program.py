@@ -139,7 +139,7 @@ def agree(program, inputs, branch, folder, pipe):
 
 @pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is not installed")
 @pytest.mark.parametrize("pipe", range(3))
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", [*range(3), *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(3, 8))])
 def test_random_programs(seed, pipe, tmp_path):
     program = parser.parse(written(seed), Path("random.kin"))
     rng, n = np.random.default_rng(seed), 60

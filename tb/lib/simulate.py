@@ -21,6 +21,8 @@ from tb.lib import program, stimulus, tools
 
 SIMULATORS = ("icarus", "verilator")
 LONGEST = 800  # characters of what a failed test said
+UNKNOWN = r"\.(one_clock_of_reset|reset_in_flight)$"  # tests that show more where a register starts unknown
+LONG = 64  # clocks of a sample, from which on `make cover` keeps the whole bench of a core
 
 
 @dataclass(frozen=True)
@@ -75,6 +77,14 @@ def available(simulator: str) -> bool:
     if simulator == "icarus" and os.environ.get("SIM") == "verilator":
         return False
     return simulator != "icarus" or shutil.which("iverilog", path=tools.environment()["PATH"]) is not None
+
+
+def kept(core: Core) -> bool:
+    """Whether `make cover` keeps the whole bench of a first set, of which `make test` then runs `UNKNOWN` alone.
+
+    A clock of such a core costs as much here as a thousand in the bulk run, which has the other tests' samples too.
+    """
+    return bool(core.params) and core.clocked and (core.latency is None or max(core.latency, core.ii) > LONG)
 
 
 def incomplete(core: Core) -> str:
