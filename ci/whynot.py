@@ -284,9 +284,7 @@ def firmware(fixed: bool, source: Path = SOURCE, *options: str, text: Sequence[s
     link = WORK / "link.ld"
     link.write_text(LINK)
     elf = compiled(fixed, *FIRMWARE, *options, f"-Wl,-T,{link}", suffix=".elf", source=source, text=text)
-    image = elf.with_suffix(".bin")
-    soc._zig(WORK, "objcopy", "-O", "binary", elf, image)
-    return image.read_bytes()
+    return soc.loaded(elf.read_bytes())
 
 
 def on_cpu(run: Path, image: bytes, jobs: Sequence[tuple[int, np.ndarray, Ints, int]]) -> list[tuple[np.ndarray, Ints]]:

@@ -1,6 +1,7 @@
 """C programs: on the CPU of docs/soc, whose answers are the models', and of docs/why-not-c.md, which are right."""
 
 import math
+import struct
 
 import numpy as np
 import pytest
@@ -64,6 +65,17 @@ def test_a_fault_of_the_program_is_found(tmp_path, old, new, said):
     path.write_text(FIRMWARE.replace(old, new))
     with pytest.raises(soc.Differs, match=said):
         soc.compared(soc.answered(firmware=path))
+
+
+def test_the_memory_of_a_program_is_that_of_its_loaded_parts():
+    """Parts in any order, a gap between them, and one that has no bytes in the file."""
+    head = bytearray(52)
+    struct.pack_into("<I", head, 28, 52)
+    struct.pack_into("<HH", head, 42, 32, 4)
+    at = len(head) + 4 * 32
+    parts = [(1, at + 8, 0, 0x108, 2, 2), (1, at, 0, 0x100, 4, 4), (1, at, 0, 0x10, 0, 8), (2, at, 0, 0x20, 4, 4)]
+    elf = bytes(head) + b"".join(struct.pack("<8I", *part, 0, 0) for part in parts)
+    assert soc.loaded(elf + b"abcdefghXY") == b"abcd\0\0\0\0XY"
 
 
 @pytest.mark.parametrize("body, said", [
