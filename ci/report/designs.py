@@ -107,8 +107,8 @@ def _at(name: str, params: tuple[tuple[str, int], ...]) -> Core | None:
     try:
         broken = any(all(cores.formula(one.strip(" ()"), wanted, name) for one in clause.split("&&"))
                      for clause in rule(name).split("||"))
-    except ValueError:  # no rule of its own, or none that is a formula: Verilator knows
-        broken = bool(legal.verdict(core, wanted))
+    except ValueError:  # no rule of its own, or none that is a formula
+        broken = bool(legal.rule_of(core).broken(wanted))
     if broken:
         return None
     return cores.at(core, wanted)
