@@ -28,13 +28,17 @@
     elbow = 5.0             degrees from the stretched and the folded arm
     axis = 20.0             mm from the yaw axis; a SCARA has none
     [joints]                optional: the machine's own joints
-    shoulder = { name = "A2", sign = -1, zero = 0 }
+    shoulder = { name = "A2", sign = -1, zero = 0, limits = [-190, 45], speed = 300 }
 
 A joint of the machine is sign * (its own angle) + zero, in degrees, as seen by the cores: `yaw` from the x axis,
 counter-clockwise from above; `shoulder` from the horizontal upwards; `elbow` from link 1 to the forearm itself, without
 the turn of the elbow's offset (of an absolute elbow: from the horizontal); `tool` of the link l3, from link 2; `j4`,
 `j5`, `j6` of a wrist as rtl/six or, where it is parallel, rtl/ur has them; of seven axes `upper`, and `j5`, `j6`, `j7`
 of the wrist, as rtl/srs has them. Without the table the machine's joints are the cores' own.
+
+`limits` of a joint, as the machine counts it, up to 3.5 turns either way, and `speed`, degrees a second, are optional.
+six_keep and ur_keep have them; without them a joint has that of the table [limits], or of the wrist half a turn either
+way, and all weigh the same.
 """
 
 from __future__ import annotations
@@ -48,6 +52,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 REACH = 128 - 2**-8  # units: the largest coordinate of Q7.8
 MOST = 1e9  # mm: no length is beyond it
+MOST_TURN = 1260  # degrees: no limit of a machine's joint is beyond it
 TOP = ("name", "source", "mm_per_unit", "links", "constants", "wrist", "limits", "singular", "joints")
 WRIST = ("j4", "j5", "j6")
 WRIST_OF_SEVEN = ("j5", "j6", "j7")
@@ -62,12 +67,17 @@ class ArmError(ValueError):
 
 @dataclass(frozen=True)
 class Joint:
-    """A joint of the machine: sign * (its own angle) + zero is what the cores have, degrees."""
+    """A joint of the machine: sign * (its own angle) + zero is what the cores have, degrees.
+
+    limits, speed : as the machine counts them, degrees and degrees a second; None where the file does not say it.
+    """
 
     key: str
     name: str
     sign: int = 1
     zero: float = 0.0
+    limits: tuple[float, float] | None = None
+    speed: float | None = None
 
 
 @dataclass(frozen=True)
@@ -271,20 +281,23 @@ def parse(path: Path, text: bytes) -> Arm:
             fail(prefix + key, f"must be positive, not {value:g}")
         return value
 
-    def limit(key: str) -> tuple[float, float]:
-        pair = take(limits, "limits.", key, list)
+    def room(table: dict, prefix: str, key: str, most: int) -> tuple[float, float]:
+        pair = take(table, prefix, key, list)
         if len(pair) != 2 or not all(type(one) in (int, float) and math.isfinite(one) for one in pair):
-            fail(f"limits.{key}", f"must be two numbers [low, high] in degrees, not {pair!r}")
+            fail(prefix + key, f"must be two numbers [low, high] in degrees, not {pair!r}")
         low, high = map(float, pair)
         if low >= high:
-            fail(f"limits.{key}", f"the lower limit {low:g} must be below the upper limit {high:g}")
-        if low < -360 or high > 360:
-            fail(f"limits.{key}", f"must lie within -360 and 360 degrees, not {pair!r}")
+            fail(prefix + key, f"the lower limit {low:g} must be below the upper limit {high:g}")
+        if low < -most or high > most:
+            fail(prefix + key, f"must lie within -{most} and {most} degrees, not {pair!r}")
         return low, high
+
+    def limit(key: str) -> tuple[float, float]:
+        return room(limits, "limits.", key, 360)
 
     def joint(key: str) -> Joint:
         table = take(joints, "joints.", key, dict)
-        only(table, f"joints.{key}.", {"name", "sign", "zero"})
+        only(table, f"joints.{key}.", {"name", "sign", "zero", "limits", "speed"})
         given, sign = take(table, f"joints.{key}.", "name", str), take(table, f"joints.{key}.", "sign", int)
         if not given.strip():
             fail(f"joints.{key}.name", "must not be empty")
@@ -293,7 +306,9 @@ def parse(path: Path, text: bytes) -> Arm:
         zero = take(table, f"joints.{key}.", "zero", float)
         if abs(zero) > 360:
             fail(f"joints.{key}.zero", f"must lie within -360 and 360 degrees, not {zero:g}")
-        return Joint(key, given, sign, zero)
+        ends = room(table, f"joints.{key}.", "limits", MOST_TURN) if "limits" in table else None
+        speed = length(table, f"joints.{key}.", "speed") if "speed" in table else None
+        return Joint(key, given, sign, zero, ends, speed)
 
     only(data, "", set(TOP))
     name, source = take(data, "", "name", str), take(data, "", "source", str)
@@ -342,7 +357,7 @@ def parse(path: Path, text: bytes) -> Arm:
         fail("limits.forearm", "is of an absolute elbow, and constants.absolute_elbow is not true")
     if (spherical or parallel) and "yaw" not in limits:
         fail("limits.yaw", "is missing: an arm with a wrist yaws")
-    room = tuple(limit(key) for key in ("shoulder", "elbow", *(["yaw"] if "yaw" in limits else [])))
+    rooms = tuple(limit(key) for key in ("shoulder", "elbow", *(["yaw"] if "yaw" in limits else [])))
     if "elbow" in singular and not 0 < take(singular, "singular.", "elbow", float) < 90:
         fail("singular.elbow", f"must lie between 0 and 90 degrees, not {singular['elbow']:g}")
     near = (float(singular["elbow"]) if "elbow" in singular else None,
@@ -357,7 +372,7 @@ def parse(path: Path, text: bytes) -> Arm:
         if one.name in [other.name for other in machine[:i]]:
             fail(f"joints.{one.key}.name", f"'{one.name}' is the name of another joint")
     return Arm(id=path.stem, name=name, source=source, mm_per_unit=unit, l1=l1, l2=l2, **offset,
-               elbow_angle=math.degrees(math.atan2(offset["elbow"], forearm)), absolute_elbow=absolute, limits=room,
+               elbow_angle=math.degrees(math.atan2(offset["elbow"], forearm)), absolute_elbow=absolute, limits=rooms,
                forearm_limit=limit("forearm") if "forearm" in limits else None,
                upper_limit=limit("upper") if "upper" in limits else None, l3=l3, spherical=spherical,
                flange=flange, d5=d5, d6=d6, singular=near, joints=machine)

@@ -371,7 +371,7 @@ def arm_file(chain: Chain, source: str) -> dict:
             lines += ["", f"[{key}]"] * bool(table) + [f"{one} = {str(value).lower()}" for one, value in table.items()]
         return "\n".join([*lines, "", "[joints]", *(
             f"{part.key} = {{ name = {_text(joints[part.joint].name)}, sign = {part.sign}, "
-            f"zero = {zeros[part.key]!r} }}  # {_span(joints[part.joint])}"
+            f"zero = {zeros[part.key]!r}{_own(joints[part.joint])} }}  # {_span(joints[part.joint])}"
             for part in built.parts if part not in rest), ""])
 
     def arm(unit: float) -> Arm:
@@ -410,6 +410,13 @@ def arm_file(chain: Chain, source: str) -> dict:
 
 def _text(value: str) -> str:
     return json.dumps(value, ensure_ascii=False)
+
+
+def _own(joint: urdf.Moving) -> str:
+    """The key of a joint's limits as its source has them; nothing where it has none, or more than 3.5 turns."""
+    if joint.slides or joint.room is None or max(map(abs, joint.room)) > math.radians(arms.MOST_TURN):
+        return ""
+    return ", limits = [" + ", ".join(repr(round(math.degrees(end), 6)) for end in joint.room) + "]"
 
 
 def _span(joint: urdf.Moving) -> str:
