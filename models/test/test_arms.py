@@ -45,6 +45,21 @@ def test_known_arms(name):
         "irb2400", "uarm_swift_pro", "dobot_magician", "geomagic_touch"))
 
 
+def test_the_truths_read_the_same_lengths():
+    """They read the files of the library by themselves."""
+    kinds = {truth_six: "six", truth_ur: "ur", truth_srs: "srs"}
+    for module, kind in kinds.items():
+        for name in arms.known():
+            try:
+                lengths = getattr(arms.load(name), kind)
+            except arms.ArmError:
+                assert name not in module.known()
+                continue
+            found, mm = module.load(name)
+            assert found._asdict() == pytest.approx(lengths) and mm == arms.load(name).mm_per_unit
+    assert sum(len(module.known()) for module in kinds) == sum(arms.load(name).axes > 3 for name in arms.known())
+
+
 def test_every_arm_of_the_table_is_there():
     assert set(arms.known()) == set(MATHS)
 
