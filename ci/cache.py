@@ -119,9 +119,13 @@ def _file(module: str) -> Path | None:
 
 @functools.cache
 def _imports(text: str) -> list[Path]:
-    """Files of this project that a source imports, at its top or inside a function."""
-    names = []
-    for node in ast.walk(ast.parse(text)):
+    """Files of this project that a source imports, at its top or inside a function; not those of types alone."""
+    names, tree = [], ast.parse(text)
+    typed = {one for node in ast.walk(tree) if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+             for body in node.body for one in ast.walk(body)}
+    for node in ast.walk(tree):
+        if node in typed:
+            continue
         if isinstance(node, ast.Import):
             names += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:

@@ -36,7 +36,7 @@ PLANE = ("fk1", "fk2", "ik1", "ik2", "ik3r", "keep2", "velocity2", "rates2")
 CLEAR, FEW = 12.0, 60  # degrees from the stretched and the folded arm; samples an arm
 CORES = [core if core.family != "paper" else find(f"{core.name}-S24") for core in all_cores()
          if core.first_set and core.family in ("vector", "table", "rational", "classic", "paper", "arm", "six", "ur",
-                                               "srs")
+                                               "srs", "keep")
          and core.function not in (*NEVER, "root", "sign", "quotient")]
 
 # The arm, from its file alone
@@ -122,8 +122,10 @@ class Machine:
         room = {key: (-180.0, 180.0) if anywhere else ends for key, ends in limits.items()}
         size = 60 * count
         seen = {key: rng.uniform(low + 1, high - 1, size) for key, (low, high) in room.items() if key != "forearm"}
-        seen |= {key: rng.uniform(-150, 150, size) for key in ("j4", "j5", "j6", "j7", "tool")
-                 if key in self.file["joints"]}
+        for key in ("j4", "j5", "j6", "j7", "tool"):
+            if joint := self.file["joints"].get(key):
+                ends = sorted(joint["sign"] * end + joint["zero"] for end in joint.get("limits", (-150, 150)))
+                seen[key] = rng.uniform(max(ends[0], -150), min(ends[1], 150), size)
         line = seen["elbow"]
         fine = np.abs(np.sin(np.radians(line))) > math.sin(math.radians(CLEAR))
         seen["elbow"] = line - self.psi
@@ -352,10 +354,10 @@ def takes(core: Core, arm: Machine) -> str:
     yaws, upper = "yaw" in arm.file["limits"], "upper" in arm.file["limits"]
     if upper != (core.family == "srs"):
         return "limits.upper" if upper or yaws else "limits.yaw"
-    if core.family == "six":
+    if core.family == "six" or core.function == "six_keep":
         wrist = arm.file.get("wrist", {})
         return "" if "flange" in wrist and "parallel" not in wrist else "wrist" if yaws else "limits.yaw"
-    if core.family == "ur":
+    if core.family == "ur" or core.function == "ur_keep":
         return "" if "parallel" in arm.file.get("wrist", {}) else "wrist" if yaws else "limits.yaw"
     if core.function not in PLANE and not yaws:
         return "limits.yaw"
@@ -394,6 +396,8 @@ def kind(core: Core) -> str:
     """Which case and judge a core has."""
     if core.function.startswith(("velocity", "rates")):
         return "six_" * (core.family == "six") + core.function[:-1]
+    if core.function.endswith("_keep"):
+        return core.function
     if core.family == "six":
         return "six_" + core.function[:2]
     if core.family in ("ur", "srs"):
@@ -670,6 +674,47 @@ def ur_inverse_judge(core: Core, arm: Machine, text: Printed, case: dict, out: d
     return off, law + math.sqrt(3) / 2 + codec * sum(map(abs, size)) + 2.0 ** -p["U"] * abs(size.d6)
 
 
+# Six axes, the branch chosen
+
+
+def eight_judge(core: Core, arm: Machine, text: Printed, case: dict, out: dict) -> tuple[Floats, Floats]:
+    """The pose of the answered joints; they are within the limits, and no farther from the last ones than the pose's
+    own joints are, in any turn."""
+    step, p = lsb(core, arm), core.params
+    found = followed(text.after, {f"j{i}": out[f"out_j{i}"] * 360 / 2 ** p["A"] for i in range(1, 7)})
+    names = list(case["angles"])
+    assert not (out["out_status"] & 9).any() and not out["out_beyond"].any()
+    answer, own = (np.stack([angles[name] for name in names], axis=1) for angles in (found, case["angles"]))
+    seen_joints, joints = arm.seen(dict(zip(names, answer.T))), arm.file["joints"]
+    for key, name in ((key, joint["name"]) for key, joint in joints.items()):
+        if "limits" in joints[key]:
+            low, high, seen = *joints[key]["limits"], answer[:, names.index(name)]
+        else:
+            low, high = arm.file["limits"].get(key, (-180, 180))
+            low, high = (low - arm.psi, high - arm.psi) if key == "elbow" else (low, high)
+            whole = high - low == 360
+            seen = seen_joints[key] if key in arm.file["limits"] and not whole else answer[:, names.index(name)]
+            low, high = (-180, 180) if whole else (low, high)
+            own[:, names.index(name)] = (own[:, names.index(name)] + 180) % 360 - 180 if whole else own[
+                :, names.index(name)]
+        assert np.all((seen > low - 0.1) & (seen < high + 0.1)), f"{name} is beyond its limits"
+    weights = np.array([1 / joint.get("speed", 1.0) for name in names for joint in joints.values()
+                        if joint["name"] == name])
+    weights = np.rint(63 * weights / weights.max())
+    last = np.concatenate([np.zeros((1, 6)), answer[:-1]])
+    reached = (weights * np.abs(answer - last)).sum(1)
+    assert np.all(reached <= (weights * np.abs(own - last)).sum(1) + 0.1 * weights.sum()), "another branch is nearer"
+    want, got = (arm.chain(dict(zip(names, angles.T)), links=6) for angles in (own, answer))
+    codec = 6 * 0.89 * 2 * math.pi / 2 ** p["A"]
+    parallel = core.function == "ur_keep"
+    size = lengths_of_ur(core, arm) if parallel else seven(core, arm)
+    law = (ur_bounds if parallel else six_bounds).orientation(p)
+    held = out["out_status"] & 2 != 0
+    assert np.all((truth_six.turned(want[:, :3, :3], got[:, :3, :3]) <= law + codec + 3 * 2.0 ** -p["U"]) | held)
+    off = np.linalg.norm(want[:, :3, 3] - got[:, :3, 3], axis=1) / step
+    return off, np.full(len(off), 4.0 + codec * sum(map(abs, size)))
+
+
 # Seven axes
 
 
@@ -851,10 +896,12 @@ def six_rates_judge(core: Core, arm: Machine, text: Printed, case: dict, out: di
 
 CASES = {"fk": forward_case, "ik": inverse_case, "keep": inverse_case, "six_fk": forward_case,
          "six_ik": six_inverse_case, "ur_fk": forward_case, "ur_ik": ur_inverse_case, "srs_ik": srs_case,
+         "six_keep": six_inverse_case, "ur_keep": ur_inverse_case,
          "velocity": velocity_case, "rates": velocity_case,
          "six_velocity": six_motion_case, "six_rates": six_motion_case}
 JUDGES = {"fk": forward_judge, "ik": inverse_judge, "keep": keep_judge, "six_fk": six_forward_judge,
           "six_ik": six_inverse_judge, "ur_fk": ur_forward_judge, "ur_ik": ur_inverse_judge, "srs_ik": srs_judge,
+          "six_keep": eight_judge, "ur_keep": eight_judge,
           "velocity": velocity_judge, "rates": velocity_judge,
           "six_velocity": six_velocity_judge, "six_rates": six_rates_judge}
 

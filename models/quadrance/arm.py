@@ -11,14 +11,18 @@ offset e (across the forearm), absolute elbow (joint 2 is measured from the base
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from quadrance import kernel_vector_solve
-from quadrance.arms import Arm, ArmError
+from quadrance.arms.error import ArmError
 from quadrance.fixed import Ints, hold_last, ints, saturate, to_fixed, wrap
 from quadrance.kernel_vector_solve import SUM
 from quadrance.vector import GUARD
+
+if TYPE_CHECKING:
+    from quadrance.arms import Arm
 
 Params = dict[str, int]
 SWITCHES = ("BASE", "SHOULDER", "LATERAL", "ELBOW", "ABSOLUTE")

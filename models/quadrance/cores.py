@@ -17,7 +17,7 @@ ROOT = PACKAGE.parent.parent
 RTL = ROOT / "rtl" if (ROOT / "rtl" / "cores.toml").exists() else PACKAGE / "rtl"  # a checkout, or as pip installs it
 STATUS_BITS = {"unreachable": 0, "singular": 1, "overflow": 2, "not_converged": 3, "no_rotation": 3}
 FAMILIES = ("arith", "codec", "cordic", "vector", "table", "rational", "classic", "paper", "engine", "arm", "six",
-            "program", "ur", "srs", "tool")
+            "program", "ur", "srs", "keep", "tool")
 # Joint words by type: the letters of their ports, bits of a word beside those of its parameter, two's complement or not
 TYPES = {"spread": ("j", 2, False), "angle": ("j", 0, False), "vector": ("cn", 2, True),
          "half_tangent": ("j", 2, False)}

@@ -9,14 +9,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance import truth
-from quadrance.arms import Arm
 from quadrance.fixed import ints
 from quadrance.truth import Floats, floats
+
+if TYPE_CHECKING:
+    from quadrance.arms import Arm
 
 
 @dataclass(frozen=True)

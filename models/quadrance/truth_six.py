@@ -8,12 +8,14 @@ are in radians, lengths share one unit; a robot's own zeros and signs are added 
 from __future__ import annotations
 
 import math
+import tomllib
+from functools import cache
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import arms
 from quadrance.fixed import ints
 from quadrance.truth import Floats, floats
 
@@ -42,15 +44,25 @@ class Six(NamedTuple):
         return math.atan2(self.a2, self.c3)
 
 
+@cache
+def library() -> dict[str, dict]:
+    """The arm files of the library by name, as they are: a truth does not follow from the checks of `quadrance.arms`.
+    """
+    files = sorted(Path(__file__).with_name("arms").glob("*.toml"))
+    return {path.stem: {"constants": {}, "wrist": {}} | tomllib.loads(path.read_text()) for path in files}
+
+
 def known() -> list[str]:
     """Names of the arms of the library that have a spherical wrist."""
-    return [name for name in arms.known() if arms.load(name).axes == 6 and arms.load(name).flange is not None]
+    return [name for name, arm in library().items() if "flange" in arm["wrist"] and "parallel" not in arm["wrist"]
+            and "upper" not in arm["limits"]]
 
 
 def load(name: str) -> tuple[Six, float]:
     """The seven parameters (mm) of an arm with a spherical wrist, and the millimetres in one coordinate unit."""
-    arm = arms.load(name)
-    return Six(**arm.six), arm.mm_per_unit
+    arm = library()[name]
+    a1, e, b, c1 = (float(arm["constants"].get(key, 0)) for key in ("shoulder", "elbow", "lateral", "base"))
+    return Six(a1, -e, b, c1, arm["links"]["l1"], arm["links"]["l2"], arm["wrist"]["flange"]), arm["mm_per_unit"]
 
 
 def fk6(q: ArrayLike, arm: Six) -> tuple[Floats, Floats]:

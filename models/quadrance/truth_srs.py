@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import arms
 from quadrance.truth import Floats, floats
+from quadrance.truth_six import library
 
 TWISTS = (-90, 90, 90, -90, -90, 90, 0)
 
@@ -29,13 +29,14 @@ class Srs(NamedTuple):
 
 def known() -> list[str]:
     """Names of the arms of the library that have seven axes."""
-    return [name for name in arms.known() if arms.load(name).upper_limit]
+    return [name for name, arm in library().items() if "upper" in arm["limits"]]
 
 
 def load(name: str) -> tuple[Srs, float]:
     """The four lengths (mm) of an arm, and the millimetres in one coordinate unit."""
-    arm = arms.load(name)
-    return Srs(**arm.srs), arm.mm_per_unit
+    arm = library()[name]
+    return Srs(arm["constants"].get("base", 0.0), arm["links"]["l1"], arm["links"]["l2"], arm["wrist"]["flange"]), \
+        arm["mm_per_unit"]
 
 
 def frames(q: ArrayLike, arm: Srs) -> list[Floats]:

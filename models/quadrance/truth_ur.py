@@ -13,9 +13,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import arms
 from quadrance.fixed import ints
 from quadrance.truth import Floats, floats
+from quadrance.truth_six import library
 
 BACK, DOWN, FLIP = 1, 2, 4  # bits of a branch: shoulder, elbow, wrist
 STRAIGHT = 1e-12  # sine of joint 5 below which joint 6 is 0
@@ -34,13 +34,15 @@ class Ur(NamedTuple):
 
 def known() -> list[str]:
     """Names of the arms of the library whose axes 2, 3 and 4 are parallel."""
-    return [name for name in arms.known() if arms.load(name).d5 is not None]
+    return [name for name, arm in library().items() if "parallel" in arm["wrist"]]
 
 
 def load(name: str) -> tuple[Ur, float]:
     """The six lengths (mm) of an arm, and the millimetres in one coordinate unit."""
-    arm = arms.load(name)
-    return Ur(**arm.ur), arm.mm_per_unit
+    arm = library()[name]
+    base, lateral = (arm["constants"].get(key, 0.0) for key in ("base", "lateral"))
+    return Ur(base, lateral, arm["wrist"]["offset"], arm["wrist"]["flange"], arm["links"]["l1"], arm["links"]["l2"]), \
+        arm["mm_per_unit"]
 
 
 def _turned(axis: str, angle: Floats) -> Floats:

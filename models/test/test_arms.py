@@ -11,6 +11,7 @@ from quadrance.trajectory import limits, smooth, trajectory
 MATHS = {  # L1, L2 (mm) of the table of real arms
     "cobra600": (325, 275), "linuxcnc_scara": (340, 250), "staubli_tx40": (225, 225),
     "puma560": (431.8, math.hypot(20.3, 431.8)), "kr6_r700": (315, math.hypot(35, 365)), "ur5": (425, 392.25),
+    "irb2400": (705, math.hypot(135, 755)),
     "ur3e": (243.55, 213.2), "ur5e": (425, 392.2), "ur10e": (612.7, 571.55),
     "iiwa7": (400, 400), "iiwa14": (420, 400),
     "uarm_swift_pro": (142.07, 158.81), "dobot_magician": (135, 147), "geomagic_touch": (135, 135),
@@ -40,7 +41,23 @@ def test_known_arms(name):
     assert (arm.l1, arm.l2) == pytest.approx(MATHS[name])
     assert arm.source and arm.id == name
     assert arm.links == pytest.approx((arm.l1 / arm.mm_per_unit, arm.l2 / arm.mm_per_unit))
-    assert arm.absolute_elbow == (name in ("uarm_swift_pro", "dobot_magician", "geomagic_touch"))
+    assert arm.absolute_elbow == (name in (
+        "irb2400", "uarm_swift_pro", "dobot_magician", "geomagic_touch"))
+
+
+def test_the_truths_read_the_same_lengths():
+    """They read the files of the library by themselves."""
+    kinds = {truth_six: "six", truth_ur: "ur", truth_srs: "srs"}
+    for module, kind in kinds.items():
+        for name in arms.known():
+            try:
+                lengths = getattr(arms.load(name), kind)
+            except arms.ArmError:
+                assert name not in module.known()
+                continue
+            found, mm = module.load(name)
+            assert found._asdict() == pytest.approx(lengths) and mm == arms.load(name).mm_per_unit
+    assert sum(len(module.known()) for module in kinds) == sum(arms.load(name).axes > 3 for name in arms.known())
 
 
 def test_every_arm_of_the_table_is_there():
@@ -113,6 +130,10 @@ def test_load_by_path(tmp_path):
         ("elbow = { name = 'J2', sign = 1.0, zero = 0 }", "joints.elbow.sign", "must be 1 or -1, not 1.0"),
         ("elbow = { name = 'J2', sign = 1 }", "joints.elbow.zero", "is missing"),
         ("elbow = { name = 'J2', sign = 1, zero = 361 }", "joints.elbow.zero", "within -360 and 360"),
+        ("elbow = { name = 'J2', sign = 1, zero = 0, limits = [3] }", "joints.elbow.limits", "two numbers"),
+        ("elbow = { name = 'J2', sign = 1, zero = 0, limits = [3, 2] }", "joints.elbow.limits", "below the upper"),
+        ("elbow = { name = 'J2', sign = 1, zero = 0, limits = [0, 1261] }", "joints.elbow.limits", "within -1260"),
+        ("elbow = { name = 'J2', sign = 1, zero = 0, speed = 0 }", "joints.elbow.speed", "must be positive"),
         ("elbow = { name = 'J2', sign = 1, zero = 0, limit = 3 }", "joints.elbow.limit", "is not a key"),
         ("yaw = { name = 'J0', sign = 1, zero = 0 }", "joints.yaw", "is not a key"))],
 ])
@@ -203,6 +224,15 @@ def _kuka(*q):
     return found
 
 
+def _abb(a1, a2, a3, *wrist):
+    """Joint origins and axes of irb2400_12_155 of ROS-Industrial's abb; axis 3 from the horizontal (parallelogram)."""
+    found = np.eye(4)
+    for origin, axis, angle in zip([(0, 0, 0), (100, 0, 615), (0, 0, 705), (0, 0, 135), (755, 0, 0), (0, 0, 0)],
+                                   (Z, Y, Y, X, Y, X), (a1, a2, a3 - a2, *wrist)):
+        found = found @ _move(*origin) @ _turn(axis, angle)
+    return found @ _move(85)
+
+
 def _iiwa(base, upper):
     """KUKA's drawing: 126 mm to the flange; at 0 upright, A2 and A6 turn forward, A4 back, the others to the left."""
     def pose(*q):
@@ -257,6 +287,7 @@ CITED = {  # the joints' names in the order of the chain, the chain, what is beh
         (0, 0, 0, 320), (-90, 0, -90, 35), (0, 225, -90, 0), (-90, 0, 0, 225), (90, 0, 0, 0), (-90, 0, 180, 65)),
         np.eye(4)),
     "kr6_r700": (("A1", "A2", "A3", "A4", "A5", "A6"), _kuka, UPRIGHT),
+    "irb2400": (("A1", "A2", "A3", "A4", "A5", "A6"), _abb, UPRIGHT),
     **{name: (tuple(f"A{i}" for i in range(1, 8)), _iiwa(*lengths), None) for name, *lengths in (
         ("iiwa7", 340, 400), ("iiwa14", 360, 420))},
     "ur5": (("base", "shoulder", "elbow"), _dh(  # Universal Robots, UR5 series 3, wrist 1 at 0: it moves no place

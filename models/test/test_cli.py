@@ -288,7 +288,7 @@ def test_a_wrist_that_is_not_spherical_is_no_six_axes(quadrance):
     text = quadrance("check", "ur5")
     assert re.search(r"^  not +fk6, ik6, ik6_all.*: wrist.spherical: is false", text, re.M)
     assert "fk6" in json.loads(quadrance("check", "puma560", "--json"))["functions"]
-    assert [one["axes"] for one in json.loads(quadrance("arms", "--json"))].count(6) == 6
+    assert [one["axes"] for one in json.loads(quadrance("arms", "--json"))].count(6) == 7
     assert "wrist.spherical: is false" in quadrance("instance", "vector_ik6", "--arm", "ur5", code=2)
 
 

@@ -153,7 +153,7 @@ def test_the_list_is_in_order():
     groups = [(core.family, core.function) for core in listed]
     assert len(set(groups)) == sum(one != other for one, other in zip(groups, [None, *groups]))
     for core in listed:
-        axes = "[cn][abc]" if core.family == "tool" else r"j|angle|[jcn]\d+"  # c12: of both joints
+        axes = {"tool": "[cn][abc]", "keep": "-"}.get(core.family, r"j|angle|[jcn]\d+")  # c12: of both; keep has turns
         for port in (*core.inputs, *core.outputs):
             joint = re.fullmatch(f"(in|out)_({axes})", port.name) is not None
             if port.name[-2:] not in ("_c", "_n"):  # of a codec: a unit vector, or one of any length, two plain words

@@ -6,14 +6,21 @@ import inspect
 
 import numpy as np
 import pytest
-from quadrance import arm_keep, arm_velocity, kernel_vector_solve, table
+from quadrance import arm_keep, arm_velocity, keep, kernel_vector_solve, table
 from quadrance.cores import all_cores
 from quadrance.iterative import newton_fixed
 from quadrance.program import meaning
 
-from models.test import oracles, test_oracles_config, test_oracles_engine, test_oracles_program, test_oracles_status
+from models.test import (
+    oracles,
+    test_oracles_config,
+    test_oracles_engine,
+    test_oracles_keep,
+    test_oracles_program,
+    test_oracles_status,
+)
 
-JUDGES = (test_oracles_config, test_oracles_engine, test_oracles_program, test_oracles_status)
+JUDGES = (test_oracles_config, test_oracles_engine, test_oracles_keep, test_oracles_program, test_oracles_status)
 PLAIN = {"l1", "l2", "l3", "base", "shoulder", "lateral", "elbow", "d4", "d5", "sine", "radius", "tol", "limit"}
 """Words that are a number of the user's in the port's format: lengths, thresholds, a tolerance, a limit of steps."""
 FUNCTIONS = list(dict.fromkeys(f"{core.family}.{core.function}" for core in all_cores()))
@@ -52,6 +59,10 @@ def slip(monkeypatch, module, function: str, what: str, by: str) -> None:
 SLIPS = {  # the same slip in model and core would leave every bench green
     "reach before limits": (arm_keep, "_choose", "key = fit, not status & 1, score", "key = not status & 1, fit, score",
                             test_oracles_status.test_the_best_branch, "arm.keep3"),
+    "reach before limits of eight": (keep, "choose", "cost, far[k], ~fit", "cost, ~fit, far[k]",
+                                     test_oracles_keep.test_the_best_of_eight, "keep.six_keep"),
+    "remembered beyond the limits": (keep, "choose", "if fit[best]:", "if True:",
+                                     test_oracles_keep.test_the_best_of_eight, "keep.six_keep"),
     "the last of equals": (arm_keep, "_choose", "key > best[0]", "key >= best[0]",
                            test_oracles_status.test_the_best_branch, "arm.keep2"),
     "a tie downward at the edge": (meaning, "results", "round_shift(words[port.name], shift(",

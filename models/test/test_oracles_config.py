@@ -242,7 +242,8 @@ def test_words_of_six_rates(core):
     assert all(abs(found[f"cfg_{name}"] - value * 2 ** (p["F"] + 4)) <= 0.5 for name, value in lengths.items())
 
 
-@oracle("six.ik6", "six.ik6_all", "six.ik6_to_angles", cfg=("a1", "b", "c1", "c2", "c4", "k", "cp", "np", "r", "e"))
+@oracle("six.ik6", "six.ik6_all", "six.ik6_to_angles", "keep.six_keep",
+        cfg=("a1", "b", "c1", "c2", "c4", "k", "cp", "np", "r", "e"))
 def test_words_of_six_axes(core):
     """Lengths in 2^-4 LSB, k = sqrt(a2^2 + c3^2) in the direction psi = atan2(a2, c3); r e = 1 / 2 c2 k, never more."""
     p, rng = core.params, random.Random(3)

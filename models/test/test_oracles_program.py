@@ -144,7 +144,7 @@ def test_words_of_three_parallel_axes_forward(core):
                for name, value in lengths.items())
 
 
-@oracle(*UR_INVERSE, cfg=(*UR_LENGTHS, "margin", "slack", "r", "e"))
+@oracle(*UR_INVERSE, "keep.ur_keep", cfg=(*UR_LENGTHS, "margin", "slack", "r", "e"))
 def test_words_of_three_parallel_axes(core):
     """Lengths in 2^-4 LSB, margin and slack in LSB; r e = 1 / 2 l2 l3, never more."""
     p, rng = core.params, random.Random(4)

@@ -160,8 +160,7 @@ def test_peakrdl_reads_the_description(name, readback, tmp_path):
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-ffp-contract=off")
 STANDARDS = {"c": ("gcc", "-std=c99"), "cpp": ("g++", "-std=c++17", "-xc++")}
-ARMED = [core for core in cores.all_cores() if core.clocked and core.first_set and core.cfg
-         and verilog.takes_an_arm(core)]
+ARMED = [core for core in cores.all_cores() if core.clocked and core.first_set and core.cfg and c.shares(core)]
 SHAPES = list({(core.function if core.family in ("arm", "six") else "", core.family,
                 tuple(port.name for port in core.cfg)): core for core in reversed(ARMED)}.values())
 FIELDS = ("mm_per_unit", "l1", "l2", "l3", "base", "shoulder", "lateral", "elbow", "flange", "offset",

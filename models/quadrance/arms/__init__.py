@@ -28,13 +28,26 @@
     elbow = 5.0             degrees from the stretched and the folded arm
     axis = 20.0             mm from the yaw axis; a SCARA has none
     [joints]                optional: the machine's own joints
-    shoulder = { name = "A2", sign = -1, zero = 0 }
+    shoulder = { name = "A2", sign = -1, zero = 0, limits = [-190, 45], speed = 300 }
 
 A joint of the machine is sign * (its own angle) + zero, in degrees, as seen by the cores: `yaw` from the x axis,
 counter-clockwise from above; `shoulder` from the horizontal upwards; `elbow` from link 1 to the forearm itself, without
 the turn of the elbow's offset (of an absolute elbow: from the horizontal); `tool` of the link l3, from link 2; `j4`,
 `j5`, `j6` of a wrist as rtl/six or, where it is parallel, rtl/ur has them; of seven axes `upper`, and `j5`, `j6`, `j7`
 of the wrist, as rtl/srs has them. Without the table the machine's joints are the cores' own.
+
+`limits` of a joint, as the machine counts it, up to 3.5 turns either way, and `speed`, degrees a second, are optional.
+six_keep and ur_keep have them; without them a joint has that of the table [limits], or of the wrist half a turn either
+way, and all weigh the same.
+
+    [frames]                optional: where the robot has the arm; no core computes it
+    base = { link = "world", xyz = [0, 0, 410], rpy = [0, 0, 90] }  the cores' frame seen from that link
+    tip = { link = "tool0", xyz = [0, 0, 5], rpy = [0, 90, 0] }     that link seen from the cores' frame at the tip
+    beside = [{ name = "quill", moves = "along", sign = -1, zero = 0, limits = [0, 150] }]
+
+`xyz` is in mm, `rpy` turns about the other frame's x, y and z, one after the other, in degrees. A joint `beside` the
+arm moves the tip along z (mm) or turns it about z (degrees), behind the other joints in their order. A tool that is
+changed is a tip frame that is changed.
 """
 
 from __future__ import annotations
@@ -45,10 +58,13 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
+from quadrance.arms.error import ArmError
+
 HERE = Path(__file__).resolve().parent
 REACH = 128 - 2**-8  # units: the largest coordinate of Q7.8
 MOST = 1e9  # mm: no length is beyond it
-TOP = ("name", "source", "mm_per_unit", "links", "constants", "wrist", "limits", "singular", "joints")
+MOST_TURN = 1260  # degrees: no limit of a machine's joint is beyond it
+TOP = ("name", "source", "mm_per_unit", "links", "constants", "wrist", "limits", "singular", "joints", "frames")
 WRIST = ("j4", "j5", "j6")
 WRIST_OF_SEVEN = ("j5", "j6", "j7")
 
@@ -56,18 +72,42 @@ WRIST_OF_SEVEN = ("j5", "j6", "j7")
 SEVEN = "limits.upper: is given, and this core has no joint that turns the upper arm"
 
 
-class ArmError(ValueError):
-    """An arm file that cannot be used: names the file, the key and the reason."""
-
-
 @dataclass(frozen=True)
 class Joint:
-    """A joint of the machine: sign * (its own angle) + zero is what the cores have, degrees."""
+    """A joint of the machine: sign * (its own angle) + zero is what the cores have, degrees.
+
+    limits, speed : as the machine counts them, degrees and degrees a second; None where the file does not say it.
+    """
 
     key: str
     name: str
     sign: int = 1
     zero: float = 0.0
+    limits: tuple[float, float] | None = None
+    speed: float | None = None
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A frame seen from another: place in mm; turns in degrees about the other's x, y and z, one after the other.
+
+    link : of the robot, the one of the two that is not the cores'.
+    """
+
+    link: str
+    xyz: tuple[float, ...] = (0.0, 0.0, 0.0)
+    rpy: tuple[float, ...] = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Beside:
+    """A joint behind the arm that no core computes: it moves the tip along z, mm, or turns it about z, degrees."""
+
+    name: str
+    slides: bool
+    sign: int
+    zero: float
+    limits: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -78,6 +118,7 @@ class Arm:
     upper_limit : of the turn of the upper arm about itself, of an arm with seven axes.
     l3, flange, spherical, singular : None where the file does not say it; `flange` is that of a spherical wrist.
     d5, d6 : offset and flange of a parallel wrist; None for any other.
+    base_frame, tip_frame : None where the robot's frame is the cores'.
     """
 
     id: str
@@ -102,6 +143,9 @@ class Arm:
     d6: float | None = None
     singular: tuple[float | None, float | None] = (None, None)
     joints: tuple[Joint, ...] = ()
+    base_frame: Frame | None = None
+    tip_frame: Frame | None = None
+    beside: tuple[Beside, ...] = ()
 
     @property
     def links(self) -> tuple[float, float]:
@@ -271,41 +315,76 @@ def parse(path: Path, text: bytes) -> Arm:
             fail(prefix + key, f"must be positive, not {value:g}")
         return value
 
-    def limit(key: str) -> tuple[float, float]:
-        pair = take(limits, "limits.", key, list)
+    def room(table: dict, prefix: str, key: str, most: float, unit: str = "degrees") -> tuple[float, float]:
+        pair = take(table, prefix, key, list)
         if len(pair) != 2 or not all(type(one) in (int, float) and math.isfinite(one) for one in pair):
-            fail(f"limits.{key}", f"must be two numbers [low, high] in degrees, not {pair!r}")
+            fail(prefix + key, f"must be two numbers [low, high] in {unit}, not {pair!r}")
         low, high = map(float, pair)
         if low >= high:
-            fail(f"limits.{key}", f"the lower limit {low:g} must be below the upper limit {high:g}")
-        if low < -360 or high > 360:
-            fail(f"limits.{key}", f"must lie within -360 and 360 degrees, not {pair!r}")
+            fail(prefix + key, f"the lower limit {low:g} must be below the upper limit {high:g}")
+        if low < -most or high > most:
+            fail(prefix + key, f"must lie within -{most:g} and {most:g} {unit}, not {pair!r}")
         return low, high
+
+    def limit(key: str) -> tuple[float, float]:
+        return room(limits, "limits.", key, 360)
+
+    def counted(table: dict, prefix: str, most: float = 360) -> tuple[str, int, float]:
+        """Name, sign and zero of a joint."""
+        given, sign, zero = take(table, prefix, "name", str), take(table, prefix, "sign", int), take(
+            table, prefix, "zero", float)
+        if not given.strip():
+            fail(prefix + "name", "must not be empty")
+        if type(sign) is not int or abs(sign) != 1:
+            fail(prefix + "sign", f"must be 1 or -1, not {sign!r}")
+        if abs(zero) > most:
+            fail(prefix + "zero", f"must lie within -{most:g} and {most:g} degrees, not {zero:g}")
+        return given, sign, zero
 
     def joint(key: str) -> Joint:
         table = take(joints, "joints.", key, dict)
-        only(table, f"joints.{key}.", {"name", "sign", "zero"})
-        given, sign = take(table, f"joints.{key}.", "name", str), take(table, f"joints.{key}.", "sign", int)
-        if not given.strip():
-            fail(f"joints.{key}.name", "must not be empty")
-        if type(sign) is not int or abs(sign) != 1:
-            fail(f"joints.{key}.sign", f"must be 1 or -1, not {sign!r}")
-        zero = take(table, f"joints.{key}.", "zero", float)
-        if abs(zero) > 360:
-            fail(f"joints.{key}.zero", f"must lie within -360 and 360 degrees, not {zero:g}")
-        return Joint(key, given, sign, zero)
+        only(table, f"joints.{key}.", {"name", "sign", "zero", "limits", "speed"})
+        given, sign, zero = counted(table, f"joints.{key}.")
+        ends = room(table, f"joints.{key}.", "limits", MOST_TURN) if "limits" in table else None
+        speed = length(table, f"joints.{key}.", "speed") if "speed" in table else None
+        return Joint(key, given, sign, zero, ends, speed)
+
+    def frame(key: str) -> Frame:
+        table, prefix = take(frames, "frames.", key, dict), f"frames.{key}."
+        only(table, prefix, {"link", "xyz", "rpy"})
+        link = take(table, prefix, "link", str)
+        if not link.strip():
+            fail(prefix + "link", "must not be empty")
+        found = {part: take(table, prefix, part, list, [0.0, 0.0, 0.0]) for part in ("xyz", "rpy")}
+        for part, three in found.items():
+            if len(three) != 3 or not all(type(one) in (int, float) and abs(one) <= MOST for one in three):
+                fail(prefix + part, f"must be three numbers of at most {MOST:g}, not {three!r}")
+        return Frame(link, *(tuple(map(float, three)) for three in found.values()))
+
+    def beside(i: int, table: object) -> Beside:
+        prefix = f"frames.beside[{i}]."
+        if not isinstance(table, dict):
+            fail(prefix[:-1], f"must be a table, not {table!r}")
+        only(table, prefix, {"name", "moves", "sign", "zero", "limits"})
+        if (moves := take(table, prefix, "moves", str)) not in ("along", "about"):
+            fail(prefix + "moves", f"must be \"along\" or \"about\", of z, not {moves!r}")
+        unit = "mm" if moves == "along" else "degrees"
+        ends = room(table, prefix, "limits", MOST, unit) if "limits" in table else None
+        given, sign, zero = counted(table, prefix, MOST)
+        return Beside(given, moves == "along", sign, zero, ends)
 
     only(data, "", set(TOP))
     name, source = take(data, "", "name", str), take(data, "", "source", str)
     unit = length(data, "", "mm_per_unit")
     links, limits = take(data, "", "links", dict), take(data, "", "limits", dict)
-    constants, wrist, singular, joints = (take(data, "", key, dict, {}) for key in
-                                          ("constants", "wrist", "singular", "joints"))
+    constants, wrist, singular, joints, frames = (take(data, "", key, dict, {}) for key in (
+        "constants", "wrist", "singular", "joints", "frames"))
     only(links, "links.", {"l1", "l2", "l3"})
     only(constants, "constants.", {"base", "shoulder", "lateral", "elbow", "absolute_elbow"})
     only(wrist, "wrist.", {"spherical", "parallel", "offset", "flange"})
     only(limits, "limits.", {"shoulder", "elbow", "yaw", "forearm", "upper"})
     only(singular, "singular.", {"elbow", "axis"})
+    only(frames, "frames.", {"base", "tip", "beside"})
     l1, forearm = length(links, "links.", "l1"), length(links, "links.", "l2")
     l3 = length(links, "links.", "l3") if "l3" in links else None
     offset = {key: take(constants, "constants.", key, float, 0.0) for key in ("base", "shoulder", "lateral", "elbow")}
@@ -342,7 +421,7 @@ def parse(path: Path, text: bytes) -> Arm:
         fail("limits.forearm", "is of an absolute elbow, and constants.absolute_elbow is not true")
     if (spherical or parallel) and "yaw" not in limits:
         fail("limits.yaw", "is missing: an arm with a wrist yaws")
-    room = tuple(limit(key) for key in ("shoulder", "elbow", *(["yaw"] if "yaw" in limits else [])))
+    rooms = tuple(limit(key) for key in ("shoulder", "elbow", *(["yaw"] if "yaw" in limits else [])))
     if "elbow" in singular and not 0 < take(singular, "singular.", "elbow", float) < 90:
         fail("singular.elbow", f"must lie between 0 and 90 degrees, not {singular['elbow']:g}")
     near = (float(singular["elbow"]) if "elbow" in singular else None,
@@ -357,7 +436,10 @@ def parse(path: Path, text: bytes) -> Arm:
         if one.name in [other.name for other in machine[:i]]:
             fail(f"joints.{one.key}.name", f"'{one.name}' is the name of another joint")
     return Arm(id=path.stem, name=name, source=source, mm_per_unit=unit, l1=l1, l2=l2, **offset,
-               elbow_angle=math.degrees(math.atan2(offset["elbow"], forearm)), absolute_elbow=absolute, limits=room,
+               elbow_angle=math.degrees(math.atan2(offset["elbow"], forearm)), absolute_elbow=absolute, limits=rooms,
                forearm_limit=limit("forearm") if "forearm" in limits else None,
                upper_limit=limit("upper") if "upper" in limits else None, l3=l3, spherical=spherical,
-               flange=flange, d5=d5, d6=d6, singular=near, joints=machine)
+               flange=flange, d5=d5, d6=d6, singular=near, joints=machine,
+               base_frame=frame("base") if "base" in frames else None,
+               tip_frame=frame("tip") if "tip" in frames else None,
+               beside=tuple(beside(i, one) for i, one in enumerate(take(frames, "frames.", "beside", list, []))))

@@ -7,14 +7,17 @@ one of them. Only what the core leaves out is said.
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass, replace
 
-from quadrance.arms import WRIST, WRIST_OF_SEVEN, Arm, Joint
-from quadrance.cores import Core
+from quadrance import keep
+from quadrance.arms import WRIST, WRIST_OF_SEVEN, Arm, ArmError, Joint
+from quadrance.cores import Core, at, find
 
 PLANE = ("fk1", "fk2", "ik1", "ik2", "ik3r", "keep2", "velocity2", "rates2")  # in a plane: of a yawing arm its own
 INSIDE = ("arm_fk3", "arm_ik3", "keep3")  # cores that have the constants inside
+KEEPS = {"six_keep": "vector_ik6_all", "ur_keep": "vector_ur_ik_all"}  # cores that choose, and whose branches they do
 WRISTED = ("six", "ur", "srs")  # families that serve an arm with its wrist
 SPACE = ("fk3", "ik3", "velocity3", "rates3")
 
@@ -48,11 +51,19 @@ def _times(value: float, factor: str) -> str:
     return f" {'-' if value < 0 else '+'} {number(abs(value))}*{factor}" if value else ""
 
 
+def inverse(core: Core) -> Core:
+    """The core whose branches a core of `KEEPS` has; any other core itself."""
+    if core.function not in KEEPS:
+        return core
+    return at(find(KEEPS[core.function]), {key: core.params[key] for key in ("W", "F", "U", "PIPE")})
+
+
 def joints(core: Core, arm: Arm) -> list[tuple[Joint, str]]:
     """The machine's joint of every joint of the core, its zero that of the core; and what else is to be subtracted.
 
     The latter is "" or another joint of the core: an elbow that is measured from the horizontal has joint 1 in it.
     """
+    core = inverse(core)
     yaw, shoulder, elbow = (arm.joint(key) for key in ("yaw", "shoulder", "elbow"))
     if core.family == "six":  # from the vertical, downwards
         second = replace(shoulder, sign=-shoulder.sign, zero=90 - shoulder.zero)
@@ -101,6 +112,10 @@ def around(core: Core, arm: Arm) -> Around:
         return _velocity(core, arm, machine)
     if forward(core):
         return Around(tuple(_taken(i, *one) for i, one in enumerate(machine, 1)), _place(core, arm))
+    if core.function in KEEPS:
+        return Around((), tuple(f"{joint.name} = j{i}" for i, (joint, _) in enumerate(machine, 1)),
+                      (f"j1 ... are the machine's own: out_j1 ... times 360/2^{core.params['A']}",
+                       "limits and speed of a joint in the arm file set its turns and its weight"))
     before, yaw, remarks = _target(core, arm)
     names = [f"j{i}" for i in range(1, len(machine) + 1)]
     if core.function == "ik3" and yaw:
@@ -166,3 +181,39 @@ def _velocity(core: Core, arm: Arm, machine: list[tuple[Joint, str]]) -> Around:
         names[2] = "w"
         remarks = ("the core has no offsets: w is the rate of joint 3, its own w3 is not used",)
     return Around(tuple(before), tuple(_given(*one, name) for one, name in zip(named, names)), remarks)
+
+
+def limits(core: Core, arm: Arm) -> list[tuple[str, float, float]]:
+    """Key and ends, degrees, of the limits of the joints of a core of `KEEPS`, as the machine measures them."""
+    shoulder, elbow, yaw = arm.limits
+    seen = {"yaw": yaw, "shoulder": shoulder, "elbow": tuple(end - arm.elbow_angle for end in elbow)}
+    keys = {key: key for key in seen}
+    if arm.absolute_elbow:
+        if arm.forearm_limit is None:
+            raise ArmError(f"{arm.id}: limits.forearm: is missing")
+        seen["elbow"], keys["elbow"] = arm.forearm_limit, "forearm"
+    found = []
+    for key in ("yaw", "shoulder", "elbow"):
+        joint = arm.joint(key)
+        ends = sorted(joint.sign * (end - joint.zero) for end in seen[key])
+        ends = [-180.0, 180.0] if ends[1] - ends[0] == 360 else ends  # all of a turn, about the machine's zero
+        found.append((f"limits.{keys[key]}", *ends))
+    found += [("none in the file", -180.0, 180.0) for _ in WRIST]
+    order = [arm.joint(key) for key in ("yaw", "shoulder", "elbow", *WRIST)]
+    return [(f"joints.{joint.key}.limits", *joint.limits) if joint.limits else own for joint, own in zip(order, found)]
+
+
+def speeds(arm: Arm) -> list[float]:
+    """Speeds of the six joints, degrees a second; all 1 where one of them is missing in the file."""
+    given = [arm.joint(key).speed for key in ("yaw", "shoulder", "elbow", *WRIST)]
+    return [1.0] * 6 if None in given else given
+
+
+def machine(core: Core, arm: Arm) -> dict[str, int]:
+    """Words of the machine's joints of a core of `KEEPS`."""
+    known = joints(core, arm)
+    return keep.machine(core.params, turned=[joint.sign < 0 for joint, _ in known],
+                       coupled=[bool(less) for _, less in known],
+                       zeros=[math.radians(-joint.sign * joint.zero) for joint, _ in known],
+                       limits=[(math.radians(low), math.radians(high)) for _, low, high in limits(core, arm)],
+                       weights=[1 / speed for speed in speeds(arm)])

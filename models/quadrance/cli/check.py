@@ -23,9 +23,7 @@ def load(name_or_path: str) -> Arm:
     if "." not in name_or_path and "/" not in name_or_path:
         choose("arm", name_or_path, arms.known())
     try:
-        path = arms.path_of(name_or_path)
-        text = arms.read(path)
-        return frames.placed(arms.parse(path, text), path, text)
+        return arms.load(name_or_path)
     except ArmError as error:
         raise Refused(str(error)) from None
 

@@ -371,7 +371,7 @@ def arm_file(chain: Chain, source: str) -> dict:
             lines += ["", f"[{key}]"] * bool(table) + [f"{one} = {str(value).lower()}" for one, value in table.items()]
         return "\n".join([*lines, "", "[joints]", *(
             f"{part.key} = {{ name = {_text(joints[part.joint].name)}, sign = {part.sign}, "
-            f"zero = {zeros[part.key]!r} }}  # {_span(joints[part.joint])}"
+            f"zero = {zeros[part.key]!r}{_own(joints[part.joint])} }}  # {_span(joints[part.joint])}"
             for part in built.parts if part not in rest), ""])
 
     def arm(unit: float) -> Arm:
@@ -393,28 +393,36 @@ def arm_file(chain: Chain, source: str) -> dict:
         raise Refused(f"{source}: it is nearly {kind.name}, but not within {2 * MM:g} mm and {2 * RAD:g} rad: the tip "
                       f"would be off by {mm:.3g} mm and {rad:.3g} rad; {worst}")
     notes = [f"{kind.name}: within {mm:.1g} mm and {rad:.1g} rad of its source at {SAMPLES} joint vectors"]
-    notes += [frames.comment(name, frames.Frame(link, *map(tuple, where))) for name, link, where in (
-        ("base", chain.base, base), ("tip", chain.tip, tool)) if any((*where[0], *where[1]))]
-    for part in rest:
-        joint, moves = joints[part.joint], "moves the tip along z" if part.key == "slide" else "turns the tip about z"
-        notes.append(f"joint '{joint.name}' ({_span(joint)}) {moves}, sign = {part.sign}, zero = {zeros[part.key]!r}; "
-                     "no core computes it")
     if chain.written:
         there = off(urdf.pose(chain.written, q), want)
         notes.append(f"rounded: {', '.join(chain.rounded[:8])} stand for multiples of pi/4; as they are written the "
                      "tip is up to {:.2g} mm and {:.2g} rad elsewhere".format(*there))
+    placed = [f"{name} = {{ link = {_text(link)}, xyz = {where[0]}, rpy = {where[1]} }}" for name, link, where in (
+        ("base", chain.base, base), ("tip", chain.tip, tool)) if any((*where[0], *where[1]))]
+    more = [f"    {{ name = {_text(joints[part.joint].name)}, moves = "
+            f"\"{'along' if part.key == 'slide' else 'about'}\", sign = {part.sign}, zero = {zeros[part.key]!r}"
+            f"{_own(joints[part.joint])} }}," for part in rest]
+    placed += ["beside = [", *more, "]"] * bool(more)
+    placed = ["", "[frames]", *placed] * bool(placed)
+    written = "\n".join([*(f"# {note}" for note in notes), text(unit).rstrip("\n"), *placed, ""])
+    arms.parse(Path(source), written.encode())
     return {"kind": kind.name, "base": base, "tip": tool, "off_mm": mm, "off_rad": rad,
             "rest": [(joints[part.joint].name, part.key, part.sign, zeros[part.key]) for part in rest],
-            "text": "\n".join([*(f"# {note}" for note in notes), text(unit)])}
+            "text": written}
 
 
 def _text(value: str) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
+def _own(joint: urdf.Moving) -> str:
+    """The key of a joint's limits as its source has them; nothing where it has none that an arm file can say."""
+    most, unit = (arms.MOST, 1.0) if joint.slides else (arms.MOST_TURN, math.degrees(1))
+    low, high = (_round(end * unit, 6) for end in joint.room or (0.0, 0.0))
+    return f", limits = [{low!r}, {high!r}]" if -most <= low < high <= most else ""
+
+
 def _span(joint: urdf.Moving) -> str:
     """The joint's own limits."""
-    if joint.room is None:
-        return "no limits given"
-    low, high = joint.room if joint.slides else np.degrees(joint.room)
-    return f"{low:g} to {high:g} {'mm' if joint.slides else 'degrees'}"
+    return frames.span(joint.room and tuple(joint.room if joint.slides else np.degrees(joint.room)),
+                       "mm" if joint.slides else "degrees")

@@ -7,11 +7,11 @@ import re
 import textwrap
 from pathlib import Path
 
-from quadrance import accuracy, six
+from quadrance import accuracy, keep, six
 from quadrance import arm as arm_model
 from quadrance.arms import SEVEN, Arm, ArmError
 from quadrance.cli import frames
-from quadrance.cli.around import INSIDE, PLANE, SPACE, WRISTED, around, plus
+from quadrance.cli.around import INSIDE, KEEPS, PLANE, SPACE, WRISTED, around, inverse, joints, limits, machine, plus
 from quadrance.cli.catalogue import Refused, at, compile_order, timing
 from quadrance.cores import Core, Port, all_cores
 
@@ -36,7 +36,7 @@ NO_ARM = {"chain": STREAMED, "mff": STREAMED,
 
 def takes_an_arm(core: Core) -> bool:
     """Whether an arm file can say the core's configuration words."""
-    return core.function in (*PLANE, *SPACE, *INSIDE) or core.family in WRISTED
+    return core.function in (*PLANE, *SPACE, *INSIDE) or inverse(core).family in WRISTED
 
 
 def _refuse(core: Core, arm: Arm) -> None:
@@ -75,7 +75,7 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
     """Configuration words of a core for an arm; Refused where the arm does not fit the core's words."""
     _refuse(core, arm)
     try:
-        words = accuracy.config(core, arm)
+        words = accuracy.config(inverse(core), arm) | (machine(core, arm) if core.function in KEEPS else {})
     except ArmError as error:
         raise Refused(f"{core.name} on arm {error}") from None
     for port in core.cfg:
@@ -108,6 +108,10 @@ def _lengths(core: Core, arm: Arm) -> dict[str, tuple[float, str]]:
 
 def _note(core: Core, port: Port, arm: Arm, value: int) -> str:
     """Where a configuration word comes from."""
+    if core.function in KEEPS:
+        if port.name in keep.MACHINE:
+            return _joint_note(core, port, arm, value)
+        core = inverse(core)
     switch = {"cfg_bb": "LATERAL", "cfg_ce": "ELBOW", "cfg_ne": "ELBOW"}.get(port.name, port.name[4:].upper())
     if switch in arm_model.SWITCHES and core.params.get(switch) == 0:
         return f"not built: {switch} is 0"
@@ -133,6 +137,21 @@ def _note(core: Core, port: Port, arm: Arm, value: int) -> str:
             "cfg_margin": f"{arm.singular[1] or 0:g} mm, singular.axis" if value else "no margin",
             "cfg_slack": "no slack"}.get(port.name) or (
         "from cfg_c2 and cfg_k" if core.family == "six" else "from both links")
+
+
+def _joint_note(core: Core, port: Port, arm: Arm, value: int) -> str:
+    """What a word of the machine's joints says."""
+    known = [joint for joint, _ in joints(core, arm)]
+    if port.name in ("cfg_turned", "cfg_coupled"):
+        first = 0 if port.name == "cfg_turned" else 1
+        named = [joint.name for i, joint in enumerate(known[first:]) if value >> i & 1]
+        how = "counts the other way" if first == 0 else "counts together with the joint before"
+        return f"{', '.join(named) or 'no joint'} {how}"
+    kind, i = re.fullmatch(r"cfg_([a-z]+)(\d)", port.name).groups()
+    name, (key, low, high) = known[int(i) - 1].name, limits(core, arm)[int(i) - 1]
+    degrees = value * 360 / 2 ** core.params["A"]
+    return {"z": f"zero of {name}: {degrees:.6g} degrees", "low": f"{name} from {low:.6g} degrees, {key}",
+            "high": f"to {high:.6g} degrees", "w": f"weight of a step of {name}"}[kind]
 
 
 def instance(core: Core, arm: Arm | None = None, name: str | None = None, declare: bool = False) -> str:

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// The module turns the vectors of eight branches into joint words of the machine and chooses one branch. It prefers, in
+// this order, a branch within the limits of all joints, one in reach, and the one with the least sum over the joints of
+// weight times step from the last answer; among equals the first. An answer beyond the limits is not remembered.
+//   word = +-(angle [+ angle of the joint before]) + zero, in the turn that is nearest to the last answer, or in the
+//   next one where only that is within the limits
+// Formats: in_word s2.U, in the order of arrival; in_places: its numbers of n6, c6 to n1, c1 of branches 7 to 0;
+// in_last comes with the last word or later. Words s3.A turns, joint 1 lowest; limits s3.12, inclusive; weights u6.
+// Reset sets the last answer to zeros. out_valid is high 58 clocks after in_last. Model: keep.choose
+`default_nettype none
+module six_choose #(
+    parameter A = 18,  // bits of a turn, 12 to 24 (default 18)
+    parameter U = 16   // fraction bits of a vector, 8 to 18 (default 16)
+) (
+    input  wire            clk,
+    input  wire            rst,
+    input  wire [5:0]      cfg_turned,
+    input  wire [4:0]      cfg_coupled,
+    input  wire [6*A-1:0]  cfg_zero,
+    input  wire [89:0]     cfg_low,
+    input  wire [89:0]     cfg_high,
+    input  wire [35:0]     cfg_weight,
+    input  wire            in_start,
+    input  wire            in_write,
+    input  wire [U+1:0]    in_word,
+    input  wire            in_last,
+    input  wire [575:0]    in_places,
+    input  wire [7:0]      in_far,
+    input  wire [7:0]      in_held,
+    output wire            out_idle,
+    output reg             out_valid,
+    input  wire            out_ready,
+    output reg  [6*A+17:0] out_words,
+    output reg  [2:0]      out_branch,
+    output wire            out_beyond,
+    output reg             out_far,
+    output reg             out_held
+);
+    generate
+        if (A < 12 || A > 24 || U < 8 || U > 18) begin : g_illegal
+            six_choose_needs_A_from_12_to_24_and_U_from_8_to_18 rule ();
+        end
+    endgenerate
+    localparam E = A + 3, S = A + 10;  // bits of a word; of a sum of costs, each below 1.5 * 63 turns
+
+    // A joint a clock. Stage 0 selects its vector; j and b are joint and branch as they move through the stages
+    reg         busy;
+    reg  [9:0]  run;   // a joint is in that stage
+    reg  [29:0] j, b;  // stage 0 lowest
+    wire        turn_over = j[2:0] == 3'd5;
+    wire        decide = run[9] && j[29:27] == 3'd5, ended = decide && b[29:27] == 3'd7;
+    assign      out_idle = !busy && (!out_valid || out_ready);
+    always @(posedge clk) begin
+        run <= rst ? 10'd0 : {run[8:0], in_last || run[0] && !(turn_over && b[2:0] == 3'd7)};
+        j   <= rst ? 30'd0 : {j[26:0], turn_over || !run[0] ? 3'd0 : j[2:0] + 3'd1};  // 0 where no joint is in a stage
+        b   <= rst ? 30'd0 : {b[26:0], run[0] ? b[2:0] + {2'd0, turn_over} : 3'd0};
+        busy      <= !rst && (in_start || busy && !ended);
+        out_valid <= !rst && (ended || out_valid && !out_ready);
+    end
+
+    // Stages 0 to 3: the vectors in two memories of the same words, and their angles
+    reg  [U+1:0] cosines[0:63], sines[0:63];
+    reg  [5:0]   at;
+    reg  [U+1:0] c, n;
+    wire [5:0]   place_c, place_n;
+    wire [A-1:0] angle;
+    assign       {place_n, place_c} = in_places[12*(6*b[2:0] + j[2:0]) +: 12];
+    always @(posedge clk) begin
+        at <= in_start ? 6'd0 : at + {5'd0, in_write};
+        if (in_write) begin
+            cosines[at] <= in_word;
+            sines[at]   <= in_word;
+        end
+        c <= cosines[place_c];
+        n <= sines[place_n];
+    end
+    /* verilator lint_off PINCONNECTEMPTY */
+    vector_to_angle #(.U(U), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(run[1]), .in_ready(), .in_c(c), .in_n(n),
+        .out_valid(), .out_ready(1'b1), .out_j(angle), .out_status());
+    /* verilator lint_on PINCONNECTEMPTY */
+
+    // Stages 3 and 4: the machine's word modulo a turn, and the last answer. The last answer is a row of the memory of
+    // all answers: of the branch that was chosen, or row 16, zeros that nothing overwrites
+    wire [5:0]   coupled = {cfg_coupled, 1'b0};
+    reg  [E-1:0] answers[0:255];
+    reg  [4:0]   row;
+    reg  [A-1:0] prior, sum, word;
+    reg  [E-1:0] from;
+    wire         turned = cfg_turned[j[14:12]];
+    wire [A:0]   word_of = {sum ^ {A{turned}}, turned} + {cfg_zero[A*j[14:12] +: A], turned};
+    integer      i;
+    initial
+        for (i = 0; i < 256; i = i + 1)
+            answers[i] = {E{1'b0}};
+    always @(posedge clk) begin
+        prior  <= angle;
+        sum    <= angle + (prior & {A{coupled[j[11:9]]}});
+        word   <= word_of[A:1];
+        from   <= answers[{row, j[14:12]}];
+    end
+
+    // Stage 5: the turn that is nearest to the last answer
+    wire [A:0]   rise = {1'b0, word} - {1'b0, from[A-1:0]};
+    wire [2:0]   turn = from[E-1:A] + {{2{rise[A] == rise[A-1] ? 1'b0 : !rise[A]}}, rise[A] != rise[A-1]};
+    reg  [E-1:0] near;
+    reg  [A-1:0] step;
+    always @(posedge clk) begin
+        near <= {turn, word};
+        step <= rise[A-1:0];
+    end
+
+    // Stage 6: limits, in 2^-12 turn. Above the lower one counts what near is rounded down, below the upper one up
+    wire [14:0]  floor = near[E-1:A-12];
+    wire [E-1:0] rest = near << 15;
+    wire [14:0]  low = cfg_low[15*j[20:18] +: 15], high = cfg_high[15*j[20:18] +: 15];
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [15:0]  above = {floor[14], floor} - {low[14], low};
+    wire [16:0]  below = {high[14], high, 1'b1} + {~{floor[14], floor}, rest == {E{1'b0}}};
+    /* verilator lint_on UNUSEDSIGNAL */
+    wire         up = above[15] && !below[16] && below[15:13] != 3'd0;
+    wire         down = below[16] && !above[15] && above[14:12] != 3'd0;
+    reg  [E-1:0] answer;
+    reg  [A+1:0] move;
+    reg          fit;
+    reg  [5:0]   weight;
+    always @(posedge clk) begin
+        answer <= {near[E-1:A] + {{2{down}}, up || down}, near[A-1:0]};
+        move   <= {{2{step[A-1]}} + {down, up || down}, step};
+        fit    <= up || down || !above[15] && !below[16];
+        weight <= cfg_weight[6*j[20:18] +: 6];
+    end
+
+    // Stages 7 and 8: weight times size of the step, and their sum; the words of a branch
+    wire              back = move[A+1];
+    wire signed [6:0] factor = ({1'b0, weight} ^ {7{back}}) + {6'd0, back};
+    wire [A+8:0]      product = $signed(move) * factor;
+    wire              unused = &{1'b0, product[A+8:A+7], word_of[0]};
+    wire              first = j[26:24] == 3'd0;
+    reg  [A+6:0]      cost;
+    reg  [S-1:0]      costs;
+    reg               fits, all_fit;
+    reg  [7*E-1:0]    words;
+    always @(posedge clk) begin
+        if (run[7])
+            answers[{1'b0, !row[3], b[23:21], j[23:21]}] <= answer;
+        cost    <= product[A+6:0];
+        fits    <= fit;
+        costs   <= (first ? {S{1'b0}} : costs) + {3'd0, cost};
+        all_fit <= fits && (first || all_fit);
+        words   <= {answer, words[7*E-1:E]};
+    end
+
+    // Stage 9: the branch of the least key
+    reg  [S+1:0] best;
+    wire [S+1:0] key = {!all_fit, in_far[b[29:27]], costs};
+    reg          chosen;
+    assign       out_beyond = best[S+1];
+    always @(posedge clk) begin
+        if (decide && (b[29:27] == 3'd0 || key < best)) begin
+            best       <= key;
+            out_words  <= words[6*E-1:0];
+            out_branch <= b[29:27];
+            out_far    <= in_far[b[29:27]];
+            out_held   <= in_held[b[29:27]];
+        end
+        chosen <= !rst && ended;
+        if (rst)
+            row <= 5'd16;
+        else if (chosen && !out_beyond)
+            row <= {1'b0, !row[3], out_branch};
+    end
+endmodule
+`default_nettype wire

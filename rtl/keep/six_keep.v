@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverse kinematics of six joints that chooses the branch, in joint words of the machine: the program of
+// vector_ik6_all, then six_choose. It prefers, in this order, a branch within the joint limits, one in reach, and the
+// one nearest to the last answer.
+// Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_j* s3.A turns; cfg_turned
+// to cfg_w6 by keep.machine, other cfg_* by six.config.
+// Error: that of vector_ik6_all (bounds.six), and 0.89 LSB of an angle. Latency and II by PIPE: 290, 311, 337.
+// Status: unreachable, singular (of the chosen branch), no rotation (bit 3: the matrix is off by 16 units of 2^-U).
+// out_beyond: no branch is within the limits; the answer is not remembered.
+// Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: keep.six_keep
+`default_nettype none
+module six_keep #(
+    parameter W = 16,   // bits of a coordinate, 4 to 16 (default 16)
+    parameter F = 8,    // fraction bits of a coordinate, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18,   // bits of a turn in a joint word, 12 to 24 (default 18: 0.0014 degrees)
+    parameter U = 16,   // fraction bits of a unit vector and of the matrix, 8 to 18 (default 16)
+    parameter PIPE = 0  // registers behind the engine's products, 0 to 2 (default 0: fewest clocks)
+) (
+    input  wire                 clk,
+    input  wire                 rst,
+    input  wire signed [W+3:0]  cfg_a1,
+    input  wire signed [W+3:0]  cfg_b,
+    input  wire signed [W+3:0]  cfg_c1,
+    input  wire signed [W+3:0]  cfg_c2,
+    input  wire signed [W+3:0]  cfg_c4,
+    input  wire signed [W+3:0]  cfg_k,
+    input  wire signed [26:0]   cfg_cp,
+    input  wire signed [26:0]   cfg_np,
+    input  wire [24:0]          cfg_r,
+    input  wire [21:0]          cfg_e,
+    input  wire [5:0]           cfg_turned,
+    input  wire [4:0]           cfg_coupled,
+    input  wire [A-1:0]         cfg_z1,
+    input  wire [A-1:0]         cfg_z2,
+    input  wire [A-1:0]         cfg_z3,
+    input  wire [A-1:0]         cfg_z4,
+    input  wire [A-1:0]         cfg_z5,
+    input  wire [A-1:0]         cfg_z6,
+    input  wire signed [14:0]   cfg_low1,
+    input  wire signed [14:0]   cfg_low2,
+    input  wire signed [14:0]   cfg_low3,
+    input  wire signed [14:0]   cfg_low4,
+    input  wire signed [14:0]   cfg_low5,
+    input  wire signed [14:0]   cfg_low6,
+    input  wire signed [14:0]   cfg_high1,
+    input  wire signed [14:0]   cfg_high2,
+    input  wire signed [14:0]   cfg_high3,
+    input  wire signed [14:0]   cfg_high4,
+    input  wire signed [14:0]   cfg_high5,
+    input  wire signed [14:0]   cfg_high6,
+    input  wire [5:0]           cfg_w1,
+    input  wire [5:0]           cfg_w2,
+    input  wire [5:0]           cfg_w3,
+    input  wire [5:0]           cfg_w4,
+    input  wire [5:0]           cfg_w5,
+    input  wire [5:0]           cfg_w6,
+    input  wire                 in_valid,
+    output wire                 in_ready,
+    input  wire signed [U+1:0]  in_r11,
+    input  wire signed [U+1:0]  in_r12,
+    input  wire signed [U+1:0]  in_r13,
+    input  wire signed [U+1:0]  in_r21,
+    input  wire signed [U+1:0]  in_r22,
+    input  wire signed [U+1:0]  in_r23,
+    input  wire signed [U+1:0]  in_r31,
+    input  wire signed [U+1:0]  in_r32,
+    input  wire signed [U+1:0]  in_r33,
+    input  wire signed [W-1:0]  in_x,
+    input  wire signed [W-1:0]  in_y,
+    input  wire signed [W-1:0]  in_z,
+    output wire                 out_valid,
+    input  wire                 out_ready,
+    output wire signed [A+2:0]  out_j1,
+    output wire signed [A+2:0]  out_j2,
+    output wire signed [A+2:0]  out_j3,
+    output wire signed [A+2:0]  out_j4,
+    output wire signed [A+2:0]  out_j5,
+    output wire signed [A+2:0]  out_j6,
+    output wire [2:0]           out_branch,
+    output wire                 out_beyond,
+    output wire [3:0]           out_status
+);
+    generate
+        if (W < 4 || W > 16 || F < 0 || F >= W || A < 12 || A > 24 || U < 8 || U > 18 || PIPE < 0 || PIPE > 2)
+        begin : g_illegal
+            six_keep_needs_W_from_4_to_16_and_F_below_W_and_A_from_12_to_24_and_U_from_8_to_18_and_PIPE_to_2 rule ();
+        end
+    endgenerate
+
+    wire        idle, done;
+    wire        accept = in_valid && in_ready;
+    wire [46:0] op;
+    vector_ik6_all_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
+        .out_done(done), .out_op(op));
+
+    wire [3:0]  flags;
+    wire [26:0] port, word;
+    wire [5:0]  dest;
+    six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(accept),
+        .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
+        .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
+        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_select(op[43:39]), .out_word(port));
+    product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept),
+        .in_run(!idle), .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word), .out_dest(dest),
+        .out_status(flags));
+
+    // The flags come with joint 5. The negative of a word, for the wrist that is turned over, follows it: -(n + 1/2) is
+    // rounded to -n, where n + 1/2 became n + 1
+    reg  [U+1:0] prior;
+    reg  [3:0]   far, held;
+    reg          over, half;
+    wire         result = dest[5:4] == 2'd3, last = dest == 6'd63;
+    wire [U+2:0] near = (over ? {~prior, 1'b1} : word[26:24-U]) + {{(U+1){1'b0}}, over && half, 1'b1};
+    wire         unused = &{1'b0, flags[2:0], near[0]};
+
+    // Positions of a branch's words, n6, c6 to n1, c1, of branches 3 to 0, at PIPE 2, 1 and 0. A branch with its wrist
+    // turned over has the same, but the next one for a word that it has the negative of
+    localparam [3*4*12*6-1:0] PLACE = {
+        6'd60, 6'd62, 6'd58, 6'd55, 6'd56, 6'd53, 6'd38, 6'd26, 6'd52, 6'd51, 6'd39, 6'd37,
+        6'd19, 6'd33, 6'd22, 6'd15, 6'd27, 6'd16, 6'd5, 6'd6, 6'd18, 6'd25, 6'd2, 6'd3,
+        6'd43, 6'd47, 6'd49, 6'd40, 6'd41, 6'd45, 6'd21, 6'd24, 6'd35, 6'd36, 6'd39, 6'd37,
+        6'd31, 6'd29, 6'd9, 6'd8, 6'd13, 6'd11, 6'd1, 6'd0, 6'd7, 6'd4, 6'd2, 6'd3,
+        6'd62, 6'd60, 6'd58, 6'd53, 6'd54, 6'd56, 6'd39, 6'd21, 6'd51, 6'd52, 6'd46, 6'd37,
+        6'd35, 6'd29, 6'd22, 6'd16, 6'd27, 6'd17, 6'd5, 6'd6, 6'd15, 6'd19, 6'd2, 6'd3,
+        6'd47, 6'd49, 6'd40, 6'd38, 6'd42, 6'd44, 6'd20, 6'd26, 6'd31, 6'd34, 6'd46, 6'd37,
+        6'd24, 6'd32, 6'd11, 6'd8, 6'd9, 6'd13, 6'd1, 6'd0, 6'd7, 6'd4, 6'd2, 6'd3,
+        6'd60, 6'd62, 6'd58, 6'd54, 6'd52, 6'd55, 6'd32, 6'd31, 6'd48, 6'd57, 6'd51, 6'd26,
+        6'd34, 6'd29, 6'd37, 6'd21, 6'd22, 6'd24, 6'd3, 6'd2, 6'd17, 6'd20, 6'd4, 6'd5,
+        6'd46, 6'd44, 6'd40, 6'd39, 6'd42, 6'd49, 6'd28, 6'd27, 6'd33, 6'd36, 6'd51, 6'd26,
+        6'd6, 6'd8, 6'd18, 6'd10, 6'd15, 6'd13, 6'd1, 6'd0, 6'd12, 6'd11, 6'd4, 6'd5};
+    wire [575:0] places;
+    wire [7:0]   branch_far, branch_held;
+    genvar i, k;
+    generate
+        for (i = 0; i < 8; i = i + 1) begin : g_branch
+            for (k = 0; k < 12; k = k + 1) begin : g_word
+                localparam [5:0] TURN = i > 3 && k > 5 && k != 8 ? 6'd1 : 6'd0;
+                assign places[72*i + 6*k +: 6] = PLACE[6*(12*(4*PIPE+i%4)+k) +: 6] + TURN;
+            end
+            assign branch_far[i]  = far[2*(i%2)+(i/2)%2];
+            assign branch_held[i] = held[2*(i%2)+(i/2)%2];
+        end
+    endgenerate
+    six_choose #(.A(A), .U(U)) choice (.clk(clk), .rst(rst), .cfg_turned(cfg_turned), .cfg_coupled(cfg_coupled),
+        .cfg_zero({cfg_z6, cfg_z5, cfg_z4, cfg_z3, cfg_z2, cfg_z1}),
+        .cfg_low({cfg_low6, cfg_low5, cfg_low4, cfg_low3, cfg_low2, cfg_low1}),
+        .cfg_high({cfg_high6, cfg_high5, cfg_high4, cfg_high3, cfg_high2, cfg_high1}),
+        .cfg_weight({cfg_w6, cfg_w5, cfg_w4, cfg_w3, cfg_w2, cfg_w1}), .in_start(accept),
+        .in_write(result || over && !idle), .in_word(near[U+2:1]), .in_last(done), .in_places(places),
+        .in_far(branch_far), .in_held(branch_held), .out_idle(in_ready), .out_valid(out_valid), .out_ready(out_ready),
+        .out_words({out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}), .out_branch(out_branch), .out_beyond(out_beyond),
+        .out_far(out_status[0]), .out_held(out_status[1]));
+    assign out_status[3:2] = {flags[3], 1'b0};
+
+    always @(posedge clk) begin
+        over   <= result && dest[3] && !last;
+        half   <= word[24-U:0] == {1'b1, {(24-U){1'b0}}};
+        prior  <= near[U+2:1];
+        if (last) begin
+            far  <= {flags[0], far[3:1]};
+            held <= {flags[1], held[3:1]};
+        end
+    end
+endmodule
+`default_nettype wire
