@@ -607,6 +607,8 @@ def aside(joint, offset=0.0, tilt=0.0):
      "joint 'joint_a2' follows 'joint_a1' (mimic): it is no joint of its own"),
     (KR6.replace('joint_a3" type="revolute', 'joint_a3" type="floating'), "joint 'joint_a3' is 'floating'"),
     (KR6.replace('<axis xyz="0.0 1.0 0.0"/>', '<axis xyz="0 0 0"/>', 1), "its axis has no direction"),
+    (KR6.replace('<axis xyz="0.0 1.0 0.0"/>', '<axis yz="0.0 1.0 0.0"/>', 1), "its axis has no xyz"),
+    (KR6.replace('" rpy="', '" ryp="', 1), "its origin has 'ryp', and xyz and rpy alone are read"),
     (KR6.replace('lower="-2.967"', 'lower="3"'), "its lower limit 3 is not below its upper limit 2.967"),
     (KR6.replace("0.315 ", "nan ", 1), "xyz must be 3 finite numbers of a robot's size, not 'nan 0.0 0.0'"),
     (KR6.replace("0.315 0.0", "1e4 0.0", 1), "of a robot's size, not '1e4 0.0 0.0'"),

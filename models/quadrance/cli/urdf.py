@@ -98,6 +98,8 @@ def _chain(where: str, ends: tuple[str, str, str], joints: list[Element]) -> Cha
         for joint in joints:
             name, kind = joint[""].get("name", ""), joint[""].get("type")
             here, origin = f"{where}: joint '{name}'", joint.get("origin", {})
+            if unknown := set(origin) - {"xyz", "rpy"}:
+                raise Refused(f"{here}: its origin has {ascii(min(unknown))}, and xyz and rpy alone are read")
             xyz = [1000 * float(one) for one in _numbers(f"{here}: xyz", origin.get("xyz", "0 0 0"))]
             rpy = _numbers(f"{here}: rpy", origin.get("rpy", "0 0 0"))
             angles = [float(one) if exact else _meant(one) for one in rpy]
@@ -109,6 +111,8 @@ def _chain(where: str, ends: tuple[str, str, str], joints: list[Element]) -> Cha
                 raise Refused(f"{here} is {ascii(kind)}: a chain has revolute, continuous and prismatic joints")
             if "mimic" in joint:
                 raise Refused(f"{here} follows {ascii(joint['mimic'].get('joint'))} (mimic): it is no joint of its own")
+            if "xyz" not in joint.get("axis", {"xyz": ""}):
+                raise Refused(f"{here}: its axis has no xyz")
             axis = np.array(_numbers(f"{here}: axis", joint.get("axis", {}).get("xyz", "1 0 0")), dtype=float)
             if np.linalg.norm(axis) < 1e-3:
                 raise Refused(f"{here}: its axis has no direction")
