@@ -181,6 +181,7 @@ DIAGRAMS = (
              "six joints"),
             ("vector_srs_ik", "pose, psi", "vector_srs_ik_program", ("engine_results", "words and status"),
              "seven joints"),
+            ("six_keep", "pose", "vector_ik6_all_program", ("six_choose", "limits, nearest to the last"), "turns"),
             ("vector_xyzac", "tip, A, C", "vector_xyzac_program", ("engine_saturated", "rounding, saturation"),
              "x y z")))),
 )

@@ -19,6 +19,8 @@ from quadrance.program import assembler, image
 from quadrance.program.language import Wrong
 from systemrdl import RDLCompiler
 
+from models.test import frames
+
 
 @pytest.fixture
 def command(capsys):
@@ -275,7 +277,8 @@ def strictly(folder, some, standard):
     headers = {}
     for core in some:
         try:
-            arm = arms.load({"six": "puma560", "ur": "ur5e", "srs": "iiwa7"}.get(core.family, "cobra600"))
+            arm = arms.load({"six": "puma560", "ur": "ur5e", "srs": "iiwa7", "keep": "kr6_r700"}.get(
+                "ur" if core.name == "ur_keep" else core.family, "cobra600"))
             verilog.config(core, arm)
         except (Refused, ArmError):
             arm = None
@@ -294,6 +297,43 @@ def test_the_header_of_every_set_compiles_strictly(standard, tmp_path):
     assert sum(map(len, rounds.values())) == sum(core.clocked for core in cores.all_cores())
     for some in rounds.values():
         strictly(tmp_path, some.values(), standard)
+
+
+@pytest.mark.parametrize(("name", "core"), [("kr6_r700", "six_keep"), ("ur5e", "ur_keep"), ("iiwa7", "vector_srs_ik")])
+def test_a_pose_of_the_tool_becomes_words_of_the_core(name, core, tmp_path):
+    """Base and tip of the arm file are taken off; a pose out of the word is refused; without a table nothing is."""
+    frames_said = ('[frames]\nbase = { link = "*/", xyz = [20, -30, 410], rpy = [10, 180, 75] }\n'
+                   'tip = { link = "tool0", xyz = [3, 4, 55], rpy = [0, 90, -20] }\n')
+    text, core = arms.path_of(name).read_text(), catalogue.find(core)
+    rng, p = np.random.default_rng(3), core.params
+    there = [frames.shift(*xyz) @ frames.turn("z", yaw) @ frames.turn("y", pitch) @ frames.turn("x", roll)
+             for xyz, (roll, pitch, yaw) in (((20, -30, 410), np.radians((10, 180, 75))),
+                                             ((3, 4, 55), np.radians((0, 90, -20))))]
+    for said, (base, tip) in (("", [np.eye(4)] * 2), (frames_said, there)):
+        file = tmp_path / "arm.toml"
+        file.write_text(text + "\n" + said)
+        arm = arms.load(file)
+        run = compiled(tmp_path, "\n".join([
+            "#include <stdio.h>", f'#include "{core.name}.h"', "int main(void) {", "    quadrance_frame pose;",
+            "    int32_t w[12]; int i;", "    while (fread(&pose, sizeof pose, 1, stdin) == 1) {",
+            f'        if ({core.name}_pose(w, &pose)) printf("x");',
+            '        else for (i = 0; i < 12; ++i) printf("%ld ", (long)w[i]);', '        printf("\\n");', "    }",
+            "    return 0;", "}"]) + "\n", {f"{core.name}.h": c.header(core, arm)})
+        poses = [frames.shift(*rng.uniform(-900, 900, 3)) @ frames.turn("x", a) @ frames.turn("y", b) @ frames.turn(
+            "z", a * b) for a, b in rng.uniform(-3, 3, (200, 2))]
+        data = b"".join(np.concatenate([one[:3, :3].ravel(), one[:3, 3]]).tobytes() for one in poses)
+        lines = subprocess.run([run], input=data, capture_output=True, check=True).stdout.decode().splitlines()
+        refused = 0
+        for one, line in zip(poses, lines, strict=True):
+            own = np.linalg.inv(base) @ one @ np.linalg.inv(tip)
+            place = own[:3, 3] / arm.mm_per_unit * 2 ** p["F"]
+            if line == "x":
+                assert np.abs(place).max() > 2 ** (p["W"] - 1) - 1
+                refused += 1
+                continue
+            want = np.concatenate([own[:3, :3].ravel() * 2 ** p["U"], place])
+            assert np.abs(np.array(line.split(), float) - want).max() < 0.5 + 1e-6
+        assert refused < 100
 
 
 def joint_program(headers):

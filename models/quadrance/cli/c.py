@@ -277,12 +277,31 @@ def _constants(core: Core, arm: Arm | None) -> list[str]:
                   f"#define {big}_MM(mm) \\",
                   f"    ((int32_t)((int64_t)((mm) / {big}_MM_PER_UNIT * {1 << f}.0 + {1 << w + 4}.0 + 0.5) - "
                   f"INT64_C({1 << w + 4})))"]
+    if {"in_r11", "in_x"} <= {port.name for port in core.inputs} and not arm.beside:
+        lines += _pose(core, arm)
     if core.cfg:
         words = verilog.config(core, arm)
         lines += [f"static const {n}_cfg {n}_arm = {{",
                   *(f"    {words[port.name]}{'' if port.signed else 'U'}{'LL' if port.width > 32 else ''},"
                     f"  /* {port.name[4:]} */" for port in core.cfg), "};"]
     return lines
+
+
+def _pose(core: Core, arm: Arm) -> list[str]:
+    """The function that takes a pose of the robot's tool to the words of the core's target."""
+    n, p, named = core.name, core.params, {"base": arm.base_frame, "tip": arm.tip_frame}
+    seen = [_plain(frame.link) if frame else own for frame, own in zip(named.values(), ("the arm", "its tip"))]
+    lines = ["", f"/* words of a pose of {seen[1]} seen from {seen[0]}; 0, or -1 where one does not fit */",
+             f"static inline int {n}_pose(int32_t words[12], const quadrance_frame *pose) {{",
+             "    quadrance_frame own = *pose;"]
+    for name, frame in named.items():
+        if frame:
+            numbers = ", ".join(map(repr, (*frame.xyz, *frame.rpy)))
+            lines += [f"    const quadrance_frame {name} = quadrance_frame_of({numbers});",
+                      f"    const quadrance_frame no_{name} = quadrance_inverse(&{name});"]
+    lines += ["    own = quadrance_times(&no_base, &own);"] * bool(arm.base_frame)
+    lines += ["    own = quadrance_times(&own, &no_tip);"] * bool(arm.tip_frame)
+    return [*lines, f"    return quadrance_pose(words, &own, {arm.mm_per_unit!r}, {p['U']}, {p['W']}, {p['F']});", "}"]
 
 
 def words(core: Core, arm: Arm | None, name: str | None = None) -> str:

@@ -8,7 +8,7 @@ from dataclasses import asdict
 from quadrance import arms
 from quadrance.arms import REACH, Arm, ArmError
 from quadrance.cli import frames
-from quadrance.cli.around import PLANE, WRISTED
+from quadrance.cli.around import PLANE, WRISTED, inverse
 from quadrance.cli.catalogue import Refused, choose, find
 from quadrance.cli.verilog import config, fitted, takes_an_arm
 from quadrance.cores import all_cores
@@ -50,8 +50,8 @@ def functions(arm: Arm) -> tuple[list[str], dict[str, list[str]]]:
     """
     found, refused = [], {}
     listed = {core.function: core for core in all_cores() if core.first_set and takes_an_arm(core)}
-    for function, core in sorted(listed.items(), key=lambda one: (one[1].family not in WRISTED, one[0] in PLANE,
-                                                                  one[0] in ("fk1", "ik1"))):
+    for function, core in sorted(listed.items(), key=lambda one: (
+            inverse(one[1]).family not in WRISTED, one[0] in PLANE, one[0] in ("fk1", "ik1"))):
         try:
             config(fitted(core, arm, {}), arm)
             found.append(function)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from quadrance.arms import Arm, Beside
-from quadrance.cli.around import WRISTED, forward
+from quadrance.cli.around import WRISTED, forward, inverse
 from quadrance.cores import Core
 
 
@@ -36,7 +36,7 @@ def around(core: Core, arm: Arm) -> list[str]:
     if core.function.startswith(("velocity", "rates")):
         return [*found, "velocities are those of the cores' tip" + ", and base turns them" * bool(base)]
     own, robot = "(the core's)", "(the robot's)"
-    if arm.axes > 3 and core.family not in WRISTED:
+    if arm.axes > 3 and inverse(core).family not in WRISTED:
         found.append("this core ends at the wrist" + ", and tip is behind it" * bool(tip))
         behind = []
     if forward(core):

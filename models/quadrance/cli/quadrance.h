@@ -176,6 +176,60 @@ static inline quadrance_six quadrance_six_of(const quadrance_arm *arm, int w, in
     return found;
 }
 
+/* A frame seen from another: its rotation by rows, its place in mm */
+typedef struct { double r[3][3], p[3]; } quadrance_frame;
+
+/* turned about the other's x, y and z, one after the other, degrees */
+static inline quadrance_frame quadrance_frame_of(double x, double y, double z, double roll, double pitch, double yaw) {
+    double a = quadrance_radians(roll), b = quadrance_radians(pitch), c = quadrance_radians(yaw);
+    quadrance_frame found;
+    found.r[0][0] = cos(c) * cos(b); found.r[0][1] = cos(c) * sin(b) * sin(a) - sin(c) * cos(a);
+    found.r[0][2] = cos(c) * sin(b) * cos(a) + sin(c) * sin(a);
+    found.r[1][0] = sin(c) * cos(b); found.r[1][1] = sin(c) * sin(b) * sin(a) + cos(c) * cos(a);
+    found.r[1][2] = sin(c) * sin(b) * cos(a) - cos(c) * sin(a);
+    found.r[2][0] = -sin(b); found.r[2][1] = cos(b) * sin(a); found.r[2][2] = cos(b) * cos(a);
+    found.p[0] = x; found.p[1] = y; found.p[2] = z;
+    return found;
+}
+
+static inline quadrance_frame quadrance_times(const quadrance_frame *a, const quadrance_frame *b) {
+    quadrance_frame found;
+    int i, j, k;
+    for (i = 0; i < 3; ++i) {
+        found.p[i] = a->p[i];
+        for (j = 0; j < 3; ++j) {
+            found.p[i] += a->r[i][j] * b->p[j];
+            for (found.r[i][j] = 0, k = 0; k < 3; ++k) found.r[i][j] += a->r[i][k] * b->r[k][j];
+        }
+    }
+    return found;
+}
+
+static inline quadrance_frame quadrance_inverse(const quadrance_frame *a) {
+    quadrance_frame found;
+    int i, j;
+    for (i = 0; i < 3; ++i)
+        for (found.p[i] = 0, j = 0; j < 3; ++j) {
+            found.r[i][j] = a->r[j][i];
+            found.p[i] -= a->r[j][i] * a->p[j];
+        }
+    return found;
+}
+
+/* words of in_r11, in_r12 ... in_r33, in_x, in_y, in_z; -1 where one does not fit, and they stay as they were */
+static inline int quadrance_pose(int32_t words[12], const quadrance_frame *own, double mm_per_unit, int u, int w,
+                                 int f) {
+    double found[12];
+    int i;
+    for (i = 0; i < 12; ++i) {
+        found[i] = i < 9 ? rint(ldexp(own->r[i / 3][i % 3], u)) : rint(ldexp(own->p[i - 9] / mm_per_unit, f));
+        if (!(found[i] >= -ldexp(1.0, i < 9 ? u + 1 : w - 1) && found[i] < ldexp(1.0, i < 9 ? u + 1 : w - 1)))
+            return -1;
+    }
+    for (i = 0; i < 12; ++i) words[i] = (int32_t)found[i];
+    return 0;
+}
+
 static inline int quadrance_fits(int64_t value, int64_t low, int64_t high) { return low <= value && value <= high; }
 
 #endif
