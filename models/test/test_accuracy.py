@@ -134,7 +134,7 @@ LEAST = re.compile(r"^\| `(\w+)` \| (\d+), (\d+) \| (\d+), (\d+) \|$", re.M)  # 
 
 
 @pytest.mark.parametrize(("name", *"pqrs"), [
-    found for family in ("vector",) for found in LEAST.findall((RTL / family / "README.md").read_text())])
+    found for family in ("vector", "classic") for found in LEAST.findall((RTL / family / "README.md").read_text())])
 def test_least_words_for_a_metre(name, p, q, r, s, tmp_path):
     """The pages' words keep 10 and 2 um, a bit less of either does not: the shortest coordinate, then its joint."""
     (tmp_path / "metre.toml").write_text(METRE)

@@ -283,7 +283,13 @@ def test_ik1_undoes_fk1():
 
 ARMS = [(P, 8192, 8192), (P, 10000, 6384), (P, 5000, 11384), (P, 14000, 2384), (P, 400, 500), (P, 20000, 18000),
         ({"W": 12, "F": 4, "A": 10}, 600, 424), ({"W": 16, "F": 8, "A": 12}, 9000, 7000), (P, 1, 16383), (P, 16383, 1),
-        (P, 16000, 100), (P, 50, 40), (P, 1, 1), ({"W": 8, "F": 4, "A": 8}, 1, 60)]
+        (P, 16000, 100), (P, 50, 40), (P, 1, 1), ({"W": 8, "F": 4, "A": 8}, 1, 60),
+        ({"W": 16, "F": 8, "A": 20}, 9000, 7000), ({"W": 17, "F": 8, "A": 17}, 20000, 12000),
+        ({"W": 18, "F": 10, "A": 21}, 65000, 60000), ({"W": 19, "F": 11, "A": 20}, 140000, 120000),
+        ({"W": 21, "F": 13, "A": 23}, 524288, 524287), ({"W": 24, "F": 0, "A": 4}, 3000000, 5000000),
+        ({"W": 20, "F": 12, "A": 20}, 150000, 112000), ({"W": 22, "F": 14, "A": 24}, 300000, 748000),
+        ({"W": 23, "F": 15, "A": 22}, 1 << 20, 1 << 20), ({"W": 24, "F": 16, "A": 24}, 1 << 21, 1 << 21),
+        ({"W": 24, "F": 16, "A": 24}, 6 << 20, 1 << 20)]
 
 
 @pytest.mark.parametrize(("p", "l1", "l2"), ARMS)
@@ -315,12 +321,22 @@ def test_ik2_and_ik3(p, l1, l2):
         error = np.linalg.norm(tip - target * (np.clip(length, near, far) / length), axis=0)
         law = bounds.classic.ik(p, joints, l1, l2, length)
         assert np.all(error <= law)
-        if p["A"] == 16 and far <= full // 2 and max(l1, l2) < 4 * min(l1, l2):
+        if p["A"] >= p["W"] >= 16 and far <= full // 2 and max(l1, l2) < 4 * min(l1, l2):
             assert error[(length >= near) & (length <= far)].max() <= 2.0
         assert np.array_equal(out["out_status"] & 1, (length > far) | (length < near))
         signed = wrap(out["out_j2"], p["A"])
         aside = np.minimum(np.abs(signed), (1 << p["A"] - 1) - np.abs(signed))  # from straight and from folded
         assert np.all((signed < 0) == bend, where=aside > bounds.classic.elbow(p, joints, l1, l2))
+
+
+def test_the_laws_grow_by_less_than_half_to_24_bits():
+    """In LSB, from W = A = 16 on, links of equal length and together 2^(W-2)."""
+    def laws(w: int) -> list[float]:
+        p, half = {"W": w, "A": w}, 1 << w - 3
+        return [bounds.classic.ik1(p, 2 * half), *(float(bounds.classic.ik(p, n, half, half, half)) for n in (2, 3))]
+
+    for w in range(17, 25):
+        assert np.all(np.array(laws(w)) < 1.2 * np.array(laws(16)))
 
 
 def test_ik_at_the_singular_points():

@@ -8,8 +8,8 @@
 // Error of the angle at W = A = 16: 1.73e-5 rad + 0.24 rad LSB / length. Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_aim_array #(
-    parameter W = 16,  // bits of a coordinate, 8 to 16 (default 16)
-    parameter A = 16,  // bits of an angle, a turn is 2^A, 4 to W (default 16)
+    parameter W = 16,  // bits of a coordinate, 8 to 24 (default 16)
+    parameter A = 16,  // bits of an angle, a turn is 2^A, 4 to 24 (default 16)
     parameter U = 6    // last micro-rotation that changes x, up to (W + 1) / 2 (default 6: two joints at W = 16)
 ) (
     input  wire        [W+5:0] in_x,

@@ -8,8 +8,8 @@
 // Error of the angle at W = A = 16: 1.73e-5 rad + 0.24 rad LSB / length. Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_aim_iter #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 16 (default 16)
-    parameter A      = 16,  // bits of an angle, a turn is 2^A, 4 to W (default 16)
+    parameter W      = 16,  // bits of a coordinate, 8 to 24 (default 16)
+    parameter A      = 16,  // bits of an angle, a turn is 2^A, 4 to 24 (default 16)
     parameter JOINTS = 2    // 2 (default): in the plane; 3: in space, the yaw comes first
 ) (
     input  wire                clk,
@@ -34,21 +34,24 @@ module classic_aim_iter #(
     localparam Y = D + 2;
     localparam Z = A + 6;
     localparam L = W + 1;
+    localparam U = JOINTS == 3 ? (W + 1) / 2 : (W + 1) / 3 + 1;
 
     reg         [D-1:0] x;
     reg  signed [Y-1:0] y;
     reg         [Z-1:0] z;
     reg                 mirror, elbow;  // mirror is high while the angle is subtracted
-    reg         [4:0]   step;           // step is i; 3 by6 + by2 counts with it up to 8, where x is constant
+    reg         [4:0]   step;           // step is i; 3 by6 + by2 counts with it up to U, where x is constant
     reg         [1:0]   by2, by6;
     wire        [D-1:0] shifted;
     wire signed [Y-1:0] next_y;
     wire                minus;
     wire                over = in_to_phi || in_to_half || in_to_rest;
-    cordic_aim_step #(.D(D), .Z(Z), .L(L), .B(G + (W + 1) / 4)) micro (.in_x(x), .in_y(y), .in_z(z), .in_step(step),
-        .in_by2(by2), .in_by6(by6), .in_mirror(mirror), .in_divide(in_divide), .out_minus(minus),
+    cordic_aim_step #(.D(D), .Z(Z), .U(U), .L(L), .B(G + (W + 1) / 4)) micro (.in_x(x), .in_y(y), .in_z(z),
+        .in_step(step), .in_by2(by2), .in_by6(by6), .in_mirror(mirror), .in_divide(in_divide), .out_minus(minus),
         .out_shifted(shifted), .out_y(next_y), .out_z(out_next));
     assign out_z = z;
+    wire        [3:0]   later = U < 9 ? 4'b1010 : step == 5'd7 ? 4'b1010 : step == 5'd8 ? 4'b1100
+                                : step == 5'd9 ? 4'b1101 : step == 5'd10 ? 4'b1110 : 4'b1111;
     always @(posedge clk)
         if (in_start || over) {step, by6, by2} <= 9'd0;
         else if (in_turn) begin
@@ -61,7 +64,7 @@ module classic_aim_iter #(
                 5'd4:    {by6, by2} <= 4'b0110;
                 5'd5:    {by6, by2} <= 4'b1000;
                 5'd6:    {by6, by2} <= 4'b1001;
-                default: {by6, by2} <= 4'b1010;
+                default: {by6, by2} <= U > 8 ? later : 4'b1010;
             endcase
         end
 

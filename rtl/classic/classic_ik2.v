@@ -11,9 +11,9 @@
 `default_nettype none
 module classic_ik2 #(
     parameter MODE = 0,  // 0: iterative, 1: combinational between its registers (default 0)
-    parameter W    = 16, // bits of a coordinate, 8 to 16 (default 16)
+    parameter W    = 16, // bits of a coordinate, 8 to 24 (default 16)
     parameter F    = 8,  // fraction bits of a coordinate, 0 to W - 1 (default 8: Q7.8, the paper's word)
-    parameter A    = 16  // bits of an angle, 4 to W, 2^A to the turn (default 16, as sharp as the coordinates)
+    parameter A    = 16  // bits of an angle, 4 to 24, 2^A to the turn (default 16, as sharp as the coordinates)
 ) (
     input  wire                  clk,
     input  wire                  rst,
@@ -41,8 +41,8 @@ module classic_ik2 #(
         out_valid <= !rst && (done || (out_valid && !out_ready));
 
     generate
-        if (MODE < 0 || MODE > 1 || W < 8 || W > 16 || F < 0 || F >= W || A < 4 || A > W) begin : g_illegal
-            classic_ik2_needs_MODE_0_or_1_and_W_from_8_to_16_and_F_below_W_and_A_from_4_to_W rule ();
+        if (MODE < 0 || MODE > 1 || W < 8 || W > 24 || F < 0 || F >= W || A < 4 || A > 24) begin : g_illegal
+            classic_ik2_needs_MODE_0_or_1_and_W_from_8_to_24_and_F_below_W_and_A_from_4_to_24 rule ();
         end
         if (MODE == 0) begin : g_iterative
             classic_solve_iter #(.W(W), .A(A), .JOINTS(2)) solver (.clk(clk), .rst(rst), .in_start(start),

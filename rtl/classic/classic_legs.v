@@ -9,7 +9,7 @@
 // Rounding: the roots and the products are truncated. Status: out_unreachable. Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_legs #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter W      = 16,  // bits of a coordinate, 8 to 24 (default 16)
     parameter JOINTS = 2    // 2 (default): in the plane, in_z is not used; 3: in space
 ) (
     input  wire                  clk,

@@ -11,8 +11,8 @@
 // Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_solve_iter #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 16 (default 16)
-    parameter A      = 16,  // bits of an angle, a turn is 2^A, 4 to W (default 16)
+    parameter W      = 16,  // bits of a coordinate, 8 to 24 (default 16)
+    parameter A      = 16,  // bits of an angle, a turn is 2^A, 4 to 24 (default 16)
     parameter JOINTS = 2    // 2 (default): in the plane, in_z and out_j3 are not used; 3: in space
 ) (
     input  wire                  clk,

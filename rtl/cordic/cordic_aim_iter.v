@@ -11,8 +11,8 @@
 // 0.88 LSB + 0.39 rad LSB / length without, G = 3. Model: cordic.aim
 `default_nettype none
 module cordic_aim_iter #(
-    parameter W         = 16,  // bits of a coordinate, 8 to 16 (default 16)
-    parameter A         = 16,  // bits of an angle, a turn is 2^A, 4 to W (default 16)
+    parameter W         = 16,  // bits of a coordinate, 8 to 24, with MAGNITUDE to 16 (default 16)
+    parameter A         = 16,  // bits of an angle, a turn is 2^A, 4 to 24 (default 16)
     parameter G         = 4,   // guard bits, 3 or more (default 4: a magnitude within 1 LSB; the angle alone needs 3)
     parameter MAGNITUDE = 1    // 1 (default): also the length, its gain removed; 0: the angle alone, in fewer steps
 ) (
