@@ -104,15 +104,15 @@ MACHINES = {
 IRB2400 = truth_six.Six(a1=100, a2=-135, b=0, c1=615, c2=705, c3=755, c4=85)
 
 
-@pytest.mark.full
+@pytest.mark.parametrize("count", [2_500, pytest.param(25_000, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", MACHINES)
-def test_the_choice_is_that_of_a_selector_in_float64(name):
+def test_the_choice_is_that_of_a_selector_in_float64(name, count):
     """Poses on paths and jumps between them: the branch, and the joint words to a few LSB.
 
     The selector has the directions of the core's vectors in float64, tries every turn within the limits, and remembers
     its own answer. Where two branches cost the same to what the words resolve, either is right: they are few.
     """
-    rng, count = np.random.default_rng(5), 25_000
+    rng = np.random.default_rng(5)
     parallelogram = name == "irb2400"
     arm = arms.load("kr6_r700" if parallelogram else name)
     core = cores.find("ur_keep" if name == "ur5e" else "six_keep")
