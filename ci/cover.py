@@ -8,8 +8,8 @@
 `tb/lib/legal.py` makes the list. A set passes where Verilator has no warning of it, and the core equals its bit-true
 model at the full rate and under stalls, on every corner and some 500 random words, with the latency and the interval
 of rtl/cores.toml. A set of rtl/cores.toml that `make test` leaves out gets the whole bulk run. The first set of a
-further PIPE, and that of a core of long samples, of whose cocotb bench `make test` runs the resets alone, gets the
-bench.
+further PIPE or of a core without a clock gets the cocotb bench, and so does that of a core of long samples, of whose
+bench `make test` runs the resets alone.
 reports/cover.json holds the digest of what each verdict follows from: sources, model, samples, harness and tools, but
 no comment. It is written as the run goes: one that is cut goes on where it stopped.
 """

@@ -42,12 +42,13 @@ def _both() -> set[str]:
 
 def _marks(core: Core, simulator: str) -> list[pytest.MarkDecorator]:
     """The first set of every MODE in the first simulator, and of a core of each family in the second; `make cover` has
-    the first sets of a further PIPE, the long run the rest.
+    the first sets of a further PIPE and those without a clock, the long run the rest.
     """
     first = simulator == USABLE[0]
     if not core.first_set or not first and not (core.name in _both() and legal.daily(core)):
         return [pytest.mark.slow]
-    return [pytest.mark.full, *[pytest.mark.smoke if legal.daily(core) else pytest.mark.further] * first]
+    daily = legal.daily(core) and (core.clocked or not kept(core))
+    return [pytest.mark.full, *[pytest.mark.smoke if daily else pytest.mark.further] * first]
 
 
 @pytest.mark.parametrize(("simulator", "core"), [
