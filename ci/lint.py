@@ -37,6 +37,7 @@ from pyslang.driver import Driver
 from quadrance.cli import axis, catalogue, registers
 from quadrance.cores import ROOT, RTL, Core, Port, all_cores
 from quadrance.program import table as program_table
+from quadrance.program import two
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
@@ -405,7 +406,8 @@ def main() -> int:
     wrong += [line for path in files for line in check_file(path)]
     wrong += [line for core in cores if core.first_set for line in check_entry(core)] + packages.stale()
     if not named:
-        wrong += check_list(cores) + check_pages() + program_table.stale(RTL / "program")
+        wrong += check_list(cores) + check_pages()
+        wrong += program_table.stale(RTL / "program") + two.stale(RTL / "program")
         code, text = _call("ruff", "check", "--quiet", "models", "tb", "ci")
         wrong += [text] if code else []
     print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")

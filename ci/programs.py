@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
 from pyslang.driver import Driver
 from quadrance.cores import ROOT, RTL, Core
-from quadrance.program import checker, product_engine, table
+from quadrance.program import checker, halves, product_engine, table
 from quadrance.program.checker import Line, Program, Read, Write
 
 PLAYERS = ("engine_program", "schedule", "schedule_counter")  # their TABLE is played
@@ -186,6 +186,20 @@ def product(results: Iterable[int], roots: bool = True, margins: bool = False) -
     return read
 
 
+def two(results: Iterable[int], pose: int) -> Callable[[Played, str], list[str]]:
+    """The reading of a program for two poses, whose ports from 0 to `pose` are the pose's."""
+    def read(one: Played, text: str) -> list[str]:
+        lines = rows(text)
+        cells = ENGINE_CELLS[len(lines[0].cells)]
+        names = [{key: row.cells[at] for key, at in cells.items()} for row in lines]
+        dests = ((replace(row, label=row.label.removeprefix(halves.MARK)), row.cells[cells["dest"]]) for row in lines)
+        return [*mislabelled(text, dests, _registers(text)),
+                *halves.check(one.words, [row.label for row in lines], names, frozenset(results), one.pipe,
+                              range(pose))]
+
+    return read
+
+
 def _sums(text: str, at: Sequence[int], dest: int, ready: int, none: str) -> list[Line]:
     """Lines of a machine that reads its operands in one clock and writes their sum, ready some clocks later."""
     numbers = _numbers(text)
@@ -286,7 +300,8 @@ def parallel(one: Played, text: str) -> list[str]:
 
 MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
     "engine_delta_program": product((3, 7, 11)), "engine_gd_n_program": space, "engine_rus_fk_program": parallel,
-    "vector_ik6_program": product(range(2, 14)), "vector_ik6_all_program": product(range(48, 64)),
+    "vector_ik6_program": product(range(2, 14)), "vector_ik6_two_program": two(range(2, 14), 12),
+    "vector_ik6_all_program": product(range(48, 64)),
     "vector_fk6_program": product(range(2, 14), roots=False),
     "vector_velocity6_program": product(range(2, 8), roots=False), "vector_rates6_program": product(range(2, 11)),
     "vector_ur_fk_program": product(range(2, 14), roots=False),

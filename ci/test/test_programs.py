@@ -13,7 +13,8 @@ from ci import dataflow, programs, schedules
 
 # Programs, in a copy of the table of each machine
 
-CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_all_program": "vector_ik6_all",
+CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_two_program": "vector_ik6_two",
+         "vector_ik6_all_program": "vector_ik6_all",
          "vector_fk6_program": "vector_fk6", "vector_velocity6_program": "vector_velocity6",
          "vector_rates6_program": "vector_rates6", "vector_xyzac_program": "vector_xyzac",
          "vector_xyzbc_program": "vector_xyzbc", "vector_ur_fk_program": "vector_ur_fk",
@@ -104,6 +105,19 @@ def test_a_word_that_another_name_has_replaced_is_found():
 def test_a_register_given_to_two_living_words_is_found():
     assert re.search(r"PX is read, but line \d+ 'pz = .. - l1' has put PZ in its place", found(
         "vector_ik6_program", shared("PX", "PZ")))
+
+
+@pytest.mark.parametrize("change, says", [
+    (swapped("< c4 = C4g * C4u", "< n5 = c4*m13 + n4*m23"), "C4 of pose 1 is read"),
+    (swapped("R13s = r13", "b"), "R13s of pose 1 is read, but line .* has put R13s of pose 2 in its place"),
+    (swapped("< C2g = 1 / root", "X1t = q 2^j"), "HOLD asks for another root than its word's"),
+    (shared("R33s", "R33"), "R33s of pose 1 is read, but line .* has put R33 of pose 2 in its place"),
+    (shared("L4", "R33s"), "R33s of pose 3 is read.* has put L4 between runs in its place"),
+    (edited("/* < c3 = cp*ce", "/* c3 = cp*ce"), "the second half's sign, flag or result in the first"),
+    (edited("PORT,  I_NP, ", "PORT,  I_X,  "), "the second half reads a port of the pose, which is the next one's"),
+    (swapped("l4", "k1 = l2 + k*ce"), "it is played between runs too")])
+def test_two_poses_that_meet_are_found(change, says):
+    assert re.search(says, found("vector_ik6_two_program", change, 2)), found("vector_ik6_two_program", change, 2)
 
 
 def test_a_comment_that_names_another_word_is_found():

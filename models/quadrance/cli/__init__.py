@@ -387,6 +387,10 @@ def _track(args: argparse.Namespace) -> None:
 
 def _assemble(args: argparse.Namespace) -> None:
     path = Path(args.program)
+    if args.poses == 2:
+        if args.image or args.json:
+            raise Refused("--poses 2 makes a table, no --image and no --json")
+        return print(assemble.two_poses(path, args.pipe, args.seconds, args.write), end="")
     one, about = assemble.assemble(path, args.pipe, args.seconds, args.write)
     written = assemble.write(one, args.seconds) if args.write else []
     if args.image:
@@ -482,6 +486,7 @@ def parser() -> Parser:
     sub = command("assemble", _assemble, "a program of equations as a table of the product engine, with its ranges")
     sub.add_argument("program", metavar="FILE.kin")
     sub.add_argument("--pipe", type=int, default=0, choices=range(3), help="registers after the engine's products")
+    sub.add_argument("--poses", type=int, default=1, choices=(1, 2), help="2: a run ends one and begins the next")
     sub.add_argument("--seconds", type=float, default=60, help="time to look for the shortest order (default 60)")
     sub.add_argument("--write", action="store_true", help="write the order into FILE, and FILE_program.v")
     sub.add_argument("--image", metavar="FILE", help="write what kinematics_engine loads: C in FILE.h, else JSON")

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from quadrance import arms
 from quadrance.cli.catalogue import Refused
-from quadrance.program import assembler, ranges, table
+from quadrance.program import assembler, ranges, table, two
 from quadrance.program import image as images
 from quadrance.program.assembler import Assembled
 from quadrance.program.language import Program, Wrong
@@ -94,6 +94,37 @@ def write(one: Assembled, seconds: float = assembler.SECONDS) -> list[Path]:
         except OSError as error:
             raise Refused(f"{path} cannot be written: {error.strerror}") from None
     return list(paths)
+
+
+def two_poses(path: Path, pipe: int, seconds: float = assembler.SECONDS, anew: bool = False) -> str:
+    """The table of a program for two poses, of every PIPE that it is committed for and this one.
+
+    `anew`: written beside the text, an order that is none of the text looked for again.
+
+    Raises
+    ------
+    Refused
+        One line: file, line and reason.
+    """
+    at = two.table_path(path)
+    try:
+        arms.read(path)
+        known = two.orders(path)
+        try:
+            text = two.verilog(path, {pipe: None} | known, seconds)
+        except Wrong:
+            if not anew or not known:
+                raise
+            text = two.verilog(path, dict.fromkeys({pipe, *known}), seconds)
+        if anew and not _ours(at, f"by {MARK}"):
+            raise Refused(f"{at} is not of `quadrance assemble`, and is not overwritten")
+        if anew:
+            _replace(at, text)
+    except (Wrong, arms.ArmError) as error:
+        raise Refused(str(error)) from None
+    except OSError as error:
+        raise Refused(f"{at} cannot be written: {error.strerror}") from None
+    return text
 
 
 def _replace(path: Path, content: str) -> None:
