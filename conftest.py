@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 from xml.etree import ElementTree
 
+import hypothesis
 import pytest
 from quadrance.cli.catalogue import Refused, choose, find
 from quadrance.cores import Core
@@ -14,6 +15,8 @@ from quadrance.cores import Core
 from tb.lib import blame
 
 pytest_plugins = ["pytester"]  # for the tests of this file
+hypothesis.settings.register_profile("loaded", suppress_health_check=[hypothesis.HealthCheck.too_slow])
+hypothesis.settings.load_profile("loaded")  # on a machine that has other work, slow is not wrong
 RECORDED = 3  # failed benches of a run that are recorded: each is simulated once or twice more
 EVERY = 20.0  # seconds between two lines of progress where there is no terminal
 
