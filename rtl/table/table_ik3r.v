@@ -64,7 +64,8 @@ module table_ik3r #(
     assign             out_status = {status[3], overflow || status[2], status[1:0]};
     kernel_vector_solve #(.JOINTS(2), .LAG(2), .U(18), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
-        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(start), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_margin(15'd0), .cfg_slack(13'd0),
+        .in_valid(start), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0),
         .in_elbow(elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
         .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
         .out_status(status));

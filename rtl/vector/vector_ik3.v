@@ -23,6 +23,8 @@ module vector_ik3 #(
     input  wire signed [33:0]  cfg_q,
     input  wire [25:0]         cfg_r,
     input  wire [3:0]          cfg_e,
+    input  wire [W-2:0]        cfg_margin,
+    input  wire [12:0]         cfg_slack,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire signed [W-1:0] in_x,
@@ -45,13 +47,15 @@ module vector_ik3 #(
             vector_ik3_needs_W_4_to_16_and_F_below_W_and_U_8_to_16_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
+    wire [14:0]        margin = {cfg_margin, {(16-W){1'b0}}};
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}}, z = {in_z, {(16-W){1'b0}}};
     wire [2:0]         cosine, sine;
     wire [23:0]        word;
     wire               flat, negative, none;
-    kernel_vector_solve #(.JOINTS(3), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
+    kernel_vector_solve #(.JOINTS(3), .MARGINS(1), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
-        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_margin(margin), .cfg_slack(cfg_slack),
+        .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z),
         .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
         .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
         .out_status(out_status));

@@ -15,7 +15,8 @@ from tb.stimulus.rational import points
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Link lengths: longest, none, one LSB, where the word just does not saturate and just does, some at random."""
     if core.function in ("ik2", "ik3"):
-        return _wide(core, rng) if core.params["W"] > 16 else targets.configs(core, rng)
+        found = _wide(core, rng) if core.params["W"] > 16 else targets.configs(core, rng)
+        return [words | _edges(core, rng) for words in found]
     high = (1 << core.params["W"]) - 1
     half = high >> 1
     pairs = [(high, high), (0, 0), (half, half + 1), (half + 1, half), (half, 1), (1, half), (0, half), (half + 1, 0),
@@ -23,6 +24,12 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
              *rng.integers(0, half // 2, (3, 2)).tolist()]
     lengths = [dict(zip(("cfg_l1", "cfg_l2"), pair)) for pair in pairs]
     return [{port.name: words[port.name] for port in core.cfg} for words in lengths] if core.cfg else [{}]
+
+
+def _edges(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Margin and slack of any size, none among them."""
+    return {port.name: int(rng.integers(0, 2)) * length(rng, port.width) for port in core.cfg
+            if port.name in ("cfg_margin", "cfg_slack")}
 
 
 def _wide(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -39,7 +46,7 @@ def _wide(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
     pair = {f"cfg_l{i}": length(rng, core.params["W"]) for i in (1, 2)}
-    return pair | (vector.config(core.params, **pair) if core.function.startswith("ik") else {})
+    return pair | (vector.config(core.params, **pair) | _edges(core, rng) if core.function.startswith("ik") else {})
 
 
 def directions(core: Core, rng: np.random.Generator) -> Vectors:
