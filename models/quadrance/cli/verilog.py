@@ -145,8 +145,8 @@ def _joint_note(core: Core, port: Port, arm: Arm, value: int) -> str:
     if port.name in ("cfg_turned", "cfg_coupled"):
         first = 0 if port.name == "cfg_turned" else 1
         named = [joint.name for i, joint in enumerate(known[first:]) if value >> i & 1]
-        how = "counts the other way" if first == 0 else "counts together with the joint before"
-        return f"{', '.join(named) or 'no joint'} {how}"
+        how = "the other way" if first == 0 else "together with the joint before"
+        return f"{', '.join(named) or 'no joint'} count{'s' * (len(named) < 2)} {how}"
     kind, i = re.fullmatch(r"cfg_([a-z]+)(\d)", port.name).groups()
     name, (key, low, high) = known[int(i) - 1].name, limits(core, arm)[int(i) - 1]
     degrees = value * 360 / 2 ** core.params["A"]
