@@ -157,9 +157,9 @@ CORES = [core for core in all_cores() if legal.daily(core) and core.cfg]
 SQUARE, NORMALISED = "no square has this bit", "the leading bit of a normalised word"
 NEVER = {  # facts that no legal configuration has, by family and port: (bits, value) and the reason
     ("classic", "cfg_far"): {(2, 2): SQUARE}, ("classic", "cfg_near"): {(2, 2): SQUARE},
-    **{(family, "cfg_r"): {(1 << 24, 0): NORMALISED} for family in ("six", "ur", "srs")},
+    **{(family, "cfg_r"): {(1 << 24, 0): NORMALISED} for family in ("six", "ur", "srs", "keep")},
     **{(family, "cfg_e"): {(1, 1): "links of half a unit at most: 2^-2 is the least", (2, 2): "as bit 0"}
-       for family in ("six", "ur", "srs")}}
+       for family in ("six", "ur", "srs", "keep")}}
 
 
 @pytest.mark.full

@@ -124,7 +124,7 @@ def beyond(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: Array
     """Distance of the exact tip of the joints from `nearest`, out of reach of axis 2, at any distance from axis 1.
 
     The terms of `position` without those of the elbow, which is stretched or folded exactly. The error of x1 turns the
-    arm, which is R / r as long as the line to the target; joint 1 turns the nearest tip.
+    arm, which is R / r as long as the line to the target. That of joint 1 turns the tip or the wrist's centre.
     """
     rotation, tip = floats(rotation), floats(tip)
     px, py, square, x, z = _wrist(arm, rotation, tip, back)
@@ -135,7 +135,9 @@ def beyond(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: Array
     there, flange = nearest(arm, rotation, tip, back), abs(arm.c4)
     far = np.hypot(there[..., 0], there[..., 1])
     words = ROUNDED * 1.001 * unit * (far + long + arm.k + 4 * flange) + flange * orientation(p)
-    turn1 = far * 0.75 * math.sqrt(2) * area / (rho * np.maximum(np.hypot(x1, arm.b), 1e-9))
+    centre = there - arm.c4 * rotation[..., 2]
+    around = np.maximum(far, np.hypot(centre[..., 0], centre[..., 1]))
+    turn1 = around * 0.75 * math.sqrt(2) * area / (rho * np.maximum(np.hypot(x1, arm.b), 1e-9))
     turn2 = (1 + flange / np.maximum(long, 1e-9)) * 0.75 * math.sqrt(2) * area / r
     return words + _shoulder(p, x1) * (1 + long / r) + turn1 + turn2 + 2 * _config(arm)
 
@@ -152,7 +154,8 @@ def position(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: Arr
     - words: a rounded vector moves the tip by ROUNDED units of its distance from that axis: the tip from axes 1 and 2,
       k + c4 from axis 3, c4 from axes 4 and 5; the orientation moves the flange.
     - x1: its square is off by A, its root by MINUS; that moves the wrist along the direction of p.
-    - joint 1: two sums, off by 3/4 A each, of a vector of px^2 + py^2; joint 2: the same, of r^2.
+    - joint 1: two sums, off by 3/4 A each, of a vector of px^2 + py^2; that turns the tip or, where the wrist keeps the
+      matrix, its centre: whichever is farther from the axis. Joint 2: the same, of r^2.
     - gap: off by A, by A when it has been multiplied, and by 1/cfg_r, A at most; it is a change of r^2. The sine of the
       elbow is off by MINUS: that changes r^2 by 2 c2 k MINUS sin^2 cos, at most 0.77 c2 k MINUS, and the direction
       of the forearm's end by MINUS of k.
@@ -164,7 +167,8 @@ def position(p: Params, arm: Six, rotation: ArrayLike, tip: ArrayLike, back: Arr
     far, flange = np.hypot(tip[..., 0], tip[..., 1]), abs(arm.c4)
     words = ROUNDED * 1.001 * unit * (far + r + arm.k + 4 * flange) + flange * orientation(p)
     shoulder = _shoulder(p, x1)
-    turn1 = np.where(none & 1 > 0, held(p, 1), far * 0.75 * math.sqrt(2) * area / np.maximum(plane, 1e-9))
+    around = np.maximum(far, np.sqrt(plane))
+    turn1 = np.where(none & 1 > 0, held(p, 1), around * 0.75 * math.sqrt(2) * area / np.maximum(plane, 1e-9))
     elbow = (3 * area + 0.77 * arm.c2 * arm.k * MINUS) / (2 * r) + MINUS * arm.k
     turn2 = np.where(none & 2 > 0, held(p, 2), (r + flange) * 0.75 * math.sqrt(2) * area / r**2)
     return words + shoulder + turn1 + elbow + turn2 + 2 * _config(arm)
