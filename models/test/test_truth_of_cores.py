@@ -217,9 +217,11 @@ def test_held_words_at_the_base(core: Core, share: tuple[float, float]) -> None:
 @LINKS
 @cores([core for core in INVERSE if core.function == "ik3"])
 def test_the_yaw_axis_at_every_height(core: Core, share: tuple[float, float]) -> None:
-    """x = y = 0: the yaw is held, the arm still reaches its height, all z up to 12 bits, every fifth above."""
+    """x = y = 0: the yaw is held, the arm still reaches its height, all z up to 12 bits, every fifth at 16, and as many
+    of more bits.
+    """
     claim, full = claim_of(core, share), 1 << core.params["W"] - 1
-    z = np.arange(-full, full, 1 if full <= 2048 else 5)
+    z = np.arange(-full, full, 1 if full <= 2048 else max(5, full * 5 >> 15) | 1)
     z = np.unique(np.append(z, np.arange(max(-full, -40), min(full, 41))))
     rest = claim.l1 + claim.l2 >> 1
     target = np.zeros((3, z.size + 1), dtype=np.int64)

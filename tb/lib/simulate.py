@@ -22,7 +22,7 @@ from tb.lib import program, stimulus, tools
 SIMULATORS = ("icarus", "verilator")
 LONGEST = 800  # characters of what a failed test said
 UNKNOWN = r"\.(one_clock_of_reset|reset_in_flight)$"  # tests that show more where a register starts unknown
-LONG = 32  # clocks of a sample, from which on `make cover` keeps the whole bench of a core
+LONG = 16  # clocks of a sample, from which on `make cover` keeps the whole bench of a core
 
 
 @dataclass(frozen=True)
