@@ -42,7 +42,7 @@ lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pa
 test: setup ## benches and bulk runs of every core, all model tests; CORE=name: all sets of that core; SIM=icarus|verilator: those of them
 	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(PATHS)
 
-smoke: setup ## the first parameter set of every core: cocotb bench under Icarus, bulk run
+smoke: setup ## the first parameter set of every core: what make test has of its bench under Icarus, bulk run
 	@$(TESTS) -m smoke $(CHOSEN)
 
 report: setup ## latency, area, clock and accuracy of every core on ARM (another one: a minute); FRESH=1 measures all again

@@ -90,7 +90,7 @@ def _longer(core: Core) -> bool:
 
 
 def _whole(core: Core) -> None:
-    """Of one listed set the bulk run, where `make test` has none, and the bench of the first one of a PIPE."""
+    """Of one listed set the bulk run, where `make test` has none, and of the first one of a PIPE the bench."""
     if not legal.daily(core):
         seed, folder = int(store.digest(core.id)[:8], 16), program.build(core, LABEL).parent
         try:

@@ -335,6 +335,15 @@ def test_comments_and_docstrings_mean_nothing():
     assert bare('def f():\n    "Größe"  # ü\n    return "ü"\n', ".py") == 'def f():\n    return "ü"'
 
 
+def test_what_is_imported_for_types_alone_is_no_source(tmp_path):
+    source, arms = tmp_path / "a.py", tools.ROOT / "models/quadrance/arms/__init__.py"
+    typed = "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from quadrance.arms import Arm\n"
+    for more, found in (("", False), ("else:\n    from quadrance.arms import load\n", True),
+                        ("def f():\n    from quadrance import arms\n", True)):
+        source.write_text(typed + more)
+        assert (arms in closure([source])) == found
+
+
 def test_what_judges_the_cores_is_all_reached():
     files = {str(path.relative_to(tools.ROOT)) for path in closure(run.SIMULATION)}
     assert {"models/quadrance/truth.py", "models/quadrance/trajectory.py", "models/quadrance/fixed.py",

@@ -205,8 +205,7 @@ module arm_solve #(
     wire [2:0]    right_from;
     wire [19:0]   rest;
     assign        {operands, left_from, right_from, addend, rest} = op;
-    wire          idle;
-    wire          accept = in_valid && in_ready;
+    wire          idle; wire accept = in_valid && in_ready;
     localparam LINES = PIPE == 0 ? 18 + 5 * LATERAL + 2 * ABSOLUTE : 41 + LATERAL + 4 * ABSOLUTE;
     localparam [OP-1:0] NO_LINE = {OP{1'b0}};
     localparam [46*OP-1:0]  // the table is the last LINES of them
@@ -234,14 +233,10 @@ module arm_solve #(
     reg                elbow, back, clamped, zero, zero3, beyond, short, near_axis, over_z, odd_root;
     reg         [33:0] minus_q;
     reg  [3:0]         s;
-    /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [53:0] product, settled;
-    /* verilator lint_on UNUSEDSIGNAL */
+    /* verilator lint_off UNUSEDSIGNAL */ wire signed [53:0] product, settled; /* verilator lint_on UNUSEDSIGNAL */
     wire        [21:0] result;
-    wire [26:0]        word;
-    wire [36:0]        total;
-    wire [1:0]         coarse, fine;
-    wire               over, none;
+    wire [26:0]        word; wire [36:0] total;
+    wire [1:0]         coarse, fine; wire over, none;
     wire               rho = |(operands & RHO);
     wire        [21:0] length = (odd_root ? settled[50:29] : settled[51:30]) ^ {22{back}};
     arm_operands #(.LATERAL(LATERAL), .SHOULDER(SHOULDER), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) turn (
@@ -280,10 +275,8 @@ module arm_solve #(
 
     assign out_cos = {|(rest & COS3), |(rest & COS2), |(rest & COS1)};
     assign out_sin = {|(rest & SIN3), |(rest & SIN2), |(rest & SIN1)};
-    assign out_none = zero;
-    assign out_word = {result, settled[30:29]};
-    assign out_flat = outside;
-    assign out_negative = short;
+    assign out_none = zero; assign out_word = {result, settled[30:29]};
+    assign out_flat = outside; assign out_negative = short;
     assign out_status = {1'b0, over_z, zero || zero3, clamped || LATERAL && near_axis};
     wire   unused = &{1'b0, cfg_base, cfg_shoulder, cfg_lateral, cfg_bb, odd_root, rest};
     wire   first = |(operands & FIRST), plain = |(rest & PLAIN), near = |(rest & NEAR);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inverse kinematics of six joints that chooses the branch, in joint words of the machine: arms whose axes 2, 3 and 4
-// are parallel. The program of vector_ur_ik_all, then six_choose, which prefers, in this order, a branch within the
-// joint limits, one in reach, and the one nearest to the last answer.
+// This core solves a pose of six joints, of which axes 2, 3 and 4 are parallel, chooses the branch, and answers joint
+// words of the machine. The program of vector_ur_ik_all solves, then six_choose prefers, in this order, a branch within
+// the joint limits, one in reach, and the one nearest to the last answer.
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_j* s3.A turns; cfg_turned
 // to cfg_w6 by keep.machine, other cfg_* by ur.config.
 // Error: that of vector_ur_ik_all (bounds.ur), and 0.89 LSB of an angle. Latency and II by PIPE: 329, 376, 395.

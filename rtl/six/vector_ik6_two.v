@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// vector_ik6 with two poses inside: while the program ends one it begins the next, so that no clock stays empty.
+// This core is vector_ik6 with two poses inside: while the program ends one it begins the next.
 //   in_branch[0]: the shoulder looks back; [1]: sin(q3 + psi) < 0; [2]: sin q5 < 0
 // Formats, error and status are those of vector_ik6; so is every word. cfg_* by six.config.
 // Latency by PIPE: 194, 204, two runs of the program; II: half of it. A pose is accepted between two runs: one that

@@ -14,11 +14,11 @@ from quadrance.program.ranges import proved
 WIDTH = 120
 _HEAD = """\
 // SPDX-License-Identifier: Apache-2.0
-// Assembled from {name}.kin by `quadrance assemble`; do not edit.
+// Assembled from {origin}; do not edit.
 //   {title}
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
 // a word of capitals and a small letter is one that the assembler has added.
-// Latency of a core that plays it: {clocks}. Model: quadrance.program.meaning
+// {of}: {clocks}. Model: quadrance.program.meaning
 `default_nettype none
 module {name}_program #(
     parameter PIPE = {pipe}  // registers behind the products of product_engine: {pipes}
@@ -100,8 +100,13 @@ def branch(text: str, pipe: int) -> str:
     return parts[1].split("\n    end\n")[0] + "\n" if len(parts) == 2 else text
 
 
-def verilog(program: Sequence[Assembled]) -> str:
+def verilog(program: Sequence[Assembled], origin: str = "", of: str = "Latency of a core that plays it") -> str:
     """The module NAME_program of a program that was assembled for one PIPE or more.
+
+    Parameters
+    ----------
+    origin : what it is made from and how; the text of that name by default.
+    of : what the clocks in its header are of.
 
     Raises
     ------
@@ -109,7 +114,8 @@ def verilog(program: Sequence[Assembled]) -> str:
         Where a line of it would be too long.
     """
     name, pipes = program[0].program.name, [str(one.pipe) for one in program]
-    head = _HEAD.format(name=name, title=program[0].program.title[:WIDTH - 7], pipe=pipes[0],
+    origin = origin or f"{name}.kin by `quadrance assemble`"
+    head = _HEAD.format(name=name, origin=origin, of=of, title=program[0].program.title[:WIDTH - 7], pipe=pipes[0],
                         pipes=" or ".join(pipes) + f" (default {pipes[0]})" * (len(pipes) > 1),
                         clocks=", ".join(f"{one.clocks} at PIPE {one.pipe}" for one in program))
     wrong = " && ".join(f"PIPE != {pipe}" for pipe in pipes)

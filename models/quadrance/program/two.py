@@ -186,9 +186,8 @@ def verilog(path: Path, every: dict[int, Order | None], seconds: float = assembl
     for one in made:
         if wrong := problems(one):
             raise Wrong(f"{path.name}: two poses: the checker refuses what was assembled: {wrong[0]}")
-    text = table.verilog(made).replace(f"from {path.stem}{SUFFIX}.kin by `quadrance assemble`;",
-                                       f"from {path.name} by `quadrance assemble` for two poses;")
-    text = text.replace("// Latency of a core that plays it:", "// Marked lines end the pose before. Clocks of a run:")
+    text = table.verilog(made, f"{path.name} by `quadrance assemble` for two poses",
+                         "Marked lines end the pose before. Clocks of a run")
     text += f"\n{ORDER.format(path.name)}\n"
     for one in made:
         numbers = " ".join("-" if i is None else str(i) for i in one.order)
