@@ -72,6 +72,29 @@ def test_the_best_of_eight(core):
 
 
 @oracle(*KEEPS, cfg=("turned", "coupled", *WORDS))
+def test_a_limit_that_is_met_exactly_is_kept(core):
+    """Limits are inclusive, in the turn of a joint and in the next one; a joint that misses one by 2^-12 turn does not
+    fit.
+    """
+    _, inverse = stimulus.all_branches(core)
+    codec = cores.at(cores.find("vector_to_angle"), {"U": core.params["U"], "A": core.params["A"], "PIPE": 0})
+    fits, start = [], stimulus.configs(core, np.random.default_rng(3))[0]
+    for words in stimulus.edges(core, start):
+        cfg = {name[4:]: word for name, word in words.items()}
+        assert all(cfg[f"low{i}"] <= 0 <= cfg[f"high{i}"] for i in JOINTS)
+        row = {name[3:]: int(column[0]) for name, column in stimulus.corners(core, words).items()}
+        every, = ask(inverse, [row], {port.name[4:]: cfg[port.name[4:]] for port in inverse.cfg})
+        vectors = [{"c": every[f"c{i}{b}"], "n": every[f"n{i}{b}"]} for b in range(8) for i in JOINTS]
+        angles = [one["j"] for one in ask(codec, vectors)]
+        branches = [(angles[6 * b:6 * b + 6], every["far"] >> b & 1) for b in range(8)]
+        want, _ = chosen(branches, cfg, core.params["A"], [0] * 6)
+        answer, = ask(core, [row], cfg)
+        assert {name: answer[name] for name in want} == want
+        fits.append((want["branch"], want["beyond"]) == (0, 0))
+    assert fits == [True] * 2 + [False] * 6
+
+
+@oracle(*KEEPS, cfg=("turned", "coupled", *WORDS))
 def test_words_of_a_machine(core):
     """A bit a joint; zeros modulo a turn, to nearest; limits inwards to 2^-12 turn; the largest weight is 63."""
     a, turn = core.params["A"], 2 * math.pi

@@ -28,14 +28,47 @@ def machine(core: Core, rng: np.random.Generator) -> dict[str, int]:
     return words
 
 
+def free() -> dict[str, int]:
+    """Words of a machine with 3.5 turns of every joint either way."""
+    return dict.fromkeys(keep.MACHINE, 0) | {f"cfg_{name}{i}": word for i in range(1, 7) for name, word in (
+        ("low", -7 << keep.LIMIT - 1), ("high", 7 << keep.LIMIT - 1), ("w", keep.WEIGHT))}
+
+
+def edges(core: Core, cfg: dict[str, int]) -> list[dict[str, int]]:
+    """Machines whose limits the first corner's branch 0 meets exactly, in its own turn or in the next one.
+
+    All weights are 0, so that this branch is chosen where it is within the limits. In the others one joint of it misses
+    its limit by 2^-12 turn.
+    """
+    unit, turn = 1 << core.params["A"] - keep.LIMIT, 1 << keep.LIMIT
+    first = {name: words[:1] for name, words in corners(core, cfg).items()}
+    cfg = cfg | free() | {f"cfg_w{i}": 0 for i in range(1, 7)}
+    answer = core.model(core.params, **first, **cfg)
+    at = [-100, 200, -300, 400, -500, 600]  # the joints' words, by their zeros, in 2^-12 turn
+    cfg |= {f"cfg_z{i}": (word * unit - int(answer[f"out_j{i}"][0])) % (turn * unit) for i, word in enumerate(at, 1)}
+
+    def limits(i: int, turned: bool, short: bool) -> dict[str, int]:
+        """Zero is within the limits: a joint below it meets the lower one or, a turn on, the upper one."""
+        side, other = ("low", "high") if at[i] < 0 else ("high", "low")
+        inwards = 1 if at[i] < 0 else -1
+        near, far = at[i] + inwards * (turned or short), at[i] + inwards * turn - inwards * short
+        return {f"cfg_{side}{i + 1}": near} | ({f"cfg_{other}{i + 1}": far} if turned or short else {})
+
+    def machine_of(turned: bool, short: int | None = None) -> dict[str, int]:
+        return cfg | {name: word for i in range(6) for name, word in limits(i, turned, i == short).items()}
+
+    return [machine_of(False), machine_of(True), *(machine_of(bool(i % 2), i) for i in range(6))]
+
+
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Arms with a machine that is free, one that is limited, in turn; then the extremes of every word of a machine."""
+    """Arms with a machine that is free, one that is limited, in turn; then the extremes of every word of a machine, and
+    limits that are met exactly.
+    """
     stimuli, inverse = all_branches(core)
     ports = {port.name: port for port in core.cfg if port.name in keep.MACHINE}
-    free = dict.fromkeys(ports, 0) | {f"cfg_{name}{i}": word for i in range(1, 7) for name, word in (
-        ("low", -7 << keep.LIMIT - 1), ("high", 7 << keep.LIMIT - 1), ("w", keep.WEIGHT))}
-    found = [cfg | (free, machine(core, rng))[i % 2] for i, cfg in enumerate(stimuli.configs(inverse, rng))]
-    return found + [found[0] | {name: getattr(port, end) for name, port in ports.items()} for end in ("low", "high")]
+    found = [cfg | (free(), machine(core, rng))[i % 2] for i, cfg in enumerate(stimuli.configs(inverse, rng))]
+    ends = [found[0] | {name: getattr(port, end) for name, port in ports.items()} for end in ("low", "high")]
+    return found + ends + edges(core, found[0])
 
 
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
