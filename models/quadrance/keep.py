@@ -9,6 +9,7 @@ import numpy as np
 
 from quadrance import conversion, six, ur
 from quadrance.fixed import Ints, ints, wrap
+from quadrance.product_engine import H
 
 Params = dict[str, int]
 
@@ -38,20 +39,25 @@ def machine(p: Params, *, turned: Sequence[bool], coupled: Sequence[bool], zeros
     return words
 
 
-def choose(p: Params, answers: dict[str, Ints], ports: dict[str, Ints]) -> dict[str, Ints]:
+def choose(p: Params, vectors: tuple[Ints, Ints], mirrored: Ints, opposite: Ints, far: Ints, held: Ints,
+           ports: dict[str, Ints]) -> dict[str, Ints]:
     """The best branch of every sample in turn: within the limits, in reach, nearest to the last answer; else the first.
 
     Parameters
     ----------
-    answers : of `six.ik6_all` or `ur.ik_all`, an array a port.
+    vectors : cosines and sines of the engine, by sample, branch and joint.
+    mirrored, opposite : by branch and joint, whether the sine is negated, or the vector.
+    far, held : by sample and branch, out of reach and singular.
     ports : the words of `machine`.
     """
-    a, count = p["A"], len(answers["out_status"])
+    a, count = p["A"], len(far)
     turn = 1 << a
-    shape = [(joint, branch) for branch in range(8) for joint in range(1, 7)]
-    c, n = (np.stack([answers[f"out_{letter}{joint}{branch}"] for joint, branch in shape], axis=1).ravel()
-            for letter in "cn")
-    angles = conversion.vector_to_angle(p, in_c=c, in_n=n)["out_j"].reshape(count, 8, 6)
+    # Words rounded down, and half a unit more: the negative of one is its one's complement
+    u = min(p["U"], 17)
+    c, n = (word >> H - u for word in vectors)
+    halves = {f"in_{letter}": 2 * word.ravel() + 1 for letter, word in (("c", c), ("n", n ^ -ints(mirrored)))}
+    angles = conversion.vector_to_angle(p | {"U": u + 1}, **halves)["out_j"].reshape(n.shape)
+    angles = angles + (ints(opposite) << a - 1)
     cfg = {name: np.stack([np.broadcast_to(ints(ports[f"cfg_{name}{i}"]), count) for i in range(1, 7)], axis=-1)
            for name in ("z", "low", "high", "w")}
     turned, coupled = (np.broadcast_to(ints(ports[f"cfg_{name}"]), count)[:, None] >> np.arange(bits) & 1
@@ -59,7 +65,6 @@ def choose(p: Params, answers: dict[str, Ints], ports: dict[str, Ints]) -> dict[
     angles[..., 1:] += angles[..., :-1].copy() * coupled[:, None]
     words = np.where(turned[:, None] == 1, -angles, angles) + cfg["z"][:, None] & turn - 1
     low, high = (cfg[name] << a - LIMIT for name in ("low", "high"))
-    far, held = (answers[f"out_{name}"][:, None] >> np.arange(8) & 1 for name in ("far", "held"))
     last, rows = np.zeros(6, np.int64), []
     for k in range(count):
         step = wrap(words[k] - last, a)
@@ -75,8 +80,7 @@ def choose(p: Params, answers: dict[str, Ints], ports: dict[str, Ints]) -> dict[
             last = answer
         rows.append([*answer, best, not fit[best], far[k][best] + 2 * held[k][best]])
     names = [*(f"out_j{i}" for i in range(1, 7)), "out_branch", "out_beyond", "out_status"]
-    found = dict(zip(names, ints(rows).reshape(-1, len(names)).T))
-    return found | {"out_status": found["out_status"] + (answers["out_status"] & 8)}
+    return dict(zip(names, ints(rows).reshape(-1, len(names)).T))
 
 
 MACHINE = ("cfg_turned", "cfg_coupled", *(f"cfg_{name}{i}" for name in ("z", "low", "high", "w") for i in range(1, 7)))
@@ -88,13 +92,32 @@ def apart(ports: dict[str, Ints]) -> tuple[dict[str, Ints], dict[str, Ints]]:
     return pose, {name: ports[name] for name in MACHINE}
 
 
+def joints(*numbers: int) -> Ints:
+    """A one for each of these joints."""
+    return ints([i in numbers for i in range(1, 7)])
+
+
 def six_keep(p: Params, **ports: Ints) -> dict[str, Ints]:
-    """A pose to the joint words of the best branch of `six.ik6_all`."""
-    pose, joints = apart(ports)
-    return choose(p, six.ik6_all(p, **pose), joints)
+    """A pose to the joint words of the best branch of `six.ik6_all`; a wrist that is turned over by its angles."""
+    pose, machine_words = apart(ports)
+    outcome, none = six.solved(p, **pose)
+    at = [six.SOLVED.index(branch % 4) for branch in range(8)]
+    vectors = tuple(np.stack([outcome.words[f"{letter}{i}"].reshape(-1, 4)[:, at] for i in range(1, 7)], axis=-1)
+                    for letter in "cn")
+    over = np.arange(8)[:, None] >> 2
+    far, held = (ints(flag).reshape(-1, 4)[:, at] for flag in (outcome.far, none != 0))
+    found = choose(p, vectors, over * joints(5), over * joints(4, 6), far, held, machine_words)
+    return found | {"out_status": found["out_status"] + 8 * ints(outcome.wrong[::4])}
 
 
 def ur_keep(p: Params, **ports: Ints) -> dict[str, Ints]:
-    """A pose to the joint words of the best branch of `ur.ik_all`."""
-    pose, joints = apart(ports)
-    return choose(p, ur.ik_all(p, **pose), joints)
+    """A pose to the joint words of the best branch of `ur.ik_all`; joints 3, 5 and 6 by the angles of the other one."""
+    pose, machine_words = apart(ports)
+    outcome = ur.solved(p, **pose)
+    vectors = tuple(np.stack([outcome.words[f"{letter}{i}{name}"] for branch in range(8)
+                              for i, name in enumerate(ur.named(branch), 1)], axis=-1).reshape(-1, 8, 6)
+                    for letter in "cn")
+    down, flip = (np.arange(8)[:, None] >> i & 1 for i in (1, 2))
+    far, held = (np.stack(flag, axis=-1) for flag in zip(*(ur.flags(outcome, branch) for branch in range(8))))
+    found = choose(p, vectors, down * joints(3) + flip * joints(5), flip * joints(6), far, held, machine_words)
+    return found | {"out_status": found["out_status"] + 8 * ints(outcome.wrong)}

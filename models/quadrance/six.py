@@ -75,11 +75,16 @@ def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
 SOLVED = (0, 2, 1, 3)  # branches of ik6_all in the order in which they hold directions; the others mirror them
 
 
-def ik6_all(p: Params, **ports: Ints) -> dict[str, Ints]:
-    """All branches of a pose: of `SOLVED`, and those whose wrist is turned over, joints 4 and 6 by half a turn."""
+def solved(p: Params, **ports: Ints) -> tuple[meaning.Outcome, Ints]:
+    """What the program finds, and which joints are held, of a pose's `SOLVED` branches, one behind the other."""
     ports = dict(zip(ports, np.broadcast_arrays(*map(np.atleast_1d, ports.values()))))
     ports = {name: np.repeat(word, len(SOLVED)) for name, word in ports.items()}
-    _, outcome, none = _branch(p, **ports, in_branch=np.resize(SOLVED, len(ports["in_x"])))
+    return _branch(p, **ports, in_branch=np.resize(SOLVED, len(ports["in_x"])))[1:]
+
+
+def ik6_all(p: Params, **ports: Ints) -> dict[str, Ints]:
+    """All branches of a pose: of `SOLVED`, and those whose wrist is turned over, joints 4 and 6 by half a turn."""
+    outcome, none = solved(p, **ports)
     over = outcome.words | {name: -outcome.words[name] for name in ("c4", "n4", "n5", "c6", "n6")}
     answer, bits = {}, {"out_far": 0, "out_held": 0}
     for words, first in ((outcome.words, 0), (over, 4)):

@@ -50,24 +50,39 @@ def table_ik(p: Params, **ports: Ints) -> dict[str, Ints]:
     return to_angles(parser.load(INVERSE), p, **ports)
 
 
+def solved(p: Params, **ports: Ints) -> meaning.Outcome:
+    """What the program of all branches finds for a pose."""
+    ports = dict(zip(ports, np.broadcast_arrays(*map(np.atleast_1d, ports.values()))))
+    return meaning.fixed(parser.load(ALL), p, **ports)
+
+
+def named(branch: int) -> list[str]:
+    """How the words of joints 1 to 6 of a branch end in the program of all branches."""
+    s, t, w = (letters[branch >> i & 1] for i, letters in enumerate(("fb", "ud", "pm")))
+    return [s, t + w + s, w + s, t + w + s, s, s]
+
+
+def flags(outcome: meaning.Outcome, branch: int) -> tuple[Ints, Ints]:
+    """Where a branch is out of reach, and where it is singular."""
+    s, bent, turned, *_ = named(branch)
+    near, back, flip = outcome.near, branch & 1, branch >> 2
+    far = outcome.beyond["q"] | outcome.beyond[f"c3{turned}"]
+    held = np.any(np.broadcast_arrays(*(outcome.none[f"c{name}"] for name in (f"1{s}", f"6{s}", f"2{bent}")),
+                                      near["c1"][0], near["c6"][back], near["c2"][2 * back + flip]), axis=0)
+    return ints(far), ints(held)
+
+
 def ik_all(p: Params, **ports: Ints) -> dict[str, Ints]:
     """All branches of a pose."""
-    ports = dict(zip(ports, np.broadcast_arrays(*map(np.atleast_1d, ports.values()))))
-    outcome = meaning.fixed(parser.load(ALL), p, **ports)
-    words, none, near = outcome.words, outcome.none, outcome.near
+    outcome = solved(p, **ports)
     answer, far, held = {}, ints(0), ints(0)
     for branch in range(8):
-        back, down, flip = (branch >> i & 1 for i in range(3))
-        s, w, t = "fb"[back], "pm"[flip], "ud"[down]
-        for i, name, minus in ((1, s, 0), (2, t + w + s, 0), (3, w + s, down), (4, t + w + s, 0), (5, s, flip),
-                               (6, s, flip)):
+        down, flip = branch >> 1 & 1, branch >> 2
+        for i, name in enumerate(named(branch), 1):
             for letter in "cn":
-                turned = minus and not (letter == "c" and i in (3, 5))
-                word = words[f"{letter}{i}{name}"]
-                answer[f"out_{letter}{i}{branch}"] = meaning.near_vector(p, -word if turned else word)
-        far = far | ints(outcome.beyond["q"] | outcome.beyond[f"c3{w}{s}"]) << branch
-        singular = (none[f"c1{s}"] | none[f"c6{s}"] | none[f"c2{t}{w}{s}"] | near["c1"][0] | near["c6"][back]
-                    | near["c2"][2 * back + flip])
-        held = held | ints(singular) << branch
+                minus = letter == "n" and (i == 3 and down or i == 5 and flip) or i == 6 and flip
+                word = outcome.words[f"{letter}{i}{name}"]
+                answer[f"out_{letter}{i}{branch}"] = meaning.near_vector(p, -word if minus else word)
+        far, held = (bits | one << branch for bits, one in zip((far, held), flags(outcome, branch)))
     status = ints(far != 0) + 2 * ints(held != 0) + 8 * ints(outcome.wrong)
     return answer | {"out_far": far, "out_held": held, "out_status": status}

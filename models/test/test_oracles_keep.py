@@ -7,7 +7,7 @@ import random
 
 import numpy as np
 import pytest
-from quadrance import arms, cores, keep, six, truth_six, truth_ur
+from quadrance import arms, cores, keep, six, truth_six, truth_ur, ur
 from quadrance.cli import around
 from quadrance.cli.verilog import config
 
@@ -40,14 +40,53 @@ def chosen(branches: list[tuple[list[int], int]], cfg: Row, a: int, last: list[i
     return answer, last if beyond else words
 
 
+def turned_over(core: cores.Core, branch: int) -> tuple[set[int], set[int]]:
+    """Joints of a branch whose sine is negated, and those whose vector is, from the pages of the inverses."""
+    other = branch >> 2
+    if core.function == "six_keep":
+        return {5} if other else set(), {4, 6} if other else set()
+    return ({3} if branch >> 1 & 1 else set()) | ({5} if other else set()), {6} if other else set()
+
+
+def angles_of(core: cores.Core, rows: list[Row], cfg: Row) -> tuple[list[Row], list[list[list[int]]]]:
+    """Answers of the core with all branches, and each row's angles by branch and joint.
+
+    A vector is the engine's, rounded down, and half a unit more. Rounded to nearest it is that of the answer.
+    """
+    p, (_, inverse) = core.params, stimulus.all_branches(core)
+    own = {port.name[4:]: cfg[port.name[4:]] for port in inverse.cfg}
+    ports = {f"in_{name}": np.array([row[name] for row in rows]) for name in rows[0]}
+    ports |= {f"cfg_{name}": word for name, word in own.items()}
+    solver = six if core.function == "six_keep" else ur
+    found = solver.solved(p, **ports)
+    everything, u, vectors, halves = ask(inverse, rows, own), min(p["U"], 17), [], []
+    for number, answer in enumerate(everything):
+        for branch in range(8):
+            mirrored, opposite = turned_over(core, branch)
+            for i in JOINTS:
+                if solver is six:
+                    c, n = (int(found[0].words[f"{letter}{i}"][4 * number + six.SOLVED.index(branch % 4)])
+                            for letter in "cn")
+                else:
+                    c, n = (int(found.words[f"{letter}{i}{ur.named(branch)[i - 1]}"][number]) for letter in "cn")
+                signs = -1 if i in opposite else 1, -1 if i in opposite | mirrored else 1
+                nearest = [(sign * word + (1 << 24 - p["U"])) >> 25 - p["U"] for sign, word in zip(signs, (c, n))]
+                assert all((one - answer[f"{letter}{i}{branch}"]) % (4 << p["U"]) == 0
+                           for letter, one in zip("cn", nearest))
+                sine = 2 * (n >> 25 - u) + 1
+                vectors.append({"c": 2 * (c >> 25 - u) + 1, "n": -sine if i in mirrored else sine})
+                halves.append(1 << p["A"] - 1 if i in opposite else 0)
+    codec = cores.at(cores.find("vector_to_angle"), {"U": u + 1, "A": p["A"], "PIPE": 0})
+    angles = iter([one["j"] + half for one, half in zip(ask(codec, vectors), halves)])
+    return everything, [[[next(angles) for _ in JOINTS] for _ in range(8)] for _ in rows]
+
+
 @oracle(*KEEPS, status=("unreachable", "singular", "no_rotation"), cfg=("turned", "coupled", *WORDS))
 def test_the_best_of_eight(core):
     """Order, ties, turns and memory of the choice, sample behind sample, at limits that cut and at none.
 
-    The branches are those of the core that answers all of them; its joints become angles by vector_to_angle.
+    The branches are those of the core that answers all of them; their joints become angles by vector_to_angle.
     """
-    _, inverse = stimulus.all_branches(core)
-    codec = cores.at(cores.find("vector_to_angle"), {"U": core.params["U"], "A": core.params["A"], "PIPE": 0})
     rng, seen = random.Random(8), set()
     for words in stimulus.configs(core, np.random.default_rng(3))[:10]:
         cfg = {name[4:]: word for name, word in words.items()}
@@ -56,17 +95,13 @@ def test_the_best_of_eight(core):
         columns = stimulus.corners(core, words)
         size = next(iter(columns.values())).size
         rows = [{name[3:]: int(column[i]) for name, column in columns.items()} for i in rng.sample(range(size), 90)]
-        own = {port.name[4:]: cfg[port.name[4:]] for port in inverse.cfg}
-        everything = ask(inverse, rows, own)
-        vectors = [{"c": one[f"c{i}{b}"], "n": one[f"n{i}{b}"]} for one in everything for b in range(8) for i in JOINTS]
-        angles = iter([one["j"] for one in ask(codec, vectors)])
         last = [0] * 6
-        for row, answer, one in zip(rows, ask(core, rows, cfg), everything):
-            branches = [([next(angles) for _ in JOINTS], one["far"] >> b & 1) for b in range(8)]
+        for answer, one, angles in zip(ask(core, rows, cfg), *angles_of(core, rows, cfg)):
+            branches = [(angles[b], one["far"] >> b & 1) for b in range(8)]
             want, last = chosen(branches, cfg, core.params["A"], last)
             branch = want["branch"]
             want["status"] = (one["far"] >> branch & 1) + 2 * (one["held"] >> branch & 1) + (one["status"] & 8)
-            assert answer == want, row
+            assert answer == want
             seen.add((answer["beyond"], answer["status"] & 1))
     assert len(seen) >= 3
 
@@ -76,17 +111,13 @@ def test_a_limit_that_is_met_exactly_is_kept(core):
     """Limits are inclusive, in the turn of a joint and in the next one; a joint that misses one by 2^-12 turn does not
     fit.
     """
-    _, inverse = stimulus.all_branches(core)
-    codec = cores.at(cores.find("vector_to_angle"), {"U": core.params["U"], "A": core.params["A"], "PIPE": 0})
     fits, start = [], stimulus.configs(core, np.random.default_rng(3))[0]
     for words in stimulus.edges(core, start):
         cfg = {name[4:]: word for name, word in words.items()}
         assert all(cfg[f"low{i}"] <= 0 <= cfg[f"high{i}"] for i in JOINTS)
         row = {name[3:]: int(column[0]) for name, column in stimulus.corners(core, words).items()}
-        every, = ask(inverse, [row], {port.name[4:]: cfg[port.name[4:]] for port in inverse.cfg})
-        vectors = [{"c": every[f"c{i}{b}"], "n": every[f"n{i}{b}"]} for b in range(8) for i in JOINTS]
-        angles = [one["j"] for one in ask(codec, vectors)]
-        branches = [(angles[6 * b:6 * b + 6], every["far"] >> b & 1) for b in range(8)]
+        (every,), (angles,) = angles_of(core, [row], cfg)
+        branches = [(angles[b], every["far"] >> b & 1) for b in range(8)]
         want, _ = chosen(branches, cfg, core.params["A"], [0] * 6)
         answer, = ask(core, [row], cfg)
         assert {name: answer[name] for name in want} == want

@@ -4,13 +4,15 @@
 // weight times step from the last answer; among equals the first. An answer beyond the limits is not remembered.
 //   word = +-(angle [+ angle of the joint before]) + zero, in the turn that is nearest to the last answer, or in the
 //   next one where only that is within the limits
-// Formats: in_word s2.U, in the order of arrival; in_places: its numbers of n6, c6 to n1, c1 of branches 7 to 0;
-// in_last comes with the last word or later. Words s3.A turns, joint 1 lowest; limits s3.12, inclusive; weights u6.
+// Formats: in_word s2.U, rounded down, in the order of arrival: its value is half a unit more. in_places: its numbers of
+// n6, c6 to n1, c1 of branches 7 to 0; in_mirrored, in_opposite: of joints 6 to 1 of branches 7 to 0, whose sine is
+// negated, or whose vector. in_last comes with the last word or later. Words s3.A turns, joint 1 lowest; limits s3.12,
+// inclusive; weights u6.
 // Reset sets the last answer to zeros. out_valid is high 58 clocks after in_last. Model: keep.choose
 `default_nettype none
 module six_choose #(
     parameter A = 18,  // bits of a turn, 12 to 24 (default 18)
-    parameter U = 16   // fraction bits of a vector, 8 to 18 (default 16)
+    parameter U = 16   // fraction bits of a vector, 8 to 17 (default 16)
 ) (
     input  wire            clk,
     input  wire            rst,
@@ -25,6 +27,8 @@ module six_choose #(
     input  wire [U+1:0]    in_word,
     input  wire            in_last,
     input  wire [575:0]    in_places,
+    input  wire [47:0]     in_mirrored,
+    input  wire [47:0]     in_opposite,
     input  wire [7:0]      in_far,
     input  wire [7:0]      in_held,
     output wire            out_idle,
@@ -37,8 +41,8 @@ module six_choose #(
     output reg             out_held
 );
     generate
-        if (A < 12 || A > 24 || U < 8 || U > 18) begin : g_illegal
-            six_choose_needs_A_from_12_to_24_and_U_from_8_to_18 rule ();
+        if (A < 12 || A > 24 || U < 8 || U > 17) begin : g_illegal
+            six_choose_needs_A_from_12_to_24_and_U_from_8_to_17 rule ();
         end
     endgenerate
     localparam E = A + 3, S = A + 10;  // bits of a word; of a sum of costs, each below 1.5 * 63 turns
@@ -62,6 +66,8 @@ module six_choose #(
     reg  [U+1:0] cosines[0:63], sines[0:63];
     reg  [5:0]   at;
     reg  [U+1:0] c, n;
+    reg          mirrored;
+    reg  [2:0]   opposite;  // of the joints in stages 3 to 1
     wire [5:0]   place_c, place_n;
     wire [A-1:0] angle;
     assign       {place_n, place_c} = in_places[12*(6*b[2:0] + j[2:0]) +: 12];
@@ -71,21 +77,25 @@ module six_choose #(
             cosines[at] <= in_word;
             sines[at]   <= in_word;
         end
-        c <= cosines[place_c];
-        n <= sines[place_n];
+        c        <= cosines[place_c];
+        n        <= sines[place_n];
+        mirrored <= in_mirrored[6*b[2:0] + j[2:0]];
+        opposite <= {opposite[1:0], in_opposite[6*b[2:0] + j[2:0]]};
     end
     /* verilator lint_off PINCONNECTEMPTY */
-    vector_to_angle #(.U(U), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(run[1]), .in_ready(), .in_c(c), .in_n(n),
-        .out_valid(), .out_ready(1'b1), .out_j(angle), .out_status());
+    vector_to_angle #(.U(U+1), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(run[1]), .in_ready(), .in_c({c, 1'b1}),
+        .in_n({n ^ {(U+2){mirrored}}, 1'b1}), .out_valid(), .out_ready(1'b1), .out_j(angle), .out_status());
     /* verilator lint_on PINCONNECTEMPTY */
 
     // Stages 3 and 4: the machine's word modulo a turn, and the last answer. The last answer is a row of the memory of
     // all answers: of the branch that was chosen, or row 16, zeros that nothing overwrites
-    wire [5:0]   coupled = {cfg_coupled, 1'b0};
+    wire [5:0]   coupled = {1'b0, cfg_coupled};  // the next joint with this one
     reg  [E-1:0] answers[0:255];
     reg  [4:0]   row;
+    reg          prior_opposite;
     reg  [A-1:0] prior, sum, word;
     reg  [E-1:0] from;
+    wire [A-1:0] angles = angle + prior;
     wire         turned = cfg_turned[j[14:12]];
     wire [A:0]   word_of = {sum ^ {A{turned}}, turned} + {cfg_zero[A*j[14:12] +: A], turned};
     integer      i;
@@ -93,15 +103,21 @@ module six_choose #(
         for (i = 0; i < 256; i = i + 1)
             answers[i] = {E{1'b0}};
     always @(posedge clk) begin
-        prior  <= angle;
-        sum    <= angle + (prior & {A{coupled[j[11:9]]}});
-        word   <= word_of[A:1];
-        from   <= answers[{row, j[14:12]}];
+        {prior_opposite, prior} <= {opposite[2], angle};
+        if (!run[3] || !coupled[j[11:9]])
+            {prior_opposite, prior} <= {(A+1){1'b0}};
+        sum  <= {angles[A-1] ^ opposite[2] ^ prior_opposite, angles[A-2:0]};
+        word <= word_of[A:1];
+        from <= answers[{row, j[14:12]}];
     end
 
     // Stage 5: the turn that is nearest to the last answer
+    function [2:0] stepped(input [2:0] turns, input up, input down);
+        stepped = {turns[2] ^ (up && turns[1:0] == 2'd3 || down && turns[1:0] == 2'd0),
+                   turns[1] ^ (up && turns[0] || down && !turns[0]), turns[0] ^ (up || down)};
+    endfunction
     wire [A:0]   rise = {1'b0, word} - {1'b0, from[A-1:0]};
-    wire [2:0]   turn = from[E-1:A] + {{2{rise[A] == rise[A-1] ? 1'b0 : !rise[A]}}, rise[A] != rise[A-1]};
+    wire [2:0]   turn = stepped(from[E-1:A], rise[A] && !rise[A-1], !rise[A] && rise[A-1]);
     reg  [E-1:0] near;
     reg  [A-1:0] step;
     always @(posedge clk) begin
@@ -124,7 +140,7 @@ module six_choose #(
     reg          fit;
     reg  [5:0]   weight;
     always @(posedge clk) begin
-        answer <= {near[E-1:A] + {{2{down}}, up || down}, near[A-1:0]};
+        answer <= {stepped(near[E-1:A], up, down), near[A-1:0]};
         move   <= {{2{step[A-1]}} + {down, up || down}, step};
         fit    <= up || down || !above[15] && !below[16];
         weight <= cfg_weight[6*j[20:18] +: 6];
@@ -132,27 +148,30 @@ module six_choose #(
 
     // Stages 7 and 8: weight times size of the step, and their sum; the words of a branch
     wire              back = move[A+1];
-    wire signed [6:0] factor = ({1'b0, weight} ^ {7{back}}) + {6'd0, back};
+    wire [5:0]        above_one = {|weight[4:0], |weight[3:0], |weight[2:0], |weight[1:0], weight[0], 1'b0};
+    wire signed [6:0] factor = {back && weight != 6'd0, weight ^ {6{back}} & above_one};  // +-weight
     wire [A+8:0]      product = $signed(move) * factor;
     wire              unused = &{1'b0, product[A+8:A+7], word_of[0]};
-    wire              first = j[26:24] == 3'd0;
     reg  [A+6:0]      cost;
-    reg  [S-1:0]      costs;
-    reg               fits, all_fit;
+    reg  [S-1:0]      costs, total;
+    reg               fits, all_fit, total_fit;
     reg  [7*E-1:0]    words;
+    wire [S-1:0]      sums = costs + {3'd0, cost};
     always @(posedge clk) begin
         if (run[7])
             answers[{1'b0, !row[3], b[23:21], j[23:21]}] <= answer;
-        cost    <= product[A+6:0];
-        fits    <= fit;
-        costs   <= (first ? {S{1'b0}} : costs) + {3'd0, cost};
-        all_fit <= fits && (first || all_fit);
-        words   <= {answer, words[7*E-1:E]};
+        words <= {answer, words[7*E-1:E]};
+        cost  <= product[A+6:0];
+        fits  <= fit;
+        {total_fit, total} <= {all_fit && fits, sums};
+        {all_fit, costs}   <= {all_fit && fits, sums};
+        if (!run[8] || j[26:24] == 3'd5)
+            {all_fit, costs} <= {1'b1, {S{1'b0}}};
     end
 
     // Stage 9: the branch of the least key
     reg  [S+1:0] best;
-    wire [S+1:0] key = {!all_fit, in_far[b[29:27]], costs};
+    wire [S+1:0] key = {!total_fit, in_far[b[29:27]], total};
     reg          chosen;
     assign       out_beyond = best[S+1];
     always @(posedge clk) begin

@@ -87,11 +87,12 @@ module ur_keep #(
         end
     endgenerate
 
-    wire        idle, done;
-    wire        accept = in_valid && in_ready;
-    wire [46:0] op;
+    wire         idle, done;
+    wire         accept = in_valid && in_ready;
+    wire [46:0]  op;
+    wire [311:0] spots;  // of 52 words that the program emits, in the order of its text
     vector_ur_ik_all_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-        .out_done(done), .out_op(op));
+        .out_done(done), .out_op(op), .out_places(spots));
 
     wire [3:0]  flags;
     wire [26:0] port, word;
@@ -107,68 +108,49 @@ module ur_keep #(
         .out_dest(dest), .out_status(flags));
 
     // A branch's joint 4 tells whether a joint is held. Line 62 has no word: it tells whether a triangle is out of
-    // reach. The negative of a word follows it: -(n + 1/2) is rounded to -n, where n + 1/2 became n + 1
-    reg  [U+1:0] prior;
+    // reach. A word that the program emits with its negative takes the place of both
+    localparam C = U < 18 ? U : 17;  // fraction bits of the vectors that are kept, rounded down
     reg  [7:0]   held;
     reg  [3:0]   far;
-    reg          over, half;
+    reg          over;
     wire         reach = dest == 6'd62, last = dest == 6'd63, result = dest[5:4] == 2'd3 && !reach;
-    wire [U+2:0] near = (over ? {~prior, 1'b1} : word[26:24-U]) + {{(U+1){1'b0}}, over && half, 1'b1};
-    wire         unused = &{1'b0, flags[2:0], near[0]};
+    wire         unused = &{1'b0, flags[2:0], word[24-C:0]};
 
-    // Positions of a branch's words, n6, c6 to n1, c1, of branches 7 to 0, at PIPE 2, 1 and 0
-    localparam [3*8*12*6-1:0] PLACE = {
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd60, 6'd61, 6'd47, 6'd43, 6'd58, 6'd59, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd29, 6'd31, 6'd15, 6'd11, 6'd28, 6'd27, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd57, 6'd56, 6'd46, 6'd43, 6'd55, 6'd54, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd25, 6'd26, 6'd14, 6'd11, 6'd24, 6'd23, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd52, 6'd53, 6'd42, 6'd40, 6'd51, 6'd50, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd21, 6'd22, 6'd10, 6'd8, 6'd20, 6'd19, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd48, 6'd49, 6'd41, 6'd40, 6'd45, 6'd44, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd16, 6'd18, 6'd9, 6'd8, 6'd13, 6'd12, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd60, 6'd61, 6'd47, 6'd43, 6'd58, 6'd59, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd29, 6'd31, 6'd15, 6'd11, 6'd28, 6'd27, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd57, 6'd56, 6'd46, 6'd43, 6'd55, 6'd54, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd25, 6'd26, 6'd14, 6'd11, 6'd24, 6'd23, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd52, 6'd53, 6'd42, 6'd40, 6'd51, 6'd50, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd21, 6'd22, 6'd10, 6'd8, 6'd20, 6'd19, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd48, 6'd49, 6'd41, 6'd40, 6'd45, 6'd44, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd16, 6'd18, 6'd9, 6'd8, 6'd13, 6'd12, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd60, 6'd61, 6'd47, 6'd43, 6'd58, 6'd59, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd29, 6'd31, 6'd15, 6'd11, 6'd28, 6'd27, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd57, 6'd56, 6'd46, 6'd43, 6'd55, 6'd54, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd25, 6'd26, 6'd14, 6'd11, 6'd24, 6'd23, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd52, 6'd53, 6'd42, 6'd40, 6'd51, 6'd50, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd21, 6'd22, 6'd10, 6'd8, 6'd20, 6'd19, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd48, 6'd49, 6'd41, 6'd40, 6'd45, 6'd44, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd16, 6'd18, 6'd9, 6'd8, 6'd13, 6'd12, 6'd1, 6'd0};
+    // Of a shoulder the text has joints 1, 6 and 5, then joint 3 of either wrist, then joints 2 and 4 of either elbow of
+    // either wrist. The elbow that is down has the sine of joint 3 negated, the other wrist that of joint 5 and joint 6
+    // half a turn on
     wire [575:0] places;
+    wire [47:0]  mirrored, opposite;
     wire [7:0]   branch_far, branch_held;
     genvar i, k;
     generate
         for (i = 0; i < 8; i = i + 1) begin : g_branch
             for (k = 0; k < 12; k = k + 1) begin : g_word
-                assign places[72*i + 6*k +: 6] = PLACE[6*(12*(8*PIPE+i)+k) +: 6];
+                localparam [31:0] BENT = 10 + 8 * (i / 4) + 4 * (i / 2 % 2), JOINT = k / 2;
+                localparam [31:0] FIRST = JOINT == 0 ? 0 : JOINT == 1 ? BENT : JOINT == 2 ? 6 + 2 * (i / 4) :
+                                          JOINT == 3 ? BENT + 2 : JOINT == 4 ? 4 : 2;
+                assign places[72*i + 6*k +: 6] = spots[6*(26*(i%2) + FIRST + k%2) +: 6];
             end
+            assign mirrored[6*i +: 6] = {1'b0, i > 3, 1'b0, i / 2 % 2 == 1, 2'd0};
+            assign opposite[6*i +: 6] = {i > 3, 5'd0};
             assign branch_far[i]  = far[2*(i%2)+i/4];
             assign branch_held[i] = held[4*(i%2)+2*(i/4)+(i/2)%2];
         end
     endgenerate
-    six_choose #(.A(A), .U(U)) choice (.clk(clk), .rst(rst), .cfg_turned(cfg_turned), .cfg_coupled(cfg_coupled),
+    six_choose #(.A(A), .U(C)) choice (.clk(clk), .rst(rst), .cfg_turned(cfg_turned), .cfg_coupled(cfg_coupled),
         .cfg_zero({cfg_z6, cfg_z5, cfg_z4, cfg_z3, cfg_z2, cfg_z1}),
         .cfg_low({cfg_low6, cfg_low5, cfg_low4, cfg_low3, cfg_low2, cfg_low1}),
         .cfg_high({cfg_high6, cfg_high5, cfg_high4, cfg_high3, cfg_high2, cfg_high1}),
         .cfg_weight({cfg_w6, cfg_w5, cfg_w4, cfg_w3, cfg_w2, cfg_w1}), .in_start(accept),
-        .in_write(result || over && !idle), .in_word(near[U+2:1]), .in_last(done), .in_places(places),
-        .in_far(branch_far), .in_held(branch_held), .out_idle(in_ready), .out_valid(out_valid), .out_ready(out_ready),
+        .in_write(result || over && !idle), .in_word(word[26:25-C]), .in_last(done), .in_places(places),
+        .in_mirrored(mirrored), .in_opposite(opposite), .in_far(branch_far), .in_held(branch_held),
+        .out_idle(in_ready), .out_valid(out_valid), .out_ready(out_ready),
         .out_words({out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}), .out_branch(out_branch), .out_beyond(out_beyond),
         .out_far(out_status[0]), .out_held(out_status[1]));
     assign out_status[3:2] = {flags[3], 1'b0};
 
     always @(posedge clk) begin
-        over   <= result && dest[3] && !last;
-        half   <= word[24-U:0] == {1'b1, {(24-U){1'b0}}};
-        prior  <= near[U+2:1];
+        over <= result && dest[3] && !last;
         if (reach)
             far <= {flags[0], far[3:1]};
         if (last)

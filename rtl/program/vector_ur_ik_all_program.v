@@ -3,17 +3,19 @@
 //   A pose to the joints of eight branches: axes 2, 3 and 4 are parallel
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
 // a word of capitals and a small letter is one that the assembler has added.
+// out_places: the number of each emitted word among the results; the first word of the text has the lowest bits.
 // Latency of a core that plays it: 272 at PIPE 0, 319 at PIPE 1, 338 at PIPE 2. Model: quadrance.program.meaning
 `default_nettype none
 module vector_ur_ik_all_program #(
     parameter PIPE = 0  // registers behind the products of product_engine: 0 or 1 or 2 (default 0)
 ) (
-    input  wire        clk,
-    input  wire        rst,
-    input  wire        in_start,
-    output wire        out_idle,
-    output wire        out_done,
-    output wire [46:0] out_op
+    input  wire         clk,
+    input  wire         rst,
+    input  wire         in_start,
+    output wire         out_idle,
+    output wire         out_done,
+    output wire [46:0]  out_op,
+    output wire [311:0] out_places
 );
     generate
     if (PIPE == 0) begin : g_pipe0
@@ -333,6 +335,10 @@ module vector_ur_ik_all_program #(
     /* c4dmb = hdmb*n2dmb - gdmb*c2dmb */ {REG,   HDMB,   OF, N2DMB,  GDMB,   C2DMB,  SUB,  DONE, HIGH, C4DMB,  OTHER}};
     engine_program #(.LINES(268), .BITS(47), .TABLE(LINES)) control (
         .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(out_op));
+    assign out_places = {6'd60, 6'd61, 6'd58, 6'd59, 6'd57, 6'd56, 6'd55, 6'd54, 6'd52, 6'd53, 6'd51, 6'd50, 6'd48,
+        6'd49, 6'd45, 6'd44, 6'd46, 6'd43, 6'd41, 6'd40, 6'd38, 6'd33, 6'd36, 6'd34, 6'd32, 6'd30, 6'd29, 6'd31, 6'd28,
+        6'd27, 6'd25, 6'd26, 6'd24, 6'd23, 6'd21, 6'd22, 6'd20, 6'd19, 6'd16, 6'd18, 6'd13, 6'd12, 6'd14, 6'd11, 6'd9,
+        6'd8, 6'd6, 6'd17, 6'd4, 6'd2, 6'd1, 6'd0};
     end
     if (PIPE == 1) begin : g_pipe1
     localparam [1:0] REG = 2'd0, PORT = 2'd1, LAST = 2'd2, TABLE = 2'd3;
@@ -697,6 +703,10 @@ module vector_ur_ik_all_program #(
     /* c4dmb = hdmb*n2dmb - gdmb*c2dmb */ {REG,   HDMB,   OF, N2DMB,  GDMB,   C2DMB,  SUB,  DONE, HIGH, C4DMB,  OTHER}};
     engine_program #(.LINES(314), .DRAIN(4), .BITS(47), .TABLE(LINES)) control (
         .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(out_op));
+    assign out_places = {6'd60, 6'd61, 6'd58, 6'd59, 6'd57, 6'd56, 6'd55, 6'd54, 6'd52, 6'd53, 6'd51, 6'd50, 6'd48,
+        6'd49, 6'd45, 6'd44, 6'd46, 6'd43, 6'd41, 6'd40, 6'd38, 6'd33, 6'd36, 6'd34, 6'd32, 6'd30, 6'd29, 6'd31, 6'd28,
+        6'd27, 6'd25, 6'd26, 6'd24, 6'd23, 6'd21, 6'd22, 6'd20, 6'd19, 6'd16, 6'd18, 6'd13, 6'd12, 6'd14, 6'd11, 6'd9,
+        6'd8, 6'd6, 6'd17, 6'd4, 6'd2, 6'd1, 6'd0};
     end
     if (PIPE == 2) begin : g_pipe2
     localparam [1:0] REG = 2'd0, PORT = 2'd1, LAST = 2'd2, TABLE = 2'd3;
@@ -1077,6 +1087,10 @@ module vector_ur_ik_all_program #(
     /* c4dmb = hdmb*n2dmb - gdmb*c2dmb */ {REG,   HDMB,   OF, N2DMB,  GDMB,   C2DMB,  SUB,  DONE, HIGH, C4DMB,  OTHER}};
     engine_program #(.LINES(331), .DRAIN(6), .REGISTER(1), .BITS(47), .TABLE(LINES)) control (
         .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(out_op));
+    assign out_places = {6'd60, 6'd61, 6'd58, 6'd59, 6'd57, 6'd56, 6'd55, 6'd54, 6'd52, 6'd53, 6'd51, 6'd50, 6'd48,
+        6'd49, 6'd45, 6'd44, 6'd46, 6'd43, 6'd41, 6'd40, 6'd38, 6'd33, 6'd36, 6'd34, 6'd32, 6'd30, 6'd29, 6'd31, 6'd28,
+        6'd27, 6'd25, 6'd26, 6'd24, 6'd23, 6'd21, 6'd22, 6'd20, 6'd19, 6'd16, 6'd18, 6'd13, 6'd12, 6'd14, 6'd11, 6'd9,
+        6'd8, 6'd6, 6'd17, 6'd4, 6'd2, 6'd1, 6'd0};
     end
     if (PIPE != 0 && PIPE != 1 && PIPE != 2) begin : g_illegal
         vector_ur_ik_all_program_needs_PIPE_0_or_1_or_2 rule ();

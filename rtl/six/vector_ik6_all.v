@@ -73,9 +73,10 @@ module vector_ik6_all #(
     wire        idle, done;
     wire        accept = in_valid && in_ready;
     wire [46:0] op;
+    wire [263:0] places;  // of 44 words that the program emits, in the order of its text
     assign      in_ready = idle && (!out_valid || out_ready);
     vector_ik6_all_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-        .out_done(done), .out_op(op));
+        .out_done(done), .out_op(op), .out_places(places));
 
     wire [3:0]  flags;
     wire [26:0] port, word;
@@ -98,29 +99,16 @@ module vector_ik6_all #(
                                + {{(U+1){1'b0}}, over && half, 1'b1};
     wire                unused = &{1'b0, flags[2], near[0]};
 
-    // Positions of a branch's words, n6, c6 to n1, c1, of branches 3 to 0, at PIPE 2, 1 and 0. A branch with its wrist
-    // turned over has the same, but the next one for a word that it has the negative of
-    localparam [3*4*12*6-1:0] PLACE = {
-        6'd60, 6'd62, 6'd58, 6'd55, 6'd56, 6'd53, 6'd38, 6'd26, 6'd52, 6'd51, 6'd39, 6'd37,
-        6'd19, 6'd33, 6'd22, 6'd15, 6'd27, 6'd16, 6'd5, 6'd6, 6'd18, 6'd25, 6'd2, 6'd3,
-        6'd43, 6'd47, 6'd49, 6'd40, 6'd41, 6'd45, 6'd21, 6'd24, 6'd35, 6'd36, 6'd39, 6'd37,
-        6'd31, 6'd29, 6'd9, 6'd8, 6'd13, 6'd11, 6'd1, 6'd0, 6'd7, 6'd4, 6'd2, 6'd3,
-        6'd62, 6'd60, 6'd58, 6'd53, 6'd54, 6'd56, 6'd39, 6'd21, 6'd51, 6'd52, 6'd46, 6'd37,
-        6'd35, 6'd29, 6'd22, 6'd16, 6'd27, 6'd17, 6'd5, 6'd6, 6'd15, 6'd19, 6'd2, 6'd3,
-        6'd47, 6'd49, 6'd40, 6'd38, 6'd42, 6'd44, 6'd20, 6'd26, 6'd31, 6'd34, 6'd46, 6'd37,
-        6'd24, 6'd32, 6'd11, 6'd8, 6'd9, 6'd13, 6'd1, 6'd0, 6'd7, 6'd4, 6'd2, 6'd3,
-        6'd60, 6'd62, 6'd58, 6'd54, 6'd52, 6'd55, 6'd32, 6'd31, 6'd48, 6'd57, 6'd51, 6'd26,
-        6'd34, 6'd29, 6'd37, 6'd21, 6'd22, 6'd24, 6'd3, 6'd2, 6'd17, 6'd20, 6'd4, 6'd5,
-        6'd46, 6'd44, 6'd40, 6'd39, 6'd42, 6'd49, 6'd28, 6'd27, 6'd33, 6'd36, 6'd51, 6'd26,
-        6'd6, 6'd8, 6'd18, 6'd10, 6'd15, 6'd13, 6'd1, 6'd0, 6'd12, 6'd11, 6'd4, 6'd5};
+    // Of a shoulder the text has joint 1, then joints 2 to 6 of either elbow, the sine of joint 6 before its cosine. The
+    // wrist that is turned over has the negative, where there is one
     genvar i, j;
     generate
         for (i = 0; i < 8; i = i + 1) begin : g_branch
             wire [12*(U+2)-1:0] answer;
             for (j = 0; j < 12; j = j + 1) begin : g_word
-                localparam [31:0] TURN = i > 3 && j > 5 && j != 8 ? 1 : 0;
-                localparam [31:0] AT = {26'd0, PLACE[6*(12*(4*PIPE+i%4)+j) +: 6]} + TURN;
-                assign answer[(U+2)*j +: U+2] = found[(U+2)*AT +: U+2];
+                localparam [31:0] AT = 22 * (i % 2) + (j < 2 ? j : 10 * (i / 2 % 2) + (j < 10 ? j : 21 - j));
+                wire [5:0] place = places[6*AT +: 6] + (i > 3 && j > 5 && j != 8 ? 6'd1 : 6'd0);
+                assign answer[(U+2)*j +: U+2] = found[(U+2)*place +: U+2];
             end
             assign out_far[i]  = far[2*(i%2)+(i/2)%2];
             assign out_held[i] = held[2*(i%2)+(i/2)%2];

@@ -72,9 +72,10 @@ module vector_ur_ik_all #(
     wire        idle, done;
     wire        accept = in_valid && in_ready;
     wire [46:0] op;
+    wire [311:0] places;  // of 52 words that the program emits, in the order of its text
     assign      in_ready = idle && (!out_valid || out_ready);
     vector_ur_ik_all_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-        .out_done(done), .out_op(op));
+        .out_done(done), .out_op(op), .out_places(places));
 
     wire [3:0]  flags;
     wire [26:0] port, word;
@@ -101,39 +102,19 @@ module vector_ur_ik_all #(
                                + {{(U+1){1'b0}}, over && half, 1'b1};
     wire                unused = &{1'b0, flags[2], near[0]};
 
-    // Positions of a branch's words, n6, c6 to n1, c1, of branches 7 to 0, at PIPE 2, 1 and 0
-    localparam [3*8*12*6-1:0] PLACE = {
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd60, 6'd61, 6'd47, 6'd43, 6'd58, 6'd59, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd29, 6'd31, 6'd15, 6'd11, 6'd28, 6'd27, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd57, 6'd56, 6'd46, 6'd43, 6'd55, 6'd54, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd25, 6'd26, 6'd14, 6'd11, 6'd24, 6'd23, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd52, 6'd53, 6'd42, 6'd40, 6'd51, 6'd50, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd21, 6'd22, 6'd10, 6'd8, 6'd20, 6'd19, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd48, 6'd49, 6'd41, 6'd40, 6'd45, 6'd44, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd16, 6'd18, 6'd9, 6'd8, 6'd13, 6'd12, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd60, 6'd61, 6'd47, 6'd43, 6'd58, 6'd59, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd29, 6'd31, 6'd15, 6'd11, 6'd28, 6'd27, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd57, 6'd56, 6'd46, 6'd43, 6'd55, 6'd54, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd25, 6'd26, 6'd14, 6'd11, 6'd24, 6'd23, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd52, 6'd53, 6'd42, 6'd40, 6'd51, 6'd50, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd21, 6'd22, 6'd10, 6'd8, 6'd20, 6'd19, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd48, 6'd49, 6'd41, 6'd40, 6'd45, 6'd44, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd16, 6'd18, 6'd9, 6'd8, 6'd13, 6'd12, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd60, 6'd61, 6'd47, 6'd43, 6'd58, 6'd59, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd29, 6'd31, 6'd15, 6'd11, 6'd28, 6'd27, 6'd1, 6'd0,
-        6'd37, 6'd35, 6'd39, 6'd33, 6'd57, 6'd56, 6'd46, 6'd43, 6'd55, 6'd54, 6'd32, 6'd30,
-        6'd5, 6'd3, 6'd7, 6'd17, 6'd25, 6'd26, 6'd14, 6'd11, 6'd24, 6'd23, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd52, 6'd53, 6'd42, 6'd40, 6'd51, 6'd50, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd21, 6'd22, 6'd10, 6'd8, 6'd20, 6'd19, 6'd1, 6'd0,
-        6'd36, 6'd34, 6'd38, 6'd33, 6'd48, 6'd49, 6'd41, 6'd40, 6'd45, 6'd44, 6'd32, 6'd30,
-        6'd4, 6'd2, 6'd6, 6'd17, 6'd16, 6'd18, 6'd9, 6'd8, 6'd13, 6'd12, 6'd1, 6'd0};
+    // Of a shoulder the text has joints 1, 6 and 5, then joint 3 of either wrist, then joints 2 and 4 of either elbow of
+    // either wrist. Where there is a negative, the elbow that is down or the other wrist has it
     genvar i, j;
     generate
         for (i = 0; i < 8; i = i + 1) begin : g_branch
             wire [12*(U+2)-1:0] answer;
             for (j = 0; j < 12; j = j + 1) begin : g_word
-                localparam [5:0] AT = PLACE[6*(12*(8*PIPE+i)+j) +: 6];
-                assign answer[(U+2)*j +: U+2] = found[(U+2)*AT +: U+2];
+                localparam [31:0] BENT = 10 + 8 * (i / 4) + 4 * (i / 2 % 2), JOINT = j / 2;
+                localparam [31:0] FIRST = JOINT == 0 ? 0 : JOINT == 1 ? BENT : JOINT == 2 ? 6 + 2 * (i / 4) :
+                                          JOINT == 3 ? BENT + 2 : JOINT == 4 ? 4 : 2;
+                localparam [0:0] MINUS = j == 5 ? i / 2 % 2 == 1 : j > 8 && i > 3;
+                wire [5:0] place = places[6*(26*(i%2) + FIRST + j%2) +: 6] + {5'd0, MINUS};
+                assign answer[(U+2)*j +: U+2] = found[(U+2)*place +: U+2];
             end
             assign out_far[i]  = far[2*(i%2)+i/4];
             assign out_held[i] = held[4*(i%2)+2*(i/4)+(i/2)%2];

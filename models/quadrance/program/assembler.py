@@ -83,6 +83,19 @@ class Assembled:
         return found
 
     @property
+    def places(self) -> list[int]:
+        """Position of each word that is emitted, in the order of the text; a negative has the one after its word."""
+        given = ("plain", "both", "flags")
+        writer = {line.dest or line.a: i for i, line in enumerate(self.lines) if line.emit in given}
+        at, position = 0, {}
+        for i in self.order:
+            if i in writer.values():
+                position[i] = at
+                at += 1 + (self.lines[i].emit == "both")
+        return [position[writer[term.a]] for one in self.program.statements if one.kind == "emit"
+                for (term,) in one.sums]
+
+    @property
     def results(self) -> frozenset[int]:
         """Registers whose words leave the engine."""
         return frozenset(range(EMITTED["plain"][0], 64) if self.program.streamed else

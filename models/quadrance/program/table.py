@@ -17,21 +17,26 @@ _HEAD = """\
 // Assembled from {origin}; do not edit.
 //   {title}
 // Line: word = A * B [+- C * D], DEST, and what else is done with it; one line a clock. I_ begins the name of an input;
-// a word of capitals and a small letter is one that the assembler has added.
+// a word of capitals and a small letter is one that the assembler has added.{emitted}
 // {of}: {clocks}. Model: quadrance.program.meaning
 `default_nettype none
 module {name}_program #(
     parameter PIPE = {pipe}  // registers behind the products of product_engine: {pipes}
 ) (
-    input  wire        clk,
-    input  wire        rst,
-    input  wire        in_start,
-    output wire        out_idle,
-    output wire        out_done,
-    output wire [46:0] out_op
+    input  wire        {gap}clk,
+    input  wire        {gap}rst,
+    input  wire        {gap}in_start,
+    output wire        {gap}out_idle,
+    output wire        {gap}out_done,
+    output wire [46:0] {gap}out_op{places}
 );
     generate
 """
+
+_EMITTED = """
+// out_places: the number of each emitted word among the results; the first word of the text has the lowest bits."""
+_PLACES = """,
+    output wire [{}:0] out_places"""
 
 
 def _list(names: Iterable[str]) -> str:
@@ -84,6 +89,10 @@ def _branch(one: Assembled) -> str:
     table += f"    engine_program #(.LINES({len(rows)}), {drain}.BITS({bits}), .TABLE(LINES)) control (\n"
     table += "        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op("
     table += f"{op}));\n"
+    if one.program.streamed:  # the first word's lowest
+        places = ", ".join(f"6'd{place}" for place in reversed(one.places))
+        table += "\n".join(textwrap.wrap(f"assign out_places = {{{places}}};", WIDTH, initial_indent=" " * 4,
+                                         subsequent_indent=" " * 8)) + "\n"
     if not one.roots:
         table += f"    assign out_op = {{op[{bits - 1}:6], 2'b00, op[5:0], 9'd0}};\n"
     return f"{_block(one.pipe)}\n{table}"
@@ -115,8 +124,11 @@ def verilog(program: Sequence[Assembled], origin: str = "", of: str = "Latency o
     """
     name, pipes = program[0].program.name, [str(one.pipe) for one in program]
     origin = origin or f"{name}.kin by `quadrance assemble`"
-    head = _HEAD.format(name=name, origin=origin, of=of, title=program[0].program.title[:WIDTH - 7], pipe=pipes[0],
-                        pipes=" or ".join(pipes) + f" (default {pipes[0]})" * (len(pipes) > 1),
+    extra = dict.fromkeys(("gap", "emitted", "places"), "")
+    if program[0].program.streamed:
+        extra = {"gap": " ", "emitted": _EMITTED, "places": _PLACES.format(6 * len(program[0].places) - 1)}
+    head = _HEAD.format(**extra, name=name, origin=origin, of=of, title=program[0].program.title[:WIDTH - 7],
+                        pipe=pipes[0], pipes=" or ".join(pipes) + f" (default {pipes[0]})" * (len(pipes) > 1),
                         clocks=", ".join(f"{one.clocks} at PIPE {one.pipe}" for one in program))
     wrong = " && ".join(f"PIPE != {pipe}" for pipe in pipes)
     return (head + "".join(f"{_branch(one)}    end\n" for one in program) + f"    if ({wrong}) begin : g_illegal\n"
