@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from types import ModuleType
 
 import numpy as np
 
@@ -97,27 +98,25 @@ def joints(*numbers: int) -> Ints:
     return ints([i in numbers for i in range(1, 7)])
 
 
+def kept(p: Params, solver: ModuleType, mirrored: Ints, opposite: Ints, ports: dict[str, Ints]) -> dict[str, Ints]:
+    """`choose` from the branches of a module that has `solved`, `named` and `flags`."""
+    pose, machine_words = apart(ports)
+    outcome = solver.solved(p, **pose)
+    vectors = tuple(np.stack([outcome.words[f"{letter}{i}{name}"] for branch in range(8)
+                              for i, name in enumerate(solver.named(branch), 1)], axis=-1).reshape(-1, 8, 6)
+                    for letter in "cn")
+    far, held = (np.stack(flag, axis=-1) for flag in zip(*(solver.flags(outcome, branch) for branch in range(8))))
+    found = choose(p, vectors, mirrored, opposite, far, held, machine_words)
+    return found | {"out_status": found["out_status"] + 8 * ints(outcome.wrong)}
+
+
 def six_keep(p: Params, **ports: Ints) -> dict[str, Ints]:
     """A pose to the joint words of the best branch of `six.ik6_all`; a wrist that is turned over by its angles."""
-    pose, machine_words = apart(ports)
-    outcome, none = six.solved(p, **pose)
-    at = [six.SOLVED.index(branch % 4) for branch in range(8)]
-    vectors = tuple(np.stack([outcome.words[f"{letter}{i}"].reshape(-1, 4)[:, at] for i in range(1, 7)], axis=-1)
-                    for letter in "cn")
     over = np.arange(8)[:, None] >> 2
-    far, held = (ints(flag).reshape(-1, 4)[:, at] for flag in (outcome.far, none != 0))
-    found = choose(p, vectors, over * joints(5), over * joints(4, 6), far, held, machine_words)
-    return found | {"out_status": found["out_status"] + 8 * ints(outcome.wrong[::4])}
+    return kept(p, six, over * joints(5), over * joints(4, 6), ports)
 
 
 def ur_keep(p: Params, **ports: Ints) -> dict[str, Ints]:
     """A pose to the joint words of the best branch of `ur.ik_all`; joints 3, 5 and 6 by the angles of the other one."""
-    pose, machine_words = apart(ports)
-    outcome = ur.solved(p, **pose)
-    vectors = tuple(np.stack([outcome.words[f"{letter}{i}{name}"] for branch in range(8)
-                              for i, name in enumerate(ur.named(branch), 1)], axis=-1).reshape(-1, 8, 6)
-                    for letter in "cn")
     down, flip = (np.arange(8)[:, None] >> i & 1 for i in (1, 2))
-    far, held = (np.stack(flag, axis=-1) for flag in zip(*(ur.flags(outcome, branch) for branch in range(8))))
-    found = choose(p, vectors, down * joints(3) + flip * joints(5), flip * joints(6), far, held, machine_words)
-    return found | {"out_status": found["out_status"] + 8 * ints(outcome.wrong)}
+    return kept(p, ur, down * joints(3) + flip * joints(5), flip * joints(6), ports)

@@ -19,9 +19,8 @@ from quadrance.program.meaning import MORE
 
 Params = dict[str, int]
 AXES = [f"{row}{column}" for row in "123" for column in "123"]
-FORWARD, INVERSE, VELOCITY, RATES = (RTL / "program" / f"{name}.kin" for name in
-                                     ("vector_fk6", "vector_ik6", "vector_velocity6", "vector_rates6"))
-JOINTS = [f"out_{letter}{i}" for i in range(1, 7) for letter in "cn"]
+FORWARD, INVERSE, ALL, VELOCITY, RATES = (RTL / "program" / f"vector_{name}.kin" for name in
+                                          ("fk6", "ik6", "ik6_all", "velocity6", "rates6"))
 
 
 def fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
@@ -32,14 +31,18 @@ def fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
 # Inverse
 
 
-def config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: float, c3: float, c4: float) -> dict[str, int]:
+def config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: float, c3: float, c4: float,
+           **edges: float) -> dict[str, int]:
     """Configuration words of vector_ik6 from the seven parameters, in coordinate units.
+
+    With `margin` and `slack`, in coordinate units, those of the cores with all branches.
 
     Lengths in 2^-4 LSB; `cfg_k` is the length of (a2, c3) and (`cfg_cp`, `cfg_np`) its direction; `cfg_r` and `cfg_e`,
     a power of two, multiply to 1 / 2 c2 k, with c2 and k as rounded.
     """
     words = {f"cfg_{name}": round(value * 2.0 ** (p["F"] + MORE)) for name, value in
              (("a1", a1), ("b", b), ("c1", c1), ("c2", c2), ("c4", c4), ("k", math.hypot(a2, c3)))}
+    words |= {f"cfg_{name}": round(value * 2.0 ** p["F"]) for name, value in edges.items()}
     psi = math.atan2(a2, c3)
     return words | {"cfg_cp": round(ONE * math.cos(psi)), "cfg_np": round(ONE * math.sin(psi))} | triangle(
         p, words["cfg_c2"], words["cfg_k"])
@@ -59,42 +62,46 @@ def forward_config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: 
             (("a1", a1), ("a2", a2), ("b", b), ("c1", c1), ("c2", c2), ("c3", c3), ("c4", c4))}
 
 
-def _branch(p: Params, **ports: Ints) -> tuple[dict[str, Ints], meaning.Outcome, Ints]:
-    """Words of the twelve joint ports, all that the program has found, and which joints are held (bit j - 1)."""
-    program = parser.load(INVERSE)
-    outcome = meaning.fixed(program, p, **ports)
-    none = sum(ints(outcome.none[f"c{joint}"]) << joint - 1 for joint in (1, 2, 4))
-    return meaning.results(program, p, outcome.words)[0], outcome, none
-
-
 def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
     """One branch of a pose."""
     return meaning.answer(parser.load(INVERSE), p, **ports)
 
 
-SOLVED = (0, 2, 1, 3)  # branches of ik6_all in the order in which they hold directions; the others mirror them
-
-
-def solved(p: Params, **ports: Ints) -> tuple[meaning.Outcome, Ints]:
-    """What the program finds, and which joints are held, of a pose's `SOLVED` branches, one behind the other."""
+def solved(p: Params, **ports: Ints) -> meaning.Outcome:
+    """What the program of all branches finds for a pose."""
     ports = dict(zip(ports, np.broadcast_arrays(*map(np.atleast_1d, ports.values()))))
-    ports = {name: np.repeat(word, len(SOLVED)) for name, word in ports.items()}
-    return _branch(p, **ports, in_branch=np.resize(SOLVED, len(ports["in_x"])))[1:]
+    return meaning.fixed(parser.load(ALL), p, **ports)
+
+
+def named(branch: int) -> list[str]:
+    """How the words of joints 1 to 6 of a branch end in the program of all branches."""
+    s, e = "fb"[branch & 1], "ud"[branch >> 1 & 1]
+    return [s] + [e + s] * 5
+
+
+def flags(outcome: meaning.Outcome, branch: int) -> tuple[Ints, Ints]:
+    """Where a branch is out of reach, and where it is singular."""
+    (s, bent, *_), back, down = named(branch), branch & 1, branch >> 1 & 1
+    far = outcome.beyond["q"] | outcome.beyond[f"ce{s}"]
+    near, none = outcome.near, outcome.none
+    held = np.any(np.broadcast_arrays(none[f"c1{s}"], none[f"c2{bent}"], none[f"c4{bent}"], near["c1"][0],
+                                      near["c2"][back], near["c4"][2 * back + down]), axis=0)
+    return ints(far), ints(held)
 
 
 def ik6_all(p: Params, **ports: Ints) -> dict[str, Ints]:
-    """All branches of a pose: of `SOLVED`, and those whose wrist is turned over, joints 4 and 6 by half a turn."""
-    outcome, none = solved(p, **ports)
-    over = outcome.words | {name: -outcome.words[name] for name in ("c4", "n4", "n5", "c6", "n6")}
-    answer, bits = {}, {"out_far": 0, "out_held": 0}
-    for words, first in ((outcome.words, 0), (over, 4)):
-        found, _ = meaning.results(parser.load(INVERSE), p, words)
-        answer |= {f"{port}{branch + first}": found[port][at::len(SOLVED)]
-                   for at, branch in enumerate(SOLVED) for port in JOINTS}
-    for name, flag in (("out_far", outcome.far), ("out_held", none != 0)):
-        bits[name] = sum(17 * ints(flag[at::len(SOLVED)]) << branch for at, branch in enumerate(SOLVED))
-    status = ints(bits["out_far"] != 0) + 2 * ints(bits["out_held"] != 0) + 8 * ints(outcome.wrong[::len(SOLVED)])
-    return answer | bits | {"out_status": status}
+    """All branches of a pose; where the wrist is turned over, joints 4 and 6 are half a turn on."""
+    outcome = solved(p, **ports)
+    answer, far, held = {}, ints(0), ints(0)
+    for branch in range(8):
+        for i, name in enumerate(named(branch), 1):
+            for letter in "cn":
+                minus = branch >> 2 and (i in (4, 6) or i == 5 and letter == "n")
+                word = outcome.words[f"{letter}{i}{name}"]
+                answer[f"out_{letter}{i}{branch}"] = meaning.near_vector(p, -word if minus else word)
+        far, held = (bits | one << branch for bits, one in zip((far, held), flags(outcome, branch)))
+    status = ints(far != 0) + 2 * ints(held != 0) + 8 * ints(outcome.wrong)
+    return answer | {"out_far": far, "out_held": held, "out_status": status}
 
 
 # Velocities

@@ -243,15 +243,19 @@ def test_words_of_six_rates(core):
 
 
 @oracle("six.ik6", "six.ik6_all", "six.ik6_to_angles", "keep.six_keep",
-        cfg=("a1", "b", "c1", "c2", "c4", "k", "cp", "np", "r", "e"))
+        cfg=("a1", "b", "c1", "c2", "c4", "k", "cp", "np", "r", "e", "margin", "slack"))
 def test_words_of_six_axes(core):
-    """Lengths in 2^-4 LSB, k = sqrt(a2^2 + c3^2) in the direction psi = atan2(a2, c3); r e = 1 / 2 c2 k, never more."""
+    """Lengths in 2^-4 LSB, k = sqrt(a2^2 + c3^2) in the direction psi = atan2(a2, c3); r e = 1 / 2 c2 k, never more;
+    margin and slack in LSB.
+    """
     p, rng = core.params, random.Random(3)
     reach = 2 ** (p["W"] - 1 - p["F"])
     for _ in range(100):
         a1, a2, b, c1, c2, c3, c4 = (rng.uniform(-1, 1) * reach / 4 for _ in range(7))
         c2, c3 = abs(c2) + reach / 50, abs(c3) + reach / 50
-        found = six.config(p, a1=a1, a2=a2, b=b, c1=c1, c2=c2, c3=c3, c4=c4)
+        edges = {name: rng.uniform(0, 1) * reach / 4 for name in ("margin", "slack")}
+        found = six.config(p, a1=a1, a2=a2, b=b, c1=c1, c2=c2, c3=c3, c4=c4, **edges)
+        assert all(abs(found[f"cfg_{name}"] - value * 2 ** p["F"]) <= 0.5 for name, value in edges.items())
         k, psi = mpmath.hypot(a2, c3), mpmath.atan2(a2, c3)
         for name, value in (("a1", a1), ("b", b), ("c1", c1), ("c2", c2), ("c4", c4), ("k", k)):
             assert abs(found[f"cfg_{name}"] - value * 2 ** (p["F"] + 4)) <= 0.5

@@ -479,9 +479,11 @@ def test_motions_of_an_arm_with_a_square_elbow(core):
     assert flags(core, [row | zero | {"wy": half - 1}], cfg) == [False]
 
 
-@oracle("six.ik6", "six.ik6_all", "six.ik6_to_angles", status=("unreachable", "singular", "no_rotation"))
+@oracle("six.ik6", "six.ik6_all", "six.ik6_to_angles", status=("unreachable", "singular", "no_rotation"),
+        cfg=("margin", "slack"))
 def test_where_six_axes_have_no_answer(core):
-    """Beyond c2 + k of axis 2; nearer to axis 1 than b; joint 1, 2 or 4 without a direction; a matrix 16 units off.
+    """Beyond c2 + k of axis 2 and the slack; nearer to axis 1 than b; joint 1, 2 or 4 without a direction, or nearer to
+    that than the margin; a matrix 16 units off.
 
     The arm: a2 = 0, so k = c3; poses are those of joints, by the truth's forward kinematics.
     """
@@ -490,8 +492,11 @@ def test_where_six_axes_have_no_answer(core):
     half = 1 << p["W"] - 1
     size = half / lsb / 8
 
-    def words(arm: Six) -> dict:
-        return {name[4:]: word for name, word in six.config(p, **arm._asdict()).items()}
+    edges = ("margin", "slack") if core.function == "ik6_all" else ()
+
+    def words(arm: Six, **more: float) -> dict:
+        return {name[4:]: word for name, word in six.config(p, **arm._asdict(), **{
+            name: more.get(name, 0.0) / lsb for name in edges}).items()}
 
     def pose(matrix, tip) -> dict:
         row = {f"r{r + 1}{s + 1}": round(float(matrix[r][s]) * 2 ** p["U"]) for r in range(3) for s in range(3)}
@@ -508,6 +513,9 @@ def test_where_six_axes_have_no_answer(core):
         tip = (centre[0], 0, centre[2] - flange * lsb)
         # branch 0 alone, or any of all: behind, the wrist is farther
         assert flags(core, [pose(tools, tip)], cfg, "unreachable")[0] == (off > 0 or core.function == "ik6_all")
+        for slack in (12, 60) if edges else ():
+            answer = ask(core, [pose(tools, tip)], words(arm, slack=slack))[0]
+            assert answer["far"] & 1 == (off > slack)
     aside = words(arm._replace(b=0.4 * size))
     for off, inside in ((-8, True), (8, False)):
         x = 0.4 * size * lsb + off
@@ -517,6 +525,18 @@ def test_where_six_axes_have_no_answer(core):
     place = [one * lsb for one in tilted[1][0]]
     assert flags(core, [pose(tilted[0][0], place)], cfg, "singular") == [False]
     assert flags(core, [pose(tools, (0, 0, 1.5 * size * lsb))], cfg, "singular") == [True]
+    margin = 0.1 * arm.k * lsb
+    for joint in (0, 2, 4) if edges else ():
+        for share, close in ((0.8, True), (1.2, False)):
+            q = [0.3, 0.4, 1.0, 0.5, 0.9, 0.2]
+            q[joint] = math.asin(share * 0.1) if joint else q[0]
+            matrix, tip = fk6(np.array([q]), arm)
+            if not joint:  # the wrist's centre beside axis 1
+                tip = arm.c4 * matrix[..., 2] + [[share * 0.1 * arm.k, 0, arm.c1 + arm.c2]]
+            at = pose(matrix[0], tip[0] * lsb)
+            for edge, held in ((margin, close), (0, False)):
+                answer = ask(core, [at], words(arm, margin=edge))[0]
+                assert answer["held"] & 1 == held, (joint, share, edge)
     axis2 = words(arm._replace(a1=1.0 * size))
     shoulder = (size * lsb, 0, (0.3 - 0.5) * size * lsb)
     assert flags(core, [pose(tools, shoulder)], axis2, "singular")[0]

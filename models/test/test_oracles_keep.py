@@ -64,11 +64,7 @@ def angles_of(core: cores.Core, rows: list[Row], cfg: Row) -> tuple[list[Row], l
         for branch in range(8):
             mirrored, opposite = turned_over(core, branch)
             for i in JOINTS:
-                if solver is six:
-                    c, n = (int(found[0].words[f"{letter}{i}"][4 * number + six.SOLVED.index(branch % 4)])
-                            for letter in "cn")
-                else:
-                    c, n = (int(found.words[f"{letter}{i}{ur.named(branch)[i - 1]}"][number]) for letter in "cn")
+                c, n = (int(found.words[f"{letter}{i}{solver.named(branch)[i - 1]}"][number]) for letter in "cn")
                 signs = -1 if i in opposite else 1, -1 if i in opposite | mirrored else 1
                 nearest = [(sign * word + (1 << 24 - p["U"])) >> 25 - p["U"] for sign, word in zip(signs, (c, n))]
                 assert all((one - answer[f"{letter}{i}{branch}"]) % (4 << p["U"]) == 0
@@ -182,7 +178,8 @@ def test_the_choice_is_that_of_a_selector_in_float64(name, count):
     words = config(core, arm) | keep.machine(core.params, turned=signs < 0, coupled=coupled, zeros=zeros,
                                              limits=limits, weights=weights)
     if parallelogram:
-        words |= six.config(core.params, **{key: length / mm for key, length in lengths._asdict().items()})
+        words |= six.config(core.params, **{key: length / mm for key, length in lengths._asdict().items()}, margin=0.0,
+                            slack=0.0)
     # joints of the core on a path, with jumps; then the poses as words
     q = np.cumsum(rng.normal(size=(count, 6)) * 0.02, axis=0) + np.repeat(rng.uniform(-3, 3, (count // 50, 6)), 50, 0)
     rotation, tip = truth(q, type(lengths)(*(length / mm for length in lengths)))

@@ -219,15 +219,21 @@ def test_the_eight_branches_are_those_of_the_program_of_one():
     for axis in "xy":  # the wrist's centre on axis 1
         row = "xy".index(axis)
         ports[f"in_{axis}"][::5] = np.rint(arm.c4 / mm * 256 * rotation[::5, row, 2])
-    words = meaning.fixed(parser.load(RTL / "program" / "vector_ik6_all.kin"), P, **ports, **cfg).words
-    found = six.ik6_all(P, **ports, **cfg)
+    found = six.ik6_all(P, **ports, **cfg, cfg_margin=0, cfg_slack=0)
     assert (found["out_held"] > 0).sum() > 100
-    for branch, (elbow, shoulder) in enumerate(("uf", "ub", "df", "db")):
+    order = 0, 2, 1, 3  # in which they hold directions
+    ports = {name: np.repeat(word, 4) for name, word in ports.items()}
+    one = six.ik6(P, **ports, **cfg, in_branch=np.resize(order, 4 * n))
+    for at, branch in enumerate(order):
         for i in range(1, 7):
             for letter in "cn":
-                word = words[f"{letter}{i}{'' if i == 1 else elbow}{shoulder}"]
-                assert np.array_equal(found[f"out_{letter}{i}{branch}"], six.meaning.wrap(
-                    six.meaning.round_shift(word, 9), 18)), (letter, i, branch)
+                word = one[f"out_{letter}{i}"][at::4]
+                assert np.array_equal(found[f"out_{letter}{i}{branch}"], word), (letter, i, branch)
+                minus = i in (4, 6) or letter + str(i) == "n5"  # a word of n + 1/2 is rounded upward, its negative too
+                assert np.abs(found[f"out_{letter}{i}{branch + 4}"] - (-word if minus else word)).max() <= minus
+        for bit, name in enumerate(("far", "held")):
+            told = one["out_status"][at::4] >> bit & 1
+            assert all(np.array_equal(found[f"out_{name}"] >> mine & 1, told) for mine in (branch, branch + 4))
 
 
 # Ranges

@@ -10,7 +10,7 @@ import pytest
 from quadrance import product_engine, six, truth_six, truth_srs
 from quadrance.bounds import six as bounds
 from quadrance.cores import RTL, all_cores, find, joints
-from quadrance.program import table
+from quadrance.program import meaning, parser, table
 from quadrance.truth_six import Six
 
 from models.test import frames
@@ -180,6 +180,12 @@ def test_inverse(core, robot, branch):
     assert not np.any(differs & (_to_border(arm, rotation, tip, branch) > 1)), "rounding decides within an LSB alone"
 
 
+def _held(p: dict[str, int], branch: int, **ports: np.ndarray) -> np.ndarray:
+    """Which joints vector_ik6 holds, bit i - 1 for joint i."""
+    none = meaning.fixed(parser.load(six.INVERSE), p, **ports, in_branch=np.int64(branch)).none
+    return sum(none[f"c{joint}"].astype(int) << joint - 1 for joint in (1, 2, 4))
+
+
 def _near_axes(arm: Six, count: int, area: float, axis: int, rng: np.random.Generator) -> np.ndarray:
     """(N, 3) wrist centres within three roots of the area unit of axis 1, or of axis 2 in front of axis 1."""
     off, turn, yaw = rng.uniform(0, 3 * np.sqrt(area), count), *rng.uniform(-np.pi, np.pi, (2, count))
@@ -208,7 +214,7 @@ def test_the_zones_in_which_joints_1_and_2_are_held(core):
         rho, r, x1 = np.hypot(px, py), np.hypot(x, z), np.sqrt(np.maximum(square, 1e-9))
         for branch in (0, 2):
             answer = core.model(p, **words, in_branch=np.int64(branch), **cfg)
-            *_, none = six._branch(p, **words, **cfg, in_branch=np.int64(branch))
+            none = _held(p, branch, **words, **cfg)
             for joint, distance in ((1, rho), (2, r)):
                 held = none >> joint - 1 & 1 > 0
                 assert np.all(distance[held] <= bounds.zone(p, joint, x1[held]))
@@ -238,7 +244,7 @@ def test_the_law_out_of_reach(core, robot, branch):
     tip[near, :2] = (arm.c4 * rotation[:, :2, 2] + aside)[near]
     words, rotation, tip = _words(core, rotation, tip)
     answer = core.model(p, **words, in_branch=np.int64(branch), **six.config(p, **unit._asdict()))
-    *_, none = six._branch(p, **words, **six.config(p, **unit._asdict()), in_branch=np.int64(branch))
+    none = _held(p, branch, **words, **six.config(p, **unit._asdict()))
     _, _, square, x, z = bounds._wrist(arm, rotation, tip, branch)
     r = np.hypot(x, z)
     out = ((r > arm.c2 + arm.k + 2) | (r < abs(arm.c2 - arm.k) - 2)) & (none & 3 == 0) & (square > 0)
@@ -341,12 +347,14 @@ def test_all_branches(core, robot):
     unit, arm = _arm(robot, core)
     p, cfg = core.params, six.config(core.params, **unit._asdict())
     words, rotation, tip = _words(core, *truth_six.fk6(_joints(6000, arm, 8), arm))
-    found = core.model(p, **words, **cfg)
+    found = core.model(p, **words, **cfg, cfg_margin=0, cfg_slack=0)
     for branch in range(8):
         answer = {f"out_{letter}{i}": found[f"out_{letter}{i}{branch}"] for letter in "cn" for i in range(1, 7)}
         far, held = (found[name] >> branch & 1 > 0 for name in ("out_far", "out_held"))
         one = six.ik6(p, **words, in_branch=np.int64(branch), **cfg)
-        assert np.array_equal(far, one["out_status"] & 1 > 0) and np.array_equal(held, one["out_status"] & 2 > 0)
+        differs = far != (one["out_status"] & 1 > 0)
+        assert not np.any(differs & (_to_border(arm, rotation, tip, branch) > 1))  # within an LSB rounding decides
+        assert np.array_equal(held, one["out_status"] & 2 > 0)
         if branch < 4:
             assert all(np.array_equal(word[~held], one[name][~held]) for name, word in answer.items())
         ok = ~far & ~truth_six.ik6(rotation, tip, arm, branch)[1]
@@ -354,6 +362,50 @@ def test_all_branches(core, robot):
         law = bounds.position(p, arm, rotation, tip, branch & 1)
         assert np.all(np.linalg.norm(again[1] - tip, axis=-1)[ok] <= law[ok])
         assert np.all(truth_six.turned(again[0], rotation)[ok] <= bounds.orientation(p, held)[ok])
+
+
+@cores(ALL)
+def test_margin_and_slack(core):
+    """Bit 1 within the margin of each singularity and not beyond; stretched poses within the slack are not refused."""
+    unit, arm = _arm("kr6_r700", core)
+    p, rng, n = core.params, np.random.default_rng(6), 3000
+    q = rng.uniform(-np.pi, np.pi, (n, 6))
+    for part, joint, at in ((slice(0, None, 3), 2, -arm.psi), (slice(1, None, 3), 4, 0)):
+        q[part, joint] = at + rng.uniform(-0.3, 0.3, len(q[part]))
+    words, rotation, tip = _words(core, *truth_six.fk6(q, arm))
+    centre = tip - arm.c4 * rotation[..., 2]
+    margin, told = round(0.1 * arm.k), {}
+    for size in (0, margin):
+        cfg = six.config(p, **unit._asdict(), margin=size * 2.0 ** -p["F"], slack=0.0)
+        answer = core.model(p, **words, **cfg)
+        told[size] = answer["out_held"][:, None] >> np.arange(8) & 1 > 0
+    for branch in range(8):
+        joints_of, out = truth_six.ik6(rotation, tip, arm, branch)
+        nearest = np.min([np.sqrt(np.maximum(centre[:, 0] ** 2 + centre[:, 1] ** 2 - arm.b**2, 0)),
+                          arm.k * np.abs(np.sin(joints_of[:, 2] + arm.psi)), arm.k * np.abs(np.sin(joints_of[:, 4]))],
+                         axis=0)
+        slip, ok = 0.02 * margin + 3, ~out & (answer["out_far"] >> branch & 1 == 0)
+        inside, outside = ok & (nearest < margin - slip), ok & (nearest > margin + slip)
+        assert told[0][ok, branch].mean() < 0.01
+        assert told[margin][inside, branch].all() and not told[margin][outside, branch].any()
+        assert min(inside.sum(), outside.sum()) > 200
+    # the arm stretched, its tip rounded to words, and up to 12 LSB farther out along it
+    q[:, 2], q[:, 4], away = -arm.psi, rng.uniform(0.3, 2.8, n), rng.uniform(0, 12, n)
+    rotation, tip = truth_six.fk6(q, arm)
+    shoulder = np.stack([arm.a1 * np.cos(q[:, 0]) - arm.b * np.sin(q[:, 0]),
+                         arm.a1 * np.sin(q[:, 0]) + arm.b * np.cos(q[:, 0]), np.full(n, arm.c1)], axis=-1)
+    arm_line = tip - arm.c4 * rotation[..., 2] - shoulder
+    length = np.linalg.norm(arm_line, axis=-1)
+    assert np.abs(length - arm.c2 - arm.k).max() < 1e-6 * length.max()
+    words, _, moved = _words(core, rotation, tip + arm_line / length[:, None] * away[:, None])
+    ahead = np.hypot(*(moved - arm.c4 * rotation[..., 2])[:, :2].T) > abs(arm.a1) + abs(arm.b) + 0.05 * arm.c2
+    forward = (np.cos(q[:, 0]) * arm_line[:, 0] + np.sin(q[:, 0]) * arm_line[:, 1] > 0).astype(int)
+    assert (ahead & (forward > 0)).mean() > 0.3
+    for slack in (0, 6):
+        cfg = six.config(p, **unit._asdict(), margin=0.0, slack=slack * 2.0 ** -p["F"])
+        far = core.model(p, **words, **cfg)["out_far"] & 1 > 0  # branch 0 looks forward
+        mine = ahead & (forward > 0)
+        assert not far[mine & (away < slack - 2)].any() and far[mine & (away > slack + 2)].all()
 
 
 @cores(ANGLES)

@@ -4,8 +4,8 @@
 // weight times step from the last answer; among equals the first. An answer beyond the limits is not remembered.
 //   word = +-(angle [+ angle of the joint before]) + zero, in the turn that is nearest to the last answer, or in the
 //   next one where only that is within the limits
-// Formats: in_word s2.U, rounded down, in the order of arrival: its value is half a unit more. in_places: its numbers of
-// n6, c6 to n1, c1 of branches 7 to 0; in_mirrored, in_opposite: of joints 6 to 1 of branches 7 to 0, whose sine is
+// Formats: in_word s2.U, rounded down, in the order of arrival; its value is half a unit more. in_places: its numbers
+// of n6, c6 to n1, c1 of branches 7 to 0; in_mirrored, in_opposite: joints 6 to 1 of branches 7 to 0 whose sine is
 // negated, or whose vector. in_last comes with the last word or later. Words s3.A turns, joint 1 lowest; limits s3.12,
 // inclusive; weights u6.
 // Reset sets the last answer to zeros. out_valid is high 58 clocks after in_last. Model: keep.choose

@@ -4,7 +4,7 @@
 // the one nearest to the last answer.
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_j* s3.A turns; cfg_turned
 // to cfg_w6 by keep.machine, other cfg_* by six.config.
-// Error: that of vector_ik6_all (bounds.six), and 0.89 LSB of an angle. Latency and II by PIPE: 290, 311, 337.
+// Error: that of vector_ik6_all (bounds.six) at U = 17 or less, and 0.89 LSB of an angle. Latency and II by PIPE: 288, 289, 303.
 // Status: unreachable, singular (of the chosen branch), no rotation (bit 3: the matrix is off by 16 units of 2^-U).
 // out_beyond: no branch is within the limits; the answer is not remembered.
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: keep.six_keep
@@ -28,6 +28,8 @@ module six_keep #(
     input  wire signed [26:0]   cfg_np,
     input  wire [24:0]          cfg_r,
     input  wire [21:0]          cfg_e,
+    input  wire signed [W-1:0]  cfg_margin,
+    input  wire signed [W-1:0]  cfg_slack,
     input  wire [5:0]           cfg_turned,
     input  wire [4:0]           cfg_coupled,
     input  wire [A-1:0]         cfg_z1,
@@ -97,23 +99,26 @@ module six_keep #(
     wire [3:0]  flags;
     wire [26:0] port, word;
     wire [5:0]  dest;
-    six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(accept),
+    six_pose #(.W(W), .U(U), .EDGES(1)) pose (.clk(clk), .in_take(accept),
         .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
         .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
-        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_select(op[43:39]), .out_word(port));
-    product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept),
-        .in_run(!idle), .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word), .out_dest(dest),
-        .out_status(flags));
+        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_edges({cfg_slack, cfg_margin}), .in_select(op[43:39]),
+        .out_word(port));
+    product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U), .MARGINS(1)) engine (.clk(clk), .rst(rst),
+        .in_start(accept), .in_run(!idle), .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word),
+        .out_dest(dest), .out_status(flags));
 
-    // The flags come with joint 5. A word that the program emits with its negative takes the place of both
+    // Joint 5 of a branch tells whether a joint is held. Line 62 has no word: it tells whether the triangle of a
+    // shoulder is out of reach. A word that the program emits with its negative takes the place of both
     localparam C = U < 18 ? U : 17;  // fraction bits of the vectors that are kept, rounded down
-    reg  [3:0]  far, held;
+    reg  [3:0]  held;
+    reg  [1:0]  far;
     reg         over;
-    wire        result = dest[5:4] == 2'd3, last = dest == 6'd63;
+    wire        reach = dest == 6'd62, last = dest == 6'd63, result = dest[5:4] == 2'd3 && !reach;
     wire        unused = &{1'b0, flags[2:0], word[24-C:0]};
 
-    // Of a shoulder the text has joint 1, then joints 2 to 6 of either elbow, the sine of joint 6 before its cosine. The
-    // wrist that is turned over has joints 4 and 6 half a turn on, and the sine of joint 5 negated
+    // Of a shoulder the text has joint 1, then joints 2 to 6 of either elbow, the sine of joint 6 before its cosine.
+    // The wrist that is turned over has joints 4 and 6 half a turn on, and the sine of joint 5 negated
     wire [575:0] places;
     wire [47:0]  mirrored, opposite;
     wire [7:0]   branch_far, branch_held;
@@ -126,7 +131,7 @@ module six_keep #(
             end
             assign mirrored[6*i +: 6] = i > 3 ? 6'b010000 : 6'd0;
             assign opposite[6*i +: 6] = i > 3 ? 6'b101000 : 6'd0;
-            assign branch_far[i]  = far[2*(i%2)+(i/2)%2];
+            assign branch_far[i]  = far[i%2];
             assign branch_held[i] = held[2*(i%2)+(i/2)%2];
         end
     endgenerate
@@ -144,10 +149,10 @@ module six_keep #(
 
     always @(posedge clk) begin
         over <= result && dest[3] && !last;
-        if (last) begin
-            far  <= {flags[0], far[3:1]};
+        if (reach)
+            far <= {flags[0], far[1]};
+        if (last)
             held <= {flags[1], held[3:1]};
-        end
     end
 endmodule
 `default_nettype wire

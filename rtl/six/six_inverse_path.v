@@ -41,8 +41,8 @@ module six_inverse_path #(
     vector_ik6_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle),
         .out_done(out_done), .out_op(op));
     six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(in_start), .in_matrix(in_matrix), .in_tip(in_tip),
-        .in_lengths(in_lengths), .in_cp(in_cp), .in_np(in_np), .in_r(in_r), .in_e(in_e), .in_select(op[43:39]),
-        .out_word(port));
+        .in_lengths(in_lengths), .in_cp(in_cp), .in_np(in_np), .in_r(in_r), .in_e(in_e), .in_edges({2*W{1'b0}}),
+        .in_select(op[43:39]), .out_word(port));
     product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(in_start),
         .in_run(!out_idle), .in_op(op), .in_port(port), .in_signs(signs), .out_word(out_word), .out_dest(out_dest),
         .out_status(out_status));

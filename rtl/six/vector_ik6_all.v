@@ -3,11 +3,12 @@
 // base and a spherical wrist. Branches 0 to 3 are those of vector_ik6; in branch b + 4 the wrist is turned over, with
 // the vectors of joints 4 and 6 and sin q5 negated. The bits of b are those of in_branch of vector_ik6.
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_cjb, out_njb cosine and
-// sine of joint j of branch b, s2.U, rounded to nearest; cfg_* by six.config.
+// sine of joint j of branch b, s2.U, rounded to nearest; cfg_* by six.config, cfg_margin and cfg_slack in LSB.
 // Error: orientation (6 sqrt(1/2) + 1.07) 2^-U + 3.25 2^-16 rad, at singular poses 8 sqrt(2) 2^-U more; position:
-// bounds.six.position, which grows near axes 1 and 2. Latency and II by PIPE: 233, 254, 280.
+// bounds.six.position, which grows near axes 1 and 2. Latency and II by PIPE: 231, 232, 246.
 // Status: unreachable, singular (of the branches whose bits are set in out_far, out_held; a joint without a direction
-// holds the last one solved, in the order of branches 0, 2, 1, 3), no rotation (bit 3: by 16 units of 2^-U).
+// holds the last one solved, in the order of branches 0, 2, 1, 3; or a singularity is nearer than the margin), no
+// rotation (bit 3: by 16 units of 2^-U).
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.ik6_all
 `default_nettype none
 module vector_ik6_all #(
@@ -28,6 +29,8 @@ module vector_ik6_all #(
     input  wire signed [26:0]  cfg_np,
     input  wire [24:0]         cfg_r,
     input  wire [21:0]         cfg_e,
+    input  wire signed [W-1:0] cfg_margin,
+    input  wire signed [W-1:0] cfg_slack,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire signed [U+1:0] in_r11,
@@ -81,26 +84,29 @@ module vector_ik6_all #(
     wire [3:0]  flags;
     wire [26:0] port, word;
     wire [5:0]  dest;
-    six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(accept),
+    six_pose #(.W(W), .U(U), .EDGES(1)) pose (.clk(clk), .in_take(accept),
         .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
         .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
-        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_select(op[43:39]), .out_word(port));
-    product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(accept),
-        .in_run(!idle), .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word), .out_dest(dest),
-        .out_status(flags));
+        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_edges({cfg_slack, cfg_margin}), .in_select(op[43:39]),
+        .out_word(port));
+    product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U), .MARGINS(1)) engine (.clk(clk), .rst(rst),
+        .in_start(accept), .in_run(!idle), .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word),
+        .out_dest(dest), .out_status(flags));
 
-    // Results are shifted in from the top in the order of the program, the flags with joint 5. The negative of a word,
-    // for the wrist that is turned over, follows it: -(n + 1/2) is rounded to -n, where n + 1/2 became n + 1
+    // Results are shifted in from the top in the order of the program, with joint 5 of a branch whether one is held.
+    // Line 62 has no word: it tells whether the triangle of a shoulder is out of reach. The negative of a word, for the
+    // wrist that is turned over, follows it: -(n + 1/2) is rounded to -n, where n + 1/2 became n + 1
     reg  [64*(U+2)-1:0] found;
-    reg  [3:0]          far, held;
+    reg  [3:0]          held;
+    reg  [1:0]          far;
     reg                 over, half;
-    wire                result = dest[5:4] == 2'd3, last = dest == 6'd63;
+    wire                reach = dest == 6'd62, last = dest == 6'd63, result = dest[5:4] == 2'd3 && !reach;
     wire [U+2:0]        near = (over ? {~found[64*(U+2)-1 -: U+2], 1'b1} : word[26:24-U])
                                + {{(U+1){1'b0}}, over && half, 1'b1};
     wire                unused = &{1'b0, flags[2], near[0]};
 
-    // Of a shoulder the text has joint 1, then joints 2 to 6 of either elbow, the sine of joint 6 before its cosine. The
-    // wrist that is turned over has the negative, where there is one
+    // Of a shoulder the text has joint 1, then joints 2 to 6 of either elbow, the sine of joint 6 before its cosine.
+    // The wrist that is turned over has the negative, where there is one
     genvar i, j;
     generate
         for (i = 0; i < 8; i = i + 1) begin : g_branch
@@ -110,7 +116,7 @@ module vector_ik6_all #(
                 wire [5:0] place = places[6*AT +: 6] + (i > 3 && j > 5 && j != 8 ? 6'd1 : 6'd0);
                 assign answer[(U+2)*j +: U+2] = found[(U+2)*place +: U+2];
             end
-            assign out_far[i]  = far[2*(i%2)+(i/2)%2];
+            assign out_far[i]  = far[i%2];
             assign out_held[i] = held[2*(i%2)+(i/2)%2];
         end
     endgenerate
@@ -130,17 +136,17 @@ module vector_ik6_all #(
         = g_branch[6].answer;
     assign {out_n67, out_c67, out_n57, out_c57, out_n47, out_c47, out_n37, out_c37, out_n27, out_c27, out_n17, out_c17}
         = g_branch[7].answer;
-    assign out_status = {flags[3], 1'b0, held != 4'd0, far != 4'd0};
+    assign out_status = {flags[3], 1'b0, held != 4'd0, far != 2'd0};
 
     always @(posedge clk) begin
         over <= result && dest[3] && !last;
         half <= word[24-U:0] == {1'b1, {(24-U){1'b0}}};
         if (result || over && !idle)
             found <= {near[U+2:1], found[64*(U+2)-1:U+2]};
-        if (last) begin
-            far  <= {flags[0], far[3:1]};
+        if (reach)
+            far <= {flags[0], far[1]};
+        if (last)
             held <= {flags[1], held[3:1]};
-        end
         out_valid <= !rst && (done || out_valid && !out_ready);
     end
 endmodule

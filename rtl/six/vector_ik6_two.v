@@ -84,7 +84,7 @@ module vector_ik6_two #(
     six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(accept),
         .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
         .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_k, cfg_c4, cfg_c2, cfg_c1, cfg_b, cfg_a1}), .in_cp(cfg_cp),
-        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_select(op[43:39]), .out_word(port));
+        .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_edges({2*W{1'b0}}), .in_select(op[43:39]), .out_word(port));
     product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U)) engine (.clk(clk), .rst(rst), .in_start(start),
         .in_run(!idle), .in_op({op[46:15], op[14:9] & {6{!none}}, op[8:6], op[5] && ends, op[4:0]}), .in_port(port),
         .in_signs({flip, signs[1:0]}), .out_word(word), .out_dest(dest), .out_status(status));

@@ -43,8 +43,8 @@ module ur_inverse_path #(
         .out_done(out_done), .out_op(op));
     six_pose #(.W(W), .U(U)) pose (.clk(clk), .in_take(in_start), .in_matrix(in_matrix), .in_tip(in_tip),
         .in_lengths(in_lengths), .in_cp({{2{in_margin[W-1]}}, in_margin, {(25-W){1'b0}}}),
-        .in_np({{2{in_slack[W-1]}}, in_slack, {(25-W){1'b0}}}), .in_r(in_r), .in_e(in_e), .in_select(op[43:39]),
-        .out_word(port));
+        .in_np({{2{in_slack[W-1]}}, in_slack, {(25-W){1'b0}}}), .in_r(in_r), .in_e(in_e), .in_edges({2*W{1'b0}}),
+        .in_select(op[43:39]), .out_word(port));
     product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U), .MARGINS(1)) engine (.clk(clk), .rst(rst),
         .in_start(in_start), .in_run(!out_idle), .in_op(op), .in_port(port), .in_signs(signs), .out_word(out_word),
         .out_dest(out_dest), .out_status(out_status));

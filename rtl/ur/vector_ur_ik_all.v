@@ -84,7 +84,7 @@ module vector_ur_ik_all #(
         .in_matrix({in_r33, in_r32, in_r31, in_r23, in_r22, in_r21, in_r13, in_r12, in_r11}),
         .in_tip({in_z, in_y, in_x}), .in_lengths({cfg_l3, cfg_l2, cfg_d6, cfg_d5, cfg_d4, cfg_d1}),
         .in_cp({{2{cfg_margin[W-1]}}, cfg_margin, {(25-W){1'b0}}}),
-        .in_np({{2{cfg_slack[W-1]}}, cfg_slack, {(25-W){1'b0}}}), .in_r(cfg_r), .in_e(cfg_e),
+        .in_np({{2{cfg_slack[W-1]}}, cfg_slack, {(25-W){1'b0}}}), .in_r(cfg_r), .in_e(cfg_e), .in_edges({2*W{1'b0}}),
         .in_select(op[43:39]), .out_word(port));
     product_engine #(.PIPE(PIPE), .WRIST(28-U), .SLACK(29-U), .MARGINS(1)) engine (.clk(clk), .rst(rst),
         .in_start(accept), .in_run(!idle), .in_op(op), .in_port(port), .in_signs(3'b111), .out_word(word),
@@ -102,8 +102,8 @@ module vector_ur_ik_all #(
                                + {{(U+1){1'b0}}, over && half, 1'b1};
     wire                unused = &{1'b0, flags[2], near[0]};
 
-    // Of a shoulder the text has joints 1, 6 and 5, then joint 3 of either wrist, then joints 2 and 4 of either elbow of
-    // either wrist. Where there is a negative, the elbow that is down or the other wrist has it
+    // Of a shoulder the text has joints 1, 6 and 5, then joint 3 of either wrist, then joints 2 and 4 of either elbow
+    // of either wrist. Where there is a negative, the elbow that is down or the other wrist has it
     genvar i, j;
     generate
         for (i = 0; i < 8; i = i + 1) begin : g_branch

@@ -35,6 +35,10 @@ def _words(core: Core, arm: Six, rng: np.random.Generator) -> dict[str, int]:
     """Configuration words of an arm; thresholds of any size."""
     if core.function.startswith("fk6"):
         return six.forward_config(core.params, **arm._asdict())
+    if core.function == "ik6_all":
+        units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
+        margin, slack = units * 2.0 ** -rng.uniform(2, 10, 2) * (rng.random(2) < 0.7)
+        return six.config(core.params, **arm._asdict(), margin=margin, slack=slack)
     if core.function not in MOTIONS:
         return six.config(core.params, **arm._asdict())
     lengths = {name: length for name, length in arm._asdict().items() if name != "c1"}
@@ -46,8 +50,10 @@ def _words(core: Core, arm: Six, rng: np.random.Generator) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Words of `arms`; then the extremes of every length and of every threshold."""
+    """Words of `arms`, margin and slack of 0 among them; then the extremes of every length and of every threshold."""
     found = [_words(core, arm, rng) for arm in arms(core)]
+    if core.function == "ik6_all":
+        found.insert(0, found[0] | {"cfg_margin": 0, "cfg_slack": 0})
     for cfg in found[::2] if core.function == "rates6" else ():  # no threshold at all
         cfg |= {"cfg_radius": 0, "cfg_elbow": 0, "cfg_sine": 0}
     lengths = {port.name: (port.low, port.high) for port in core.cfg

@@ -41,9 +41,10 @@ def _formulas(core: Core) -> tuple[list[str], dict[str, str]]:
         found = {name: f"quadrance_fine(arm, {mm}, {fraction})" for name, mm in of.items()}
         found |= {name: f"six.{name}" for name in ("k", "cp", "np", "r", "e")}
         sine = "sin(quadrance_radians(arm->singular_elbow))"
-        found |= {"radius": f"quadrance_fine(arm, arm->singular_axis, {p['F']})",
+        found |= {"radius": f"quadrance_fine(arm, arm->singular_axis, {p['F']})", "slack": "0",
                   "sine": f"quadrance_word(rint({sine} * {1 << p['U']}.0))",
                   "elbow": f"quadrance_fine(arm, hypot(arm->elbow, quadrance_forearm(arm)) * {sine}, {p['F']})"}
+        found["margin"] = found["radius"]
         local = [f"const quadrance_six six = quadrance_six_of(arm, {p['W']}, {fraction}, {six.MORE}, {ONE}.0);"]
         return local if "k" in names else [], {name: found[name] for name in names}
     if core.family in LENGTHS:

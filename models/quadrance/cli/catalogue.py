@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 
 from quadrance import cores, six
+from quadrance.cli.around import WRISTED
 from quadrance.cores import STATUS_BITS, Core, Port
 
 WORDS = {"spread": "turn-spread", "angle": "binary angle", "vector": "unit vector", "half_tangent": "half-tangent"}
@@ -197,7 +198,7 @@ def scale_of(core: Core, port: Port) -> tuple[int, str] | None:
     element of a matrix); None for any other word."""
     side, _, plain = port.name.partition("_")
     p = core.params
-    if core.family in ("ur", "srs") and side == "cfg" and plain in ("margin", "slack"):
+    if core.family in WRISTED and side == "cfg" and plain in ("margin", "slack"):
         return p["F"], "units"
     if core.family in ("ur", "srs") and side == "cfg" and re.fullmatch(r"[dl]\d?", plain):
         return p["F"] + six.MORE, "units"

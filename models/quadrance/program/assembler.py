@@ -16,7 +16,7 @@ from quadrance.program import product_engine, schedule
 from quadrance.program.language import ONE, Program, Wrong
 from quadrance.program.lines import Line, lines
 from quadrance.program.parser import load
-from quadrance.program.registers import EMITTED, allocated
+from quadrance.program.registers import EMITTED, allocated, emitted
 from quadrance.program.schedule import Order, Rules
 from quadrance.program.solver import solved
 
@@ -156,7 +156,10 @@ def assemble(program: Program, pipe: int = 0, order: Order | None = None, second
     if order is None:
         guide = read_order(program) if pipe else None
         order = schedule.listed(program, schedule.guided(rules, guide) if guide else rules, len(made))
-        order = (solved(rules, len(made), order, seconds) or (order, False))[0]
+        readers = {line.dest: [i for i, user in enumerate(made) if line.dest in user.registers] for line in made}
+        pools = [(len(pool), [(i, readers[made[i].dest]) for i in words]) for pool, words in
+                 emitted(program, made).values() if words]
+        order = (solved(rules, len(made), order, seconds, pools) or (order, False))[0]
     if wrong := schedule.faults(rules, made, order):
         raise Wrong(f"{program.path.name}: order: {wrong[0]}")
     registers = allocated(program, made, order)

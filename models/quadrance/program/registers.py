@@ -51,6 +51,15 @@ def _held(program: Program, lines: Sequence[Line], fixed: dict[str, int]) -> dic
     return found
 
 
+def emitted(program: Program, lines: Sequence[Line]) -> dict[str, tuple[list[int], list[int]]]:
+    """Of words that are emitted and read by lines, by how: their registers, and the lines that write them."""
+    held = set(_held(program, lines, {}).values()) if program.streamed else set()
+    read = {name for line in lines for name in line.registers}
+    return {how: ([r for r in EMITTED[how][1:] if r not in held],
+                  [i for i, line in enumerate(lines) if line.emit == how and line.dest in read and line.hold < 0])
+            for how in EMITTED}
+
+
 def allocated(program: Program, lines: Sequence[Line], order: Order) -> dict[str, int]:
     """Name of each word -> its register.
 
@@ -78,7 +87,7 @@ def allocated(program: Program, lines: Sequence[Line], order: Order) -> dict[str
             if not free:
                 raise Wrong(f"{program.path.name}: too many registers: none is free for '{line.label}'")
             found[line.dest] = free[0]
-    held = {found[line.dest] for line in lines if line.hold >= 0}
+    pools = emitted(program, lines)
     shared = [r for r in range(FIRST, 48 if program.streamed else COUNT) if r not in found.values()]
     free = dict.fromkeys(range(COUNT), -1)
     for i in sorted(range(len(lines)), key=place.__getitem__):
@@ -88,7 +97,7 @@ def allocated(program: Program, lines: Sequence[Line], order: Order) -> dict[str
         if line.emit and line.dest not in read:  # no line needs it, and it may be overwritten at once
             found[line.dest] = EMITTED[line.emit][0]
             continue
-        pool = [r for r in EMITTED[line.emit][1:] if r not in held] if line.emit else shared
+        pool = pools[line.emit][0] if line.emit else shared
         register = next((r for r in pool if place[i] >= free[r]), None)
         if register is None:
             raise Wrong(f"{program.path.name}: too many registers: none of {len(pool)} is free for {line.dest}")

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 
 from quadrance.program.schedule import Order, Rules
 
+Pool = tuple[int, list[tuple[int, list[int]]]]
 
-def solved(found: Rules, count: int, hint: Order, seconds: float) -> tuple[list[int | None], bool] | None:
+
+def solved(found: Rules, count: int, hint: Order, seconds: float,
+           pools: Sequence[Pool] = ()) -> tuple[list[int | None], bool] | None:
     """The shortest order within a time, and whether none is shorter; None without OR-Tools.
 
     Parameters
     ----------
     hint : a sound order, to begin with.
+    pools : registers that are few, with the lines that write them and the readers of each.
     """
     try:
         from ortools.sat.python import cp_model
@@ -45,6 +50,14 @@ def solved(found: Rules, count: int, hint: Order, seconds: float) -> tuple[list[
                 model.add(end >= bound)
             intervals.append(model.new_interval_var(start, model.new_int_var(0, horizon, ""), end, ""))
         model.add_no_overlap(intervals)
+    for registers, words in pools:
+        intervals = []
+        for maker, readers in words:
+            end = model.new_int_var(1, horizon, "")
+            for bound in (at[maker] + 1, *(at[i] for i in readers)):
+                model.add(end >= bound)
+            intervals.append(model.new_interval_var(at[maker], model.new_int_var(0, horizon, ""), end, ""))
+        model.add_cumulative(intervals, [1] * len(intervals), registers)
     length = model.new_int_var(count, horizon, "length")
     model.add_max_equality(length, [one + 1 for one in at] + [at[i] + 2 for i in found.trailing])
     model.minimize(length)
