@@ -112,12 +112,8 @@ module six_choose #(
     end
 
     // Stage 5: the turn that is nearest to the last answer
-    function [2:0] stepped(input [2:0] turns, input up, input down);
-        stepped = {turns[2] ^ (up && turns[1:0] == 2'd3 || down && turns[1:0] == 2'd0),
-                   turns[1] ^ (up && turns[0] || down && !turns[0]), turns[0] ^ (up || down)};
-    endfunction
     wire [A:0]   rise = {1'b0, word} - {1'b0, from[A-1:0]};
-    wire [2:0]   turn = stepped(from[E-1:A], rise[A] && !rise[A-1], !rise[A] && rise[A-1]);
+    wire [2:0]   turn = from[E-1:A] + {{2{rise[A] == rise[A-1] ? 1'b0 : !rise[A]}}, rise[A] != rise[A-1]};
     reg  [E-1:0] near;
     reg  [A-1:0] step;
     always @(posedge clk) begin
@@ -140,7 +136,7 @@ module six_choose #(
     reg          fit;
     reg  [5:0]   weight;
     always @(posedge clk) begin
-        answer <= {stepped(near[E-1:A], up, down), near[A-1:0]};
+        answer <= {near[E-1:A] + {{2{down}}, up || down}, near[A-1:0]};
         move   <= {{2{step[A-1]}} + {down, up || down}, step};
         fit    <= up || down || !above[15] && !below[16];
         weight <= cfg_weight[6*j[20:18] +: 6];
