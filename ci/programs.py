@@ -301,7 +301,7 @@ def parallel(one: Played, text: str) -> list[str]:
 MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
     "engine_delta_program": product((3, 7, 11)), "engine_gd_n_program": space, "engine_rus_fk_program": parallel,
     "vector_ik6_program": product(range(2, 14)), "vector_ik6_two_program": two(range(2, 14), 12),
-    "vector_ik6_all_program": product(range(48, 64)),
+    "vector_ik6_all_program": product(range(48, 64), margins=True),
     "vector_fk6_program": product(range(2, 14), roots=False),
     "vector_velocity6_program": product(range(2, 8), roots=False), "vector_rates6_program": product(range(2, 11)),
     "vector_ur_fk_program": product(range(2, 14), roots=False),
