@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from peakrdl_cheader.exporter import CHeaderExporter
 from peakrdl_html import HTMLExporter
-from quadrance import arms, codecs, cores, device, fixed
+from quadrance import arms, codecs, cores, device, fixed, truth_six, truth_ur
 from quadrance.arms import ArmError
 from quadrance.cli import c, catalogue, main, registers, verilog
 from quadrance.cli.catalogue import Refused
@@ -334,6 +334,40 @@ def test_a_pose_of_the_tool_becomes_words_of_the_core(name, core, tmp_path):
             want = np.concatenate([own[:3, :3].ravel() * 2 ** p["U"], place])
             assert np.abs(np.array(line.split(), float) - want).max() < 0.5 + 1e-6
         assert refused < 100
+
+
+@pytest.mark.parametrize(("name", "core"), [("kr6_r700", "six_keep"), ("ur5e", "ur_keep")])
+def test_frames_along_axes_1_and_6_are_in_the_words(name, core, tmp_path):
+    """The core answers a pose of the tool in the cell as it does that of the flange seen from the base."""
+    core, text, rng = catalogue.find(core), arms.path_of(name).read_text(), np.random.default_rng(4)
+    file, p, answers, found = tmp_path / "arm.toml", core.params, [], {}
+    truth, load = (truth_six.fk6, truth_six.load) if name == "kr6_r700" else (truth_ur.fk, truth_ur.load)
+    lengths, mm = load(name)
+    q = rng.uniform(-0.8, 0.8, (1500, 6)) + [0, 0.3, 1.2, 0.2, 0.9, 0]
+    rotation, tip = truth(q, lengths)
+    own = np.tile(np.eye(4), (len(q), 1, 1))
+    own[:, :3, :3], own[:, :3, 3] = rotation, tip
+    there = [frames.shift(0, 0, z) @ frames.turn("z", np.radians(yaw)) for z, yaw in ((-90, 75), (120, -30))]
+    said = ('[frames]\nbase = { link = "cell", xyz = [0, 0, -90], rpy = [0, 0, 75] }\n'
+            'tip = { link = "gripper", xyz = [0, 0, 120], rpy = [0, 0, -30] }\n')
+    for more, pose in (("", own), (said, there[0] @ own @ there[1])):
+        file.write_text(f"{text}\n{more}")
+        words = verilog.config(core, arms.load(file))
+        ports = {f"in_r{i + 1}{k + 1}": np.rint(pose[:, i, k] * 2 ** p["U"]).astype(int) for i in range(3)
+                 for k in range(3)}
+        place = np.rint(pose[:, :3, 3] / mm * 2 ** p["F"]).astype(int)
+        assert np.abs(place).max() < 1 << p["W"] - 1
+        found = core.model(p, **ports, **{f"in_{axis}": place[:, i] for i, axis in enumerate("xyz")}, **words)
+        answers.append(found)
+    plain, tool = answers
+    same = (plain["out_branch"] == tool["out_branch"]) & (plain["out_status"] | tool["out_status"] == 0)
+    off = np.max([np.abs(plain[f"out_j{i}"] - tool[f"out_j{i}"]) for i in range(1, 7)], axis=0)
+    assert same.mean() > 0.9 and np.mean(off[same] < 60) > 0.99  # one other choice may lead to others
+    text = c.header(core, arms.load(file))
+    assert "no_tip" not in text and "no_base" not in text and "gripper" in text
+    file.write_text(file.read_text().replace("[0, 0, 120]", "[0, 1, 120]").replace("[0, 0, 75]", "[0, 1, 75]"))
+    text = c.header(core, arms.load(file))
+    assert "no_tip" in text and "no_base" in text
 
 
 def joint_program(headers):

@@ -117,8 +117,8 @@ module ur_keep #(
     wire         unused = &{1'b0, flags[2:0], word[24-C:0]};
 
     // Of a shoulder the text has joints 1, 6 and 5, then joint 3 of either wrist, then joints 2 and 4 of either elbow
-    // of either wrist. The elbow that is down has the sine of joint 3 negated, the other wrist that of joint 5 and joint 6
-    // half a turn on
+    // of either wrist. The elbow that is down has the sine of joint 3 negated. The other wrist has that of joint 5
+    // negated, and joint 6 half a turn on
     wire [575:0] places;
     wire [47:0]  mirrored, opposite;
     wire [7:0]   branch_far, branch_held;

@@ -5,7 +5,7 @@
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_cjb, out_njb cosine and
 // sine of joint j of branch b, s2.U, rounded to nearest; cfg_* by six.config, cfg_margin and cfg_slack in LSB.
 // Error: orientation (6 sqrt(1/2) + 1.07) 2^-U + 3.25 2^-16 rad, at singular poses 8 sqrt(2) 2^-U more; position:
-// bounds.six.position, which grows near axes 1 and 2. Latency and II by PIPE: 231, 232, 246.
+// bounds.six.position, which grows near axes 1 and 2. Latency and II by PIPE: 231, 234, 258.
 // Status: unreachable, singular (of the branches whose bits are set in out_far, out_held; a joint without a direction
 // holds the last one solved, in the order of branches 0, 2, 1, 3; or a singularity is nearer than the margin), no
 // rotation (bit 3: by 16 units of 2^-U).

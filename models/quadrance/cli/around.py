@@ -209,11 +209,32 @@ def speeds(arm: Arm) -> list[float]:
     return [1.0] * 6 if None in given else given
 
 
+def folded(core: Core, arm: Arm) -> tuple[Arm, dict[str, float]]:
+    """The arm that a core of `KEEPS` has with those frames that lie along axis 1 or 6 in its lengths, and the degrees
+    that they add to joints; of any other core the arm itself. Frames whose lengths are beyond a core's range are left.
+    """
+    if core.function not in KEEPS:
+        return arm, {}
+    unit = arm.mm_per_unit * 2.0 ** (core.params["W"] - core.params["F"])  # mm
+    flange = "d6" if arm.d6 is not None else "flange"
+    found, turns = arm, {}
+    for side, length, joint, most in (("base", "base", "yaw", 0.25), ("tip", flange, "j6", 0.28)):
+        frame = getattr(arm, f"{side}_frame")
+        if frame is None or any((*frame.xyz[:2], *frame.rpy[:2])) or side == "tip" and arm.beside:
+            continue
+        whole = getattr(arm, length) + frame.xyz[2]
+        if abs(whole) <= most * unit:
+            found = replace(found, **{length: whole, f"{side}_frame": None})
+            turns[joint] = frame.rpy[2]
+    return found, turns
+
+
 def machine(core: Core, arm: Arm) -> dict[str, int]:
     """Words of the machine's joints of a core of `KEEPS`."""
-    known = joints(core, arm)
-    return keep.machine(core.params, turned=[joint.sign < 0 for joint, _ in known],
-                       coupled=[bool(less) for _, less in known],
-                       zeros=[math.radians(-joint.sign * joint.zero) for joint, _ in known],
+    known, (_, turns) = [joint for joint, _ in joints(core, arm)], folded(core, arm)
+    zeros = [joint.zero + turns.get(joint.key, 0.0) for joint in known]
+    return keep.machine(core.params, turned=[joint.sign < 0 for joint in known],
+                       coupled=[bool(less) for _, less in joints(core, arm)],
+                       zeros=[math.radians(-joint.sign * zero) for joint, zero in zip(known, zeros)],
                        limits=[(math.radians(low), math.radians(high)) for _, low, high in limits(core, arm)],
                        weights=[1 / speed for speed in speeds(arm)])

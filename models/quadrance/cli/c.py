@@ -8,7 +8,7 @@ from pathlib import Path
 from quadrance import classic, kinematics_engine, six
 from quadrance.arms import Arm
 from quadrance.cli import frames, registers, verilog
-from quadrance.cli.around import KEEPS
+from quadrance.cli.around import KEEPS, folded
 from quadrance.cli.catalogue import Refused
 from quadrance.cores import STATUS_BITS, Core, Port
 from quadrance.cores import joints as joints_of
@@ -292,6 +292,8 @@ def _pose(core: Core, arm: Arm) -> list[str]:
     """The function that takes a pose of the robot's tool to the words of the core's target."""
     n, p, named = core.name, core.params, {"base": arm.base_frame, "tip": arm.tip_frame}
     seen = [_plain(frame.link) if frame else own for frame, own in zip(named.values(), ("the arm", "its tip"))]
+    whole = folded(core, arm)[0]
+    named = {"base": whole.base_frame, "tip": whole.tip_frame}
     lines = ["", f"/* words of a pose of {seen[1]} seen from {seen[0]}; 0, or -1 where one does not fit */",
              f"static inline int {n}_pose(int32_t words[12], const quadrance_frame *pose) {{",
              "    quadrance_frame own = *pose;"]
@@ -300,8 +302,8 @@ def _pose(core: Core, arm: Arm) -> list[str]:
             numbers = ", ".join(map(repr, (*frame.xyz, *frame.rpy)))
             lines += [f"    const quadrance_frame {name} = quadrance_frame_of({numbers});",
                       f"    const quadrance_frame no_{name} = quadrance_inverse(&{name});"]
-    lines += ["    own = quadrance_times(&no_base, &own);"] * bool(arm.base_frame)
-    lines += ["    own = quadrance_times(&own, &no_tip);"] * bool(arm.tip_frame)
+    lines += ["    own = quadrance_times(&no_base, &own);"] * bool(whole.base_frame)
+    lines += ["    own = quadrance_times(&own, &no_tip);"] * bool(whole.tip_frame)
     return [*lines, f"    return quadrance_pose(words, &own, {arm.mm_per_unit!r}, {p['U']}, {p['W']}, {p['F']});", "}"]
 
 

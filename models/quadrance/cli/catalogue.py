@@ -198,8 +198,10 @@ def scale_of(core: Core, port: Port) -> tuple[int, str] | None:
     element of a matrix); None for any other word."""
     side, _, plain = port.name.partition("_")
     p = core.params
-    if core.family in WRISTED and side == "cfg" and plain in ("margin", "slack"):
+    if core.family in (*WRISTED, "keep") and side == "cfg" and plain in ("margin", "slack"):
         return p["F"], "units"
+    if core.family == "keep" and side == "cfg":
+        return None
     if core.family in ("ur", "srs") and side == "cfg" and re.fullmatch(r"[dl]\d?", plain):
         return p["F"] + six.MORE, "units"
     if "F" in p and re.fullmatch(r"[xyz][45]?|l[123]?|d[45]", plain):

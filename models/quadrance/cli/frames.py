@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from quadrance.arms import Arm, Beside
-from quadrance.cli.around import WRISTED, forward, inverse
+from quadrance.cli.around import WRISTED, folded, forward, inverse
 from quadrance.cores import Core
 
 
@@ -31,6 +31,12 @@ def around(core: Core, arm: Arm) -> list[str]:
     found = lines(arm)
     if not found:
         return []
+    arm, turns = folded(core, arm)
+    found += [f"{side} is in {words}" for side, joint, words in (
+        ("base", "yaw", "cfg_c1 and cfg_z1" if inverse(core).family == "six" else "cfg_d1 and cfg_z1"),
+        ("tip", "j6", "cfg_c4 and cfg_z6" if inverse(core).family == "six" else "cfg_d6 and cfg_z6")) if joint in turns]
+    if turns and not (arm.base_frame or arm.tip_frame or arm.beside):
+        return found
     base, tip = ["base"] * bool(arm.base_frame), ["tip"] * bool(arm.tip_frame)
     behind = ["(the joints above)"] * bool(arm.beside) + tip
     if core.function.startswith(("velocity", "rates")):

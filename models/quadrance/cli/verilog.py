@@ -11,7 +11,20 @@ from quadrance import accuracy, keep, six
 from quadrance import arm as arm_model
 from quadrance.arms import SEVEN, Arm, ArmError
 from quadrance.cli import frames
-from quadrance.cli.around import INSIDE, KEEPS, PLANE, SPACE, WRISTED, around, inverse, joints, limits, machine, plus
+from quadrance.cli.around import (
+    INSIDE,
+    KEEPS,
+    PLANE,
+    SPACE,
+    WRISTED,
+    around,
+    folded,
+    inverse,
+    joints,
+    limits,
+    machine,
+    plus,
+)
 from quadrance.cli.catalogue import Refused, at, compile_order, timing
 from quadrance.cores import Core, Port, all_cores
 
@@ -75,7 +88,8 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
     """Configuration words of a core for an arm; Refused where the arm does not fit the core's words."""
     _refuse(core, arm)
     try:
-        words = accuracy.config(inverse(core), arm) | (machine(core, arm) if core.function in KEEPS else {})
+        words = accuracy.config(inverse(core), folded(core, arm)[0])
+        words |= machine(core, arm) if core.function in KEEPS else {}
     except ArmError as error:
         raise Refused(f"{core.name} on arm {error}") from None
     for port in core.cfg:
@@ -111,6 +125,11 @@ def _note(core: Core, port: Port, arm: Arm, value: int) -> str:
     if core.function in KEEPS:
         if port.name in keep.MACHINE:
             return _joint_note(core, port, arm, value)
+        whole, _ = folded(core, arm)
+        if port.name in ("cfg_c1", "cfg_d1") and whole.base_frame is not arm.base_frame:
+            return f"{whole.base:.6g} mm, constants.base and frames.base"
+        if port.name in ("cfg_c4", "cfg_d6") and whole.tip_frame is not arm.tip_frame:
+            return f"{whole.flange if whole.d6 is None else whole.d6:.6g} mm, wrist.flange and frames.tip"
         core = inverse(core)
     switch = {"cfg_bb": "LATERAL", "cfg_ce": "ELBOW", "cfg_ne": "ELBOW"}.get(port.name, port.name[4:].upper())
     if switch in arm_model.SWITCHES and core.params.get(switch) == 0:
