@@ -173,7 +173,7 @@ def branch(p: Params, x: Ints, y: Ints, z: Ints, elbow: Ints, back: Ints, cfg: d
         rho = wrap(rho - (shoulder * p["SHOULDER"] << 4), 21)
     else:
         c3, n3, rho, inside = _plain_yaw(x, y, shoulder, p["SHOULDER"], back)
-    c1, n1, c2, n2, clamped, zero = kernel_vector_solve.elbow_plane(
+    c1, n1, c2, n2, clamped, zero, _ = kernel_vector_solve.elbow_plane(
         rho, z, kernel_vector_solve.GUARD, elbow, l1, l2, *(ints(cfg[f"cfg_{name}"]) for name in "qre"))
     c1, n1, c2, n2, c3, n3 = (kernel_vector_solve.unit_word(p, product) for product in (c1, n1, c2, n2, c3, n3))
     if p["ELBOW"]:

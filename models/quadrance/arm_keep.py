@@ -98,7 +98,7 @@ def keep2(p: Params, *, in_x: ArrayLike, in_y: ArrayLike, **cfg: Ints) -> dict[s
     x, y = np.broadcast_arrays(ints(in_x), ints(in_y))
     branches = []
     for elbow in (0, 1):
-        c1, n1, c2, n2, clamped, zero = kernel_vector_solve.plane(
+        c1, n1, c2, n2, clamped, zero, _ = kernel_vector_solve.plane(
             p, x, y, ints(elbow), *(cfg[f"cfg_{name}"] for name in ("l1", "l2", "q", "r", "e")))
         words = (kernel_vector_solve.unit_word(p, product) for product in (c1, n1, c2, n2))
         branches.append(dict(zip(("c1", "n1", "c2", "n2"), words)) | {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 from math import isqrt
 from typing import NamedTuple
@@ -31,6 +32,27 @@ def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
     ratio = ((1 << 56 - 2 * e) - 1) // max(double + half, 1)
     # an arm of no length reaches no target but its shoulder: then the gap must not be 1
     return {"cfg_q": half - l1 * l1 - l2 * l2 + (l1 == l2 == 0), "cfg_r": ratio, "cfg_e": e}
+
+
+def edge_words(p: Params, words: dict[str, int], *, cfg_l1: int, cfg_l2: int, margin: float,
+               slack: float) -> dict[str, int]:
+    """`cfg_margin` and `cfg_slack` from margin and slack in coordinate units, beside the `words` of the lengths.
+
+    `cfg_slack` is what c2 is above 1 at full reach and the slack, 2^-14, rounded up.
+
+    Raises
+    ------
+    ValueError
+        Where the core has none, or the slack is longer than its word and the gap's can say.
+    """
+    if (margin or slack) and not p.get("MARGINS"):
+        raise ValueError("margin and slack need MARGINS = 1")
+    double, more = 2 * int(cfg_l1) * int(cfg_l2), slack * 2.0 ** p["F"]
+    above = more * (2 * (cfg_l1 + cfg_l2) + more)  # of the square of the reach
+    word = math.ceil((above * 2**14) / max(double, 1)) if more else 0
+    if more and (word >> 13 or (double + above) * 4.0 ** (16 - p["W"] + words["cfg_e"]) >= 2.0**33):
+        raise ValueError(f"a slack of {slack:g} is more than these links and words can say")
+    return {"cfg_margin": round(margin * 2.0 ** p["F"]), "cfg_slack": word}
 
 
 @cache
@@ -118,6 +140,8 @@ class Solved(NamedTuple):
     clamped: Ints  # out of reach
     short: Ints  # c2 < 0
     zero: Ints  # x = y = 0
+    flat: Ints  # n2 = 0
+    beyond: Ints  # farther out of reach than c2 says
 
 
 def solve(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints, cfg_e: Ints,
@@ -148,18 +172,32 @@ def solve(x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: I
     inverse = inverse_product(total << 2 * s >> 7 + SUM, clamped)
     k1 = np.where(clamped, np.where(k1 < 0, -1, 1) * direction_power(s), k1)
     s = np.where(clamped, s >> 1, s)
-    return Solved(product, n2, 2 * k1 + 1, 2 * k2 + 1, s, reciprocal(inverse), clamped, short, q == 0)
+    flat = clamped | (square >> 26 != 0)
+    return Solved(product, n2, 2 * k1 + 1, 2 * k2 + 1, s, reciprocal(inverse), clamped, short, q == 0, flat, beyond)
 
 
-def elbow_plane(x: Ints, y: Ints, more: int, *words: Ints) -> tuple[Ints, ...]:
+def edges(found: Solved, elbow: Ints, margin: Ints, slack: Ints) -> tuple[Ints, Ints]:
+    """Out of reach by more than the slack, 2^-14 of c2; within the margin of a stretched or folded arm, L2 |n2| in LSB.
+
+    Without L2 there is no elbow, and the answer for `elbow` 1 is not near anything.
+    """
+    far = found.clamped & (found.beyond | (found.cosine >> 50 != 0) | ((found.cosine >> 35) - slack >= 1 << 14))
+    k2 = found.k2 >> 1
+    moved = k2 + np.where((elbow == 1) & ~found.flat, margin, -margin) * (1 << GUARD)
+    return far, (moved < 0) != (k2 < 0)
+
+
+def elbow_plane(x: Ints, y: Ints, more: int, *words: Ints, limits: tuple[Ints, Ints] | None = None) -> tuple[Ints, ...]:
     """(c1, n1, c2, n2, unreachable, at the shoulder) of the target (x, y), x with `more` fraction bits.
 
-    Cosines and sines are the products that they are, with 49 fraction bits.
+    Cosines and sines are the products that they are, with 49 fraction bits. Last comes what `edges` calls near to
+    singular; without `limits`, margin and slack, nothing is.
     """
     found = solve(x, y, more, *words)
     b, a = seen(found.k1, found.k2, x, y, more, found.s)
     c2 = np.where(found.clamped, np.where(found.short, -1, 1) << 49, found.cosine)
-    return b * found.reciprocal, a * found.reciprocal, c2, found.sine, found.clamped, found.zero
+    far, near = edges(found, words[0], *limits) if limits else (found.clamped, np.False_)
+    return b * found.reciprocal, a * found.reciprocal, c2, found.sine, far, found.zero, near
 
 
 def yaw(x: Ints, y: Ints) -> tuple[Ints, Ints, Ints, Ints]:
@@ -172,16 +210,25 @@ def yaw(x: Ints, y: Ints) -> tuple[Ints, Ints, Ints, Ints]:
     return b, a, r, total + (1 << 16 - GUARD) >> 17 - GUARD
 
 
-def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
+Limits = tuple[Ints, Ints] | None  # margin and slack of a core with MARGINS = 1
+
+
+def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints, limits: Limits = None) -> tuple[Ints, ...]:
     """`elbow_plane` of the ports of a core in the plane; `words`: `cfg_l1`, `cfg_l2` and the rest of `config`."""
     x, y, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_elbow, *words))
     x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
-    return elbow_plane(x, y, 0, elbow, l1, l2, *rest)
+    limits = limits and (ints(limits[0]) << 16 - p["W"], ints(limits[1]))
+    return elbow_plane(x, y, 0, elbow, l1, l2, *rest, limits=limits)
 
 
-def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
+def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words: Ints,
+          limits: Limits = None) -> tuple[Ints, ...]:
     """As `plane`, of a core in space; and the same of joint 3: (c3, n3, on its axis)."""
     x, y, z, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, *words))
     x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
     b, a, r, rho = yaw(x, y)
-    return *elbow_plane(rho, z, GUARD, elbow, l1, l2, *rest), b * r, a * r, (x == 0) & (y == 0)
+    limits = limits and (ints(limits[0]) << 16 - p["W"], ints(limits[1]))
+    found = elbow_plane(rho, z, GUARD, elbow, l1, l2, *rest, limits=limits)
+    if limits:
+        found = (*found[:-1], found[-1] | (rho >> GUARD < limits[0]))
+    return *found, b * r, a * r, (x == 0) & (y == 0)

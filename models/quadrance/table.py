@@ -84,9 +84,10 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     return {"out_j1": hold_last(word, ~zero), "out_status": 2 * ints(zero)}
 
 
-def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
-    """Words that the inverse cores want besides the lengths: those of `kernel_vector_solve.config`."""
-    return kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+def config(p: Params, *, cfg_l1: int, cfg_l2: int, margin: float = 0.0, slack: float = 0.0) -> dict[str, int]:
+    """Words of the inverse cores beside the lengths; margin and slack in coordinate units."""
+    words = kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+    return words | kernel_vector_solve.edge_words(p, words, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack)
 
 
 def _angle(p: Params, c: Ints, n: Ints) -> Ints:
@@ -95,21 +96,23 @@ def _angle(p: Params, c: Ints, n: Ints) -> Ints:
 
 
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
-        cfg_e: Ints) -> dict[str, Ints]:
+        cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    c1, n1, c2, n2, clamped, zero = kernel_vector_solve.plane(
-        p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    c1, n1, c2, n2, clamped, zero, near = kernel_vector_solve.plane(
+        p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
+        limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {"out_j1": hold_last(_angle(p, c1, n1), ~zero), "out_j2": _angle(p, c2, n2),
-            "out_status": ints(clamped) + 2 * ints(zero)}
+            "out_status": ints(clamped) + 2 * ints(zero | near)}
 
 
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
-        cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
+        cfg_r: Ints, cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joint 3 has the direction of (x, y); then `ik2` on (rho, z)."""
-    c1, n1, c2, n2, clamped, zero, c3, n3, on_axis = kernel_vector_solve.space(
-        p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    c1, n1, c2, n2, clamped, zero, near, c3, n3, on_axis = kernel_vector_solve.space(
+        p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
+        limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {"out_j1": hold_last(_angle(p, c1, n1), ~zero), "out_j2": _angle(p, c2, n2),
-            "out_j3": hold_last(_angle(p, c3, n3), ~on_axis), "out_status": ints(clamped) + 2 * ints(on_axis)}
+            "out_j3": hold_last(_angle(p, c3, n3), ~on_axis), "out_status": ints(clamped) + 2 * ints(on_axis | near)}
 
 
 def wrist(p: Params, x: Ints, y: Ints, phi: Ints, l3: Ints) -> tuple[Ints, Ints, Ints]:
@@ -120,12 +123,12 @@ def wrist(p: Params, x: Ints, y: Ints, phi: Ints, l3: Ints) -> tuple[Ints, Ints,
 
 
 def ik3r(p: Params, *, in_x: Ints, in_y: Ints, in_phi: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_l3: Ints,
-         cfg_q: Ints, cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
+         cfg_q: Ints, cfg_r: Ints, cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Three joints in the plane whose last link points along `in_phi`: `ik2` of the wrist, then the third joint."""
     x, y, phi, l1, l2, l3 = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_phi, cfg_l1, cfg_l2, cfg_l3))
     x, y, l1, l2, l3 = (word << 16 - p["W"] for word in (x, y, l1, l2, l3))
     x, y, over = wrist(p, x, y, phi, l3)
     found = ik2(p | {"W": 16}, in_x=x, in_y=y, in_elbow=in_elbow, cfg_l1=l1, cfg_l2=l2, cfg_q=cfg_q, cfg_r=cfg_r,
-                cfg_e=cfg_e)
+                cfg_e=cfg_e, cfg_margin=ints(cfg_margin) << 16 - p["W"], cfg_slack=cfg_slack)
     third = wrap(phi - found["out_j1"] - found["out_j2"], p["A"], signed=False)
     return found | {"out_j3": third, "out_status": found["out_status"] + 4 * ints(over)}

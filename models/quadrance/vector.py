@@ -7,7 +7,7 @@ import numpy as np
 from quadrance import arith, kernel_vector_solve, kernel_vector_wide
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 from quadrance.kernel_vector_solve import space
-from quadrance.kernel_vector_wide import config, form, unit_word
+from quadrance.kernel_vector_wide import form, unit_word
 
 __all__ = ["config", "fk1", "fk2", "fk3", "ik1", "ik2", "ik3"]  # config: words of the inverse cores beside the lengths
 
@@ -25,6 +25,12 @@ def _coordinates(p: Params, axes: str, words: tuple[Ints, ...], guard: int) -> d
         answer[f"out_{axis}"], over = saturate(wrap(round_shift(word, guard), p["W"] + 2), p["W"])
         overflow = overflow | over
     return answer | {"out_status": 4 * overflow}
+
+
+def config(p: Params, *, cfg_l1: int, cfg_l2: int, margin: float = 0.0, slack: float = 0.0) -> dict[str, int]:
+    """Words of the inverse cores beside the lengths; margin and slack in coordinate units."""
+    words = kernel_vector_wide.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+    return words | kernel_vector_solve.edge_words(p, words, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack)
 
 
 def fk1(p: Params, *, in_c1: Ints, in_n1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
@@ -82,18 +88,23 @@ def _held(p: Params, joint: int, c: Ints, n: Ints, undefined: Ints) -> dict[str,
 
 
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
-        cfg_e: Ints) -> dict[str, Ints]:
+        cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    kernel = kernel_vector_solve if form(p).bits == 16 else kernel_vector_wide
-    c1, n1, c2, n2, clamped, zero = kernel.plane(p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    words = in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e
+    if form(p).bits == 16:
+        found = kernel_vector_solve.plane(p, *words, limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
+    else:
+        found = *kernel_vector_wide.plane(p, *words), np.False_
+    c1, n1, c2, n2, clamped, zero, near = found
     return {**_held(p, 1, c1, n1, zero), "out_c2": unit_word(p, c2), "out_n2": unit_word(p, n2),
-            "out_status": ints(clamped) + 2 * ints(zero)}
+            "out_status": ints(clamped) + 2 * ints(zero | near)}
 
 
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
-        cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
+        cfg_r: Ints, cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joint 3 has the direction of (x, y); then `ik2` on (rho, z), rho with GUARD fraction bits."""
-    c1, n1, c2, n2, clamped, zero, c3, n3, on_axis = space(
-        p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e)
+    c1, n1, c2, n2, clamped, zero, near, c3, n3, on_axis = space(
+        p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
+        limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {**_held(p, 1, c1, n1, zero), "out_c2": unit_word(p, c2), "out_n2": unit_word(p, n2),
-            **_held(p, 3, c3, n3, on_axis), "out_status": ints(clamped) + 2 * ints(on_axis)}
+            **_held(p, 3, c3, n3, on_axis), "out_status": ints(clamped) + 2 * ints(on_axis | near)}

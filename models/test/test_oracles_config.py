@@ -66,7 +66,8 @@ def test_words_of_the_gap(core):
     up = bits - core.params["W"]
     for l1, l2 in pairs(core.params["W"]):
         words = DERIVE[core.family](core.params, cfg_l1=l1, cfg_l2=l2)
-        assert words == gap_words(l1 << up, l2 << up, bits), (l1, l2)
+        gap = gap_words(l1 << up, l2 << up, bits)
+        assert {name: words[name] for name in gap} == gap, (l1, l2)
         assert all(words[port.name] in range(port.low, port.high + 1) for port in core.cfg if port.name in words)
 
 

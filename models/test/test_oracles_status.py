@@ -21,7 +21,7 @@ DERIVE = {"vector": vector.config, "table": table.config, "rational": rational.c
 
 def words_of(core, l1: int, l2: int = 0) -> dict[str, int]:
     """Configuration of a core of two links, lengths in LSB; without cfg_."""
-    words = {"l1": l1, "l2": l2, "l3": 0}
+    words = {"l1": l1, "l2": l2, "l3": 0, "margin": 0, "slack": 0}
     if {"cfg_q", "cfg_far", "cfg_s1", "cfg_c1"} & {port.name for port in core.cfg}:
         words |= {name[4:]: word for name, word in DERIVE[core.family](core.params, cfg_l1=l1, cfg_l2=l2).items()}
     return {port.name[4:]: words[port.name[4:]] for port in core.cfg}
@@ -313,6 +313,97 @@ def test_reach_of_two_links(core):
     assert seen == {True, False}
 
 
+EDGED = ("vector.ik2", "vector.ik3", "table.ik2", "table.ik3", "table.ik3r")
+
+
+def without_margins(core) -> bool:
+    """Whether a core has no margin and no slack; then their words change nothing."""
+    if core.params["MARGINS"]:
+        return False
+    rng, w = random.Random(9), core.params["W"]
+    cfg = words_of(core, 1 << w - 3, 1 << w - 3)
+    ends = {port.name[4:]: port.high for port in core.cfg if port.name in ("cfg_margin", "cfg_slack")}
+    rows = [target(core, *(rng.randint(-1 << w - 2, 1 << w - 2) for _ in "xyz"), rng.randint(0, 1)) for _ in range(200)]
+    assert len(ends) == 2 and ask(core, rows, cfg) == ask(core, rows, cfg | ends)
+    return True
+
+
+def turned_about_z(core, x: float, y: float, z: float, yaw: float) -> tuple[int, int, int]:
+    """A target of the plane, rounded; of a core in space the plane's x and y are its rho and z, turned by `yaw`."""
+    if core.function != "ik3":
+        return round(x), round(y), 0
+    return round(x * math.cos(yaw)), round(x * math.sin(yaw)), round(y + z)
+
+
+@oracle(*EDGED, status=("singular",), cfg=("margin",))
+def test_margin_of_two_links(core):
+    """Bit 1 where L2 |sin j2|, or in space the distance from the yaw axis, is less LSB than the margin; both elbows,
+    stretched, folded and beyond reach. A margin of 0 says nothing."""
+    if without_margins(core):
+        return
+    w, rng, seen = core.params["W"], random.Random(7), []
+    space, lsb = core.function == "ik3", 2.0 ** -core.params["F"]
+    for l1, l2 in ((1 << w - 3, 1 << w - 3), ((1 << w - 1) // 2, (1 << w - 1) // 3), (1 << w - 4, (1 << w - 4) * 3)):
+        margin = l2 // 5
+        cfg = words_of(core, l1, l2) | {"margin": DERIVE[core.family](
+            core.params, cfg_l1=l1, cfg_l2=l2, margin=margin * lsb)["cfg_margin"]}
+        assert cfg["margin"] == margin
+        rows, away = [], []
+        while len(rows) < 600:
+            j1, j2 = rng.uniform(-math.pi, math.pi), rng.choice((0, math.pi)) + rng.uniform(-0.5, 0.5)
+            x, y = (l1 * trig(j1) + l2 * trig(j1 + j2) for trig in (math.cos, math.sin))
+            x *= rng.choice((1, 1, 1, 1.01))
+            x, y, z = turned_about_z(core, abs(x) if space else x, y, 0, rng.uniform(-math.pi, math.pi))
+            if max(abs(x), abs(y), abs(z)) >= 1 << w - 1 or not (space or x or y):
+                continue
+            c2 = (x * x + y * y + z * z - l1 * l1 - l2 * l2) / (2 * l1 * l2)
+            away.append(min(l2 * math.sqrt(max(0, 1 - c2 * c2)), math.hypot(x, y) if space else math.inf))
+            rows.append(target(core, x, y, z, rng.randint(0, 1)))
+        slip = 1 + l2 / 2048
+        for distance, answer, none in zip(away, ask(core, rows, cfg), ask(core, rows, cfg | {"margin": 0})):
+            assert not none["status"] & 2 or distance == 0
+            assert {**answer, "status": 0} == {**none, "status": 0} and answer["status"] & 1 == none["status"] & 1
+            if abs(distance - margin) > slip:
+                assert bool(answer["status"] & 2) == (distance < margin), distance
+                seen.append(distance < margin)
+    assert min(seen.count(False), seen.count(True)) > 300
+
+
+@oracle(*EDGED, status=("unreachable",), cfg=("slack",))
+def test_slack_of_two_links(core):
+    """Not flagged up to the slack beyond L1 + L2, flagged beyond it and nearer than |L1 - L2|; the same answers. The
+    word is 2^14 of what c2 is above 1 at the slack, rounded up."""
+    if without_margins(core):
+        return
+    w, rng, seen = core.params["W"], random.Random(8), set()
+    lsb = 2.0 ** -core.params["F"]
+    for l1, l2, slack in ((1 << w - 3, 1 << w - 3, 6), ((1 << w - 1) // 3, (1 << w - 1) // 5, 20),
+                          (1 << w - 3, 1 << w - 4, 1)):
+        found = DERIVE[core.family](core.params, cfg_l1=l1, cfg_l2=l2, slack=slack * lsb)
+        cfg = words_of(core, l1, l2) | {"slack": found["cfg_slack"]}
+        above = Fraction((l1 + l2 + slack) ** 2 - (l1 + l2) ** 2, 2 * l1 * l2)
+        assert cfg["slack"] == math.ceil(above * 2**14)
+        points, away = [], []
+        while len(points) < 400:
+            off, turn, yaw = rng.uniform(-3, 3 * slack + 4), rng.uniform(-math.pi, math.pi), rng.uniform(0, 6)
+            radius = l1 + l2 + off if rng.random() < 0.9 else abs(l1 - l2) * rng.random() / 2
+            x = radius * math.cos(turn)
+            x, y, z = turned_about_z(core, abs(x) if core.function == "ik3" else x, radius * math.sin(turn), 0, yaw)
+            if max(abs(x), abs(y), abs(z)) < 1 << w - 1:
+                points.append(target(core, x, y, z, rng.randint(0, 1)))
+                away.append(math.sqrt(x * x + y * y + z * z))
+        for r, answer, none in zip(away, ask(core, points, cfg), ask(core, points, cfg | {"slack": 0})):
+            assert {**answer, "status": 0} == {**none, "status": 0} and answer["status"] & 2 == none["status"] & 2
+            beyond = r - l1 - l2
+            if r < abs(l1 - l2) - 2 or abs(beyond - slack) > 0.75:
+                flag = beyond > slack or r < abs(l1 - l2) - 2
+                assert bool(answer["status"] & 1) == flag, beyond
+                seen.add((flag, beyond > 0.75, r < l1))
+            if beyond > 0.75:
+                assert none["status"] & 1
+    assert seen >= {(True, True, False), (False, True, False), (False, False, False), (True, False, True)}
+
+
 @oracle(*(f"{family}.ik3" for family in ("vector", "table", "rational", "classic")), status=("unreachable", "singular"))
 def test_reach_of_two_links_that_yaw(core):
     """On the yaw axis, where rho is 0: |z| from |L1 - L2| to L1 + L2, exact. Off it by a quarter of a 16-bit LSB."""
@@ -462,7 +553,7 @@ def _branches(core, rows: list[dict], cfg: dict[str, int]) -> list[list[dict | N
     space = core.function == "keep3"
     other = cores.find("arm_ik3" if space else "vector_ik2")
     other = replace(other, params=core.params | ({} if space else {"PRODUCTS": 3}))
-    own = {port.name[4:]: cfg[port.name[4:]] for port in other.cfg}
+    own = {port.name[4:]: cfg.get(port.name[4:], 0) for port in other.cfg}
     found = []
     for row in rows:
         some = []

@@ -66,7 +66,8 @@ module arm_keep2 #(
         end
     kernel_vector_solve #(.JOINTS(2), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
-        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(go), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_margin(15'd0), .cfg_slack(13'd0),
+        .in_valid(go), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0),
         .in_elbow(number[0]), .out_valid(done), .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word),
         .out_flat(flat), .out_negative(negative), .out_none(none), .out_status(status));
     arm_vectors #(.U(U), .ELBOW(0), .ABSOLUTE(0), .PIPE(PIPE)) codec (

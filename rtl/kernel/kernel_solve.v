@@ -203,7 +203,8 @@ module kernel_solve #(
     wire [26:0]        word;
     wire [36:0]        total;
     wire [1:0]         coarse, fine;
-    wire               over, none;
+    wire               over, none, axis;
+    wire               unused_axis = &{1'b0, axis};
     wire               up = |(operands & UP), rho_to = |(operands & RHO), halve = |(rest & HALVE);
     wire               first = PIPE == 1 ? |(rest & FIRST) : YAW ? up : accept;  // the sum that begins is the gap
     wire               start = PIPE == 1 ? first && !rho_to : accept;            // of x and y
@@ -213,7 +214,8 @@ module kernel_solve #(
         .clk(clk), .in_start(accept), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_up(up), .in_rho(rho_to),
         .in_total(rho), .in_k1(|(operands & K1)), .in_k2(|(operands & K2)), .in_turn(|(operands & TURN)),
         .in_move(|(operands & MOVE)), .in_power(|(operands & POWER)), .in_clamp(clamped), .in_odd(s[0]),
-        .in_sum(result), .in_product(product[52:31] ^ {22{halve && elbow}}), .in_addend(minus_q), .out_sum(total));
+        .in_sum(result), .in_product(product[52:31] ^ {22{halve && elbow}}),
+        .in_addend(minus_q), .in_margin(15'd0), .out_axis(axis), .out_sum(total));
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 

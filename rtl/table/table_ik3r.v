@@ -15,7 +15,8 @@ module table_ik3r #(
     parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
     parameter A = 18,        // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
     parameter PIPE = 0,      // registers behind products and tables, 0 or 1 (default 0: fewest clocks)
-    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+    parameter MULTIPLY = 18, // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+    parameter MARGINS = 0    // 0 or 1 (default 0); 1: cfg_margin and cfg_slack are used
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -25,6 +26,8 @@ module table_ik3r #(
     input  wire signed [33:0]  cfg_q,
     input  wire [25:0]         cfg_r,
     input  wire [3:0]          cfg_e,
+    input  wire [W-2:0]        cfg_margin,
+    input  wire [12:0]         cfg_slack,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire signed [W-1:0] in_x,
@@ -40,8 +43,8 @@ module table_ik3r #(
 );
     generate
         if (W < 4 || W > 16 || F < 0 || F >= W || A < 10 || A > 24 || PIPE < 0 || PIPE > 1
-            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
-            table_ik3r_needs_W_4_to_16_and_F_below_W_and_A_10_to_24_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0 || MARGINS < 0 || MARGINS > 1) begin : g_illegal
+            table_ik3r_needs_W_4_to_16_and_F_below_W_and_A_10_to_24_and_PIPE_MARGINS_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire signed [15:0] tip_x = {in_x, {(16-W){1'b0}}}, tip_y = {in_y, {(16-W){1'b0}}};
@@ -62,9 +65,12 @@ module table_ik3r #(
     wire               flat, negative, none;
     wire [3:0]         status;
     assign             out_status = {status[3], overflow || status[2], status[1:0]};
-    kernel_vector_solve #(.JOINTS(2), .LAG(2), .U(18), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
+    wire [14:0]        margin = {cfg_margin, {(16-W){1'b0}}};
+    kernel_vector_solve #(.JOINTS(2), .LAG(2), .MARGINS(MARGINS), .U(18), .PIPE(PIPE),
+                          .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
-        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(start), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_margin(margin), .cfg_slack(cfg_slack),
+        .in_valid(start), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0),
         .in_elbow(elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
         .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
         .out_status(status));

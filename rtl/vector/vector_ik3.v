@@ -14,7 +14,8 @@ module vector_ik3 #(
     parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
     parameter U = 16,        // fraction bits of cosine and sine, 8 to 16 (default 16)
     parameter PIPE = 0,      // registers behind products, 0 or 1 (default 0: fewest clocks)
-    parameter MULTIPLY = 18  // bits of the chip\'s multiplier, 18 or 27 (default 18); used with PIPE = 1
+    parameter MULTIPLY = 18, // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+    parameter MARGINS = 0    // 0 or 1 (default 0); 1: cfg_margin and cfg_slack are used
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -23,6 +24,8 @@ module vector_ik3 #(
     input  wire signed [33:0]  cfg_q,
     input  wire [25:0]         cfg_r,
     input  wire [3:0]          cfg_e,
+    input  wire [W-2:0]        cfg_margin,
+    input  wire [12:0]         cfg_slack,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire signed [W-1:0] in_x,
@@ -41,17 +44,19 @@ module vector_ik3 #(
 );
     generate
         if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 16 || PIPE < 0 || PIPE > 1
-            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
-            vector_ik3_needs_W_4_to_16_and_F_below_W_and_U_8_to_16_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0 || MARGINS < 0 || MARGINS > 1) begin : g_illegal
+            vector_ik3_needs_W_4_to_16_and_F_below_W_and_U_8_to_16_and_PIPE_MARGINS_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
+    wire [14:0]        margin = {cfg_margin, {(16-W){1'b0}}};
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}}, z = {in_z, {(16-W){1'b0}}};
     wire [2:0]         cosine, sine;
     wire [23:0]        word;
     wire               flat, negative, none;
-    kernel_vector_solve #(.JOINTS(3), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
+    kernel_vector_solve #(.JOINTS(3), .MARGINS(MARGINS), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
-        .cfg_r(cfg_r), .cfg_e(cfg_e), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z),
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_margin(margin), .cfg_slack(cfg_slack),
+        .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z),
         .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
         .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
         .out_status(out_status));

@@ -19,14 +19,20 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
                (64, 50), (700, 900), (2900, 3000), *rng.integers(0, high, (3, 2), endpoint=True).tolist(),
                *rng.integers(0, half, (3, 2)).tolist()]
     pairs = [{"cfg_l1": min(l1, high), "cfg_l2": min(l2, high)} for l1, l2 in lengths]
-    return [pair | kernel_vector_solve.config(core.params, **pair) for pair in pairs]
+    return [pair | kernel_vector_solve.config(core.params, **pair) | edges(core, rng) for pair in pairs]
+
+
+def edges(core: Core, rng: np.random.Generator) -> dict[str, int]:
+    """Margin and slack of any size, none among them."""
+    return {port.name: int(rng.integers(0, 2)) * length(rng, port.width) for port in core.cfg
+            if port.name in ("cfg_margin", "cfg_slack")}
 
 
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
     pair = {f"cfg_l{i}": length(rng, core.params["W"]) for i in (1, 2)}
     derived = kernel_vector_solve.config(core.params, **pair) if core.function.startswith("ik") else {}
-    return pair | {"cfg_l3": length(rng, core.params["W"])} | derived
+    return pair | {"cfg_l3": length(rng, core.params["W"])} | derived | edges(core, rng)
 
 
 def corners(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:

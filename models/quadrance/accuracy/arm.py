@@ -41,8 +41,8 @@ def configure(core: Core, **lengths: int) -> dict[str, int]:
     ----------
     core : Core
     **lengths : int
-        ``cfg_l1``, ``cfg_l2`` and what else of its words is given. A family whose cores need more has
-        ``config(p, *, cfg_l1, cfg_l2) -> dict`` beside its models.
+        ``cfg_l1``, ``cfg_l2`` and what else of its words is given; `margin` and `slack`, in coordinate units, of a core
+        with MARGINS = 1. A family whose cores need more has ``config(p, *, cfg_l1, cfg_l2) -> dict`` beside its models.
 
     Returns
     -------
@@ -55,7 +55,7 @@ def configure(core: Core, **lengths: int) -> dict[str, int]:
         derive = getattr(importlib.import_module(f"quadrance.{module}"), "config", None)
         if derive is None:
             raise ValueError(f"{core.id}: quadrance.{module} has no config() for {missing}")
-        links = {name: word for name, word in lengths.items() if name in ("cfg_l1", "cfg_l2")}
+        links = {name: word for name, word in lengths.items() if name in ("cfg_l1", "cfg_l2", "margin", "slack")}
         try:
             inspect.signature(derive).bind(core.params, **links)
         except TypeError:
@@ -114,7 +114,8 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
         lengths["cfg_sine"] = int(to_fixed(sine, p["U"]))
     if "cfg_radius" in names:
         lengths["cfg_radius"] = int(to_fixed(_said(arm, "singular.axis", arm.singular[1]) / arm.mm_per_unit, p["F"]))
-    return configure(core, **lengths, **(_limits(core, arm) if function == "keep2" else {}))
+    edges = {"margin": (arm.singular[1] or 0.0) / arm.mm_per_unit} if p.get("MARGINS") else {}
+    return configure(core, **lengths, **edges, **(_limits(core, arm) if function == "keep2" else {}))
 
 
 def _said(arm: Arm, key: str, value):

@@ -79,6 +79,7 @@ def _formulas(core: Core) -> tuple[list[str], dict[str, str]]:
     shrink = [f"floor((double)quadrance_least({name}, {longest}) * {classic.SHRINK!r}" for name in ("l1", "l2")]
     turn = f"quadrance_fixed({{}}(quadrance_radians(quadrance_elbow_angle(arm))), {u})"
     found = {"l1": "l1", "l2": "l2", "l3": length("arm->l3"), "q": "gap.q", "r": "gap.r", "e": "gap.e",
+             "margin": "0", "slack": "0",
              "c1": f"quadrance_word({shrink[0]} * {2**classic.GUARD}.0))",
              "s1": f"quadrance_word({shrink[0]} * {2**classic.CHAIN_GUARD}.0))",
              "s2": f"quadrance_word({shrink[1]} * {classic.SHRINK!r} * sqrt(2.0) * {2**classic.CHAIN_GUARD}.0))",

@@ -131,8 +131,9 @@ def _note(core: Core, port: Port, arm: Arm, value: int) -> str:
         if port.name in ("cfg_c4", "cfg_d6") and whole.tip_frame is not arm.tip_frame:
             return f"{whole.flange if whole.d6 is None else whole.d6:.6g} mm, wrist.flange and frames.tip"
         core = inverse(core)
-    switch = {"cfg_bb": "LATERAL", "cfg_ce": "ELBOW", "cfg_ne": "ELBOW"}.get(port.name, port.name[4:].upper())
-    if switch in arm_model.SWITCHES and core.params.get(switch) == 0:
+    switch = {"cfg_bb": "LATERAL", "cfg_ce": "ELBOW", "cfg_ne": "ELBOW", "cfg_slack": "MARGINS",
+              "cfg_margin": "MARGINS"}.get(port.name, port.name[4:].upper())
+    if switch in (*arm_model.SWITCHES, "MARGINS") and core.params.get(switch) == 0:
         return f"not built: {switch} is 0"
     if known := _lengths(core, arm).get(port.name):
         length, key = known

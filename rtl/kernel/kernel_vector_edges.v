@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Addend of the third multiplier of kernel_vector_solve, and the status bits that margin and slack decide.
+// Two lines of the schedule do not need their sum. In one out_addend is minus the slack, and c2 less it is 1 or more:
+// far (the sum is that of c2 - 2; with PIPE = 1 of c2). In the other it is the margin, against the sign of n2, and k2
+// changes its sign: near.
+// in_length: the next addend is L1. in_edge: with in_cos2 the slack, otherwise the margin. in_root reads n2, in_flat:
+// it is 0. in_load ends the last sample; in_axis: joint 3 is within the margin then.
+// Formats: cfg_margin LSB of a coordinate, cfg_slack 2^-14 of c2; out_addend and in_sum s18.4, out_minus is added too.
+// Model: kernel_vector_solve.edges
+`default_nettype none
+module kernel_vector_edges #(
+    parameter MARGINS = 1,  // 0 or 1 (default 1); 0: out_far is in_clamped and out_near 0
+    parameter PIPE = 0      // 0 or 1 (default 0), that of the kernel
+) (
+    input  wire        clk,
+    input  wire [15:0] cfg_l1,
+    input  wire [14:0] cfg_margin,
+    input  wire [12:0] cfg_slack,
+    input  wire        in_length,
+    input  wire        in_edge,
+    input  wire        in_cos2,
+    input  wire        in_root,
+    input  wire        in_elbow,
+    input  wire        in_flat,
+    input  wire        in_load,
+    input  wire        in_axis,
+    input  wire        in_beyond,
+    input  wire        in_clamped,
+    input  wire [21:0] in_sum,
+    input  wire [3:0]  in_product,
+    output wire [21:0] out_addend,
+    output wire        out_minus,
+    output wire        out_near,
+    output wire        out_far
+);
+    reg [15:0] l1;
+    generate
+        if (MARGINS == 1) begin : g_margins
+            reg         minus, side, slack, margin, much, far, near;
+            wire        invert = in_cos2 || !side;
+            wire [15:0] taken = !in_cos2 ? {1'b0, cfg_margin} : PIPE == 1 ? {3'd0, cfg_slack} : {1'b0, cfg_slack, 2'd0};
+            wire        unused = &{1'b0, in_sum};
+            assign      out_addend = {{2{minus}}, l1, {4{minus}}};
+            assign      out_minus = minus;
+            assign      out_near = near;
+            assign      out_far = far;
+            always @(posedge clk) begin
+                l1     <= in_edge ? taken ^ {16{invert}} : cfg_l1;
+                if (!in_length && !in_edge)
+                    l1 <= 16'd0;
+                minus  <= in_edge && invert;
+                slack  <= in_edge && in_cos2;
+                margin <= in_edge && !in_cos2;
+                if (in_root)
+                    side <= in_elbow && !in_flat;
+                if (in_cos2)
+                    much <= in_beyond || in_product != 4'd0;
+                if (slack)
+                    far <= in_clamped && (much || in_sum[PIPE == 1 ? 18 : 20]);
+                if (margin && in_sum[21] != in_product[3])
+                    near <= 1'b1;
+                if (in_load)
+                    near <= in_axis;
+            end
+        end else begin : g_none
+            wire   unused = &{1'b0, cfg_margin, cfg_slack, in_cos2, in_root, in_elbow, in_flat, in_load, in_axis,
+                              in_beyond, in_sum, in_product};
+            assign out_addend = {2'd0, l1, 4'd0};
+            assign {out_minus, out_near} = 2'b00;
+            assign out_far = in_clamped;
+            always @(posedge clk) begin
+                l1 <= cfg_l1;
+                if (!in_length || in_edge)
+                    l1 <= 16'd0;
+            end
+        end
+    endgenerate
+endmodule
+`default_nettype wire
