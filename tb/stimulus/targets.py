@@ -43,6 +43,20 @@ def corners(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vector
     targets = rational.targets(core, cfg, rng)
     axes = [axis for axis in targets if axis != "in_elbow"]
     near = [rng.integers(-6, 7, 256) << rng.integers(0, 8, 256) for _ in axes]  # where equal links fold up
+    if core.params.get("MARGINS"):
+        edge = _at_the_margin(cfg, rng, len(axes))
+        near = [np.concatenate(pair) for pair in zip(near, edge)]
     near = [np.clip(word, -1 << core.params["W"] - 1, (1 << core.params["W"] - 1) - 1) for word in near]
-    more = dict(zip(axes, near)) | {"in_elbow": rng.integers(0, 2, 256)}
+    more = dict(zip(axes, near)) | {"in_elbow": rng.integers(0, 2, near[0].size)}
     return {name: np.concatenate([words, more[name]]) for name, words in targets.items()}
+
+
+def _at_the_margin(cfg: dict[str, int], rng: np.random.Generator, axes: int) -> list[np.ndarray]:
+    """Targets whose elbow is as far from stretched or folded as the margin, to a few LSB; half of them yaw."""
+    turn, yaw = rng.uniform(-np.pi, np.pi, (2, 512))
+    bend = np.arcsin(min(1.0, cfg["cfg_margin"] / max(cfg["cfg_l2"], 1)))
+    bend = np.where(rng.random(512) < 0.5, bend, np.pi - bend)
+    x, y = (cfg["cfg_l1"] * part(turn) + cfg["cfg_l2"] * part(turn + bend) for part in (np.cos, np.sin))
+    flat = axes == 2 or rng.random(512) < 0.5
+    words = np.where(flat, x, x * np.cos(yaw)), np.where(flat, y, x * np.sin(yaw)), np.where(flat, 0, y)
+    return [np.rint(word).astype(np.int64) + rng.integers(-1, 2, 512) for word in words[:axes]]
