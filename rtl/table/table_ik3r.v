@@ -44,7 +44,7 @@ module table_ik3r #(
     generate
         if (W < 4 || W > 16 || F < 0 || F >= W || A < 10 || A > 24 || PIPE < 0 || PIPE > 1
             || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0 || MARGINS < 0 || MARGINS > 1) begin : g_illegal
-            table_ik3r_needs_W_4_to_16_and_F_below_W_and_A_10_to_24_and_PIPE_MARGINS_0_or_1_and_MULTIPLY_18_or_27 rule ();
+            table_ik3r_needs_W_4_to_16_F_below_W_A_10_to_24_and_PIPE_MARGINS_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire signed [15:0] tip_x = {in_x, {(16-W){1'b0}}}, tip_y = {in_y, {(16-W){1'b0}}};

@@ -45,7 +45,7 @@ module vector_ik3 #(
     generate
         if (W < 4 || W > 16 || F < 0 || F >= W || U < 8 || U > 16 || PIPE < 0 || PIPE > 1
             || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0 || MARGINS < 0 || MARGINS > 1) begin : g_illegal
-            vector_ik3_needs_W_4_to_16_and_F_below_W_and_U_8_to_16_and_PIPE_MARGINS_0_or_1_and_MULTIPLY_18_or_27 rule ();
+            vector_ik3_needs_W_4_to_16_F_below_W_U_8_to_16_and_PIPE_MARGINS_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire [14:0]        margin = {cfg_margin, {(16-W){1'b0}}};
