@@ -81,6 +81,8 @@ module six_choose #(
         n        <= sines[place_n];
         mirrored <= in_mirrored[6*b[2:0] + j[2:0]];
         opposite <= {opposite[1:0], in_opposite[6*b[2:0] + j[2:0]]};
+        if (rst)
+            {mirrored, opposite} <= 4'd0;
     end
     /* verilator lint_off PINCONNECTEMPTY */
     vector_to_angle #(.U(U+1), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(run[1]), .in_ready(), .in_c({c, 1'b1}),

@@ -4,8 +4,8 @@
 // the one nearest to the last answer.
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_j* s3.A turns; cfg_turned
 // to cfg_w6 by keep.machine, other cfg_* by six.config.
-// Error: that of vector_ik6_all (bounds.six), at U = 17 or less, and 0.89 LSB of an angle. Latency and II by PIPE: 288,
-// 291, 315.
+// Error: that of vector_ik6_all (bounds.six), whose vectors have 17 bits at U = 18, and 0.89 LSB of an angle. Latency
+// and II by PIPE: 288, 291, 315.
 // Status: unreachable, singular (of the chosen branch), no rotation (bit 3: the matrix is off by 16 units of 2^-U).
 // out_beyond: no branch is within the limits; the answer is not remembered.
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: keep.six_keep

@@ -4,7 +4,8 @@
 // the joint limits, one in reach, and the one nearest to the last answer.
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_j* s3.A turns; cfg_turned
 // to cfg_w6 by keep.machine, other cfg_* by ur.config.
-// Error: that of vector_ur_ik_all (bounds.ur), and 0.89 LSB of an angle. Latency and II by PIPE: 329, 376, 395.
+// Error: that of vector_ur_ik_all (bounds.ur), whose vectors have 17 bits at U = 18, and 0.89 LSB of an angle. Latency
+// and II by PIPE: 329, 376, 395.
 // Status: unreachable, singular (of the chosen branch), no rotation (bit 3: the matrix is off by 16 units of 2^-U).
 // out_beyond: no branch is within the limits; the answer is not remembered.
 // Source: the maker's Denavit-Hartenberg table; Hawkins 2013, without an arc function. Model: keep.ur_keep
