@@ -66,8 +66,7 @@ module six_choose #(
     reg  [U+1:0] cosines[0:63], sines[0:63];
     reg  [5:0]   at;
     reg  [U+1:0] c, n;
-    reg          mirrored;
-    reg  [2:0]   opposite;  // of the joints in stages 3 to 1
+    wire         mirrored = in_mirrored[6*b[5:3] + j[5:3]], opposite = in_opposite[6*b[11:9] + j[11:9]];
     wire [5:0]   place_c, place_n;
     wire [A-1:0] angle;
     assign       {place_n, place_c} = in_places[12*(6*b[2:0] + j[2:0]) +: 12];
@@ -77,12 +76,8 @@ module six_choose #(
             cosines[at] <= in_word;
             sines[at]   <= in_word;
         end
-        c        <= cosines[place_c];
-        n        <= sines[place_n];
-        mirrored <= in_mirrored[6*b[2:0] + j[2:0]];
-        opposite <= {opposite[1:0], in_opposite[6*b[2:0] + j[2:0]]};
-        if (rst)
-            {mirrored, opposite} <= 4'd0;
+        c <= cosines[place_c];
+        n <= sines[place_n];
     end
     /* verilator lint_off PINCONNECTEMPTY */
     vector_to_angle #(.U(U+1), .A(A)) codec (.clk(clk), .rst(rst), .in_valid(run[1]), .in_ready(), .in_c({c, 1'b1}),
@@ -105,10 +100,10 @@ module six_choose #(
         for (i = 0; i < 256; i = i + 1)
             answers[i] = {E{1'b0}};
     always @(posedge clk) begin
-        {prior_opposite, prior} <= {opposite[2], angle};
+        {prior_opposite, prior} <= {opposite, angle};
         if (!run[3] || !coupled[j[11:9]])
             {prior_opposite, prior} <= {(A+1){1'b0}};
-        sum  <= {angles[A-1] ^ opposite[2] ^ prior_opposite, angles[A-2:0]};
+        sum  <= {angles[A-1] ^ opposite ^ prior_opposite, angles[A-2:0]};
         word <= word_of[A:1];
         from <= answers[{row, j[14:12]}];
     end
