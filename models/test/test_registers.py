@@ -368,6 +368,9 @@ def test_frames_along_axes_1_and_6_are_in_the_words(name, core, tmp_path):
     file.write_text(file.read_text().replace("[0, 0, 120]", "[0, 1, 120]").replace("[0, 0, 75]", "[0, 1, 75]"))
     text = c.header(core, arms.load(file))
     assert "no_tip" in text and "no_base" in text
+    file.write_text(file.read_text().replace("[0, 1, 120]", "[0, 0, 900]").replace("[0, 1, 75]", "[0, 0, 75]"))
+    text = c.header(core, arms.load(file))  # a tool beyond what the core's program lets the flange be
+    assert "no_tip" in text and "no_base" not in text
 
 
 def joint_program(headers):

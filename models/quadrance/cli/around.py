@@ -11,9 +11,10 @@ import math
 import re
 from dataclasses import dataclass, replace
 
-from quadrance import keep
+from quadrance import keep, six, ur
 from quadrance.arms import WRIST, WRIST_OF_SEVEN, Arm, ArmError, Joint
 from quadrance.cores import Core, at, find
+from quadrance.program import parser
 
 PLANE = ("fk1", "fk2", "ik1", "ik2", "ik3r", "keep2", "velocity2", "rates2")  # in a plane: of a yawing arm its own
 INSIDE = ("arm_fk3", "arm_ik3", "keep3")  # cores that have the constants inside
@@ -211,19 +212,21 @@ def speeds(arm: Arm) -> list[float]:
 
 def folded(core: Core, arm: Arm) -> tuple[Arm, dict[str, float]]:
     """The arm that a core of `KEEPS` has with those frames that lie along axis 1 or 6 in its lengths, and the degrees
-    that they add to joints; of any other core the arm itself. Frames whose lengths are beyond a core's range are left.
+    that they add to joints; of any other core the arm itself. A frame is left where its length would be beyond the
+    word, or beyond what the program's text lets it be.
     """
     if core.function not in KEEPS:
         return arm, {}
     unit = arm.mm_per_unit * 2.0 ** (core.params["W"] - core.params["F"])  # mm
-    flange = "d6" if arm.d6 is not None else "flange"
+    solver, base, tip, flange = (six, "l1", "l4", "flange") if core.function == "six_keep" else (ur, "d1", "d6", "d6")
+    most = {names[0]: limit for names, limit in parser.load(solver.ALL).norms if len(names) == 1}
     found, turns = arm, {}
-    for side, length, joint, most in (("base", "base", "yaw", 0.25), ("tip", flange, "j6", 0.28)):
+    for side, length, joint, name in (("base", "base", "yaw", base), ("tip", flange, "j6", tip)):
         frame = getattr(arm, f"{side}_frame")
         if frame is None or any((*frame.xyz[:2], *frame.rpy[:2])) or side == "tip" and arm.beside:
             continue
         whole = getattr(arm, length) + frame.xyz[2]
-        if abs(whole) <= most * unit:
+        if abs(whole) < most.get(name, 0.5) * unit:
             found = replace(found, **{length: whole, f"{side}_frame": None})
             turns[joint] = frame.rpy[2]
     return found, turns
@@ -231,10 +234,9 @@ def folded(core: Core, arm: Arm) -> tuple[Arm, dict[str, float]]:
 
 def machine(core: Core, arm: Arm) -> dict[str, int]:
     """Words of the machine's joints of a core of `KEEPS`."""
-    known, (_, turns) = [joint for joint, _ in joints(core, arm)], folded(core, arm)
-    zeros = [joint.zero + turns.get(joint.key, 0.0) for joint in known]
-    return keep.machine(core.params, turned=[joint.sign < 0 for joint in known],
-                       coupled=[bool(less) for _, less in joints(core, arm)],
-                       zeros=[math.radians(-joint.sign * zero) for joint, zero in zip(known, zeros)],
+    known, (_, turns) = joints(core, arm), folded(core, arm)
+    zeros = [-joint.sign * (joint.zero + turns.get(joint.key, 0.0)) for joint, _ in known]
+    return keep.machine(core.params, turned=[joint.sign < 0 for joint, _ in known],
+                       coupled=[bool(less) for _, less in known], zeros=[math.radians(zero) for zero in zeros],
                        limits=[(math.radians(low), math.radians(high)) for _, low, high in limits(core, arm)],
                        weights=[1 / speed for speed in speeds(arm)])
