@@ -130,8 +130,9 @@ module six_keep #(
                 localparam [31:0] AT = 22 * (i % 2) + (k < 2 ? k : 10 * (i / 2 % 2) + (k < 10 ? k : 21 - k));
                 assign places[96*i + 6*k +: 6] = spots[6*AT +: 6];
             end
-            assign mirrored[8*i +: 6] = i > 3 ? 6'b010000 : 6'd0;
-            assign opposite[8*i +: 6] = i > 3 ? 6'b101000 : 6'd0;
+            assign places[96*i+72 +: 24] = 24'd0;
+            assign mirrored[8*i +: 8] = i > 3 ? 8'b010000 : 8'd0;
+            assign opposite[8*i +: 8] = i > 3 ? 8'b101000 : 8'd0;
             assign branch_far[i]  = far[i%2];
             assign branch_held[i] = held[2*(i%2)+(i/2)%2];
         end

@@ -132,8 +132,9 @@ module ur_keep #(
                                           JOINT == 3 ? BENT + 2 : JOINT == 4 ? 4 : 2;
                 assign places[96*i + 6*k +: 6] = spots[6*(26*(i%2) + FIRST + k%2) +: 6];
             end
-            assign mirrored[8*i +: 6] = {1'b0, i > 3, 1'b0, i / 2 % 2 == 1, 2'd0};
-            assign opposite[8*i +: 6] = {i > 3, 5'd0};
+            assign places[96*i+72 +: 24] = 24'd0;
+            assign mirrored[8*i +: 8] = {2'd0, {1'b0, i > 3, 1'b0, i / 2 % 2 == 1, 2'd0}};
+            assign opposite[8*i +: 8] = {2'd0, {i > 3, 5'd0}};
             assign branch_far[i]  = far[2*(i%2)+i/4];
             assign branch_held[i] = held[4*(i%2)+2*(i/4)+(i/2)%2];
         end
