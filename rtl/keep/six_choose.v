@@ -26,9 +26,9 @@ module six_choose #(
     input  wire            in_write,
     input  wire [U+1:0]    in_word,
     input  wire            in_last,
-    input  wire [575:0]    in_places,
-    input  wire [47:0]     in_mirrored,
-    input  wire [47:0]     in_opposite,
+    input  wire [767:0]    in_places,
+    input  wire [63:0]     in_mirrored,
+    input  wire [63:0]     in_opposite,
     input  wire [7:0]      in_far,
     input  wire [7:0]      in_held,
     output wire            out_idle,
@@ -66,10 +66,10 @@ module six_choose #(
     reg  [U+1:0] cosines[0:63], sines[0:63];
     reg  [5:0]   at;
     reg  [U+1:0] c, n;
-    wire         mirrored = in_mirrored[6*b[5:3] + j[5:3]], opposite = in_opposite[6*b[11:9] + j[11:9]];
+    wire         mirrored = in_mirrored[{b[5:3], j[5:3]}], opposite = in_opposite[{b[11:9], j[11:9]}];
     wire [5:0]   place_c, place_n;
     wire [A-1:0] angle;
-    assign       {place_n, place_c} = in_places[12*(6*b[2:0] + j[2:0]) +: 12];
+    assign       {place_n, place_c} = in_places[12*{b[2:0], j[2:0]} +: 12];
     always @(posedge clk) begin
         at <= in_start ? 6'd0 : at + {5'd0, in_write};
         if (in_write) begin

@@ -120,18 +120,19 @@ module six_keep #(
 
     // Of a shoulder the text has joint 1, then joints 2 to 6 of either elbow, the sine of joint 6 before its cosine.
     // The wrist that is turned over has joints 4 and 6 half a turn on, and the sine of joint 5 negated
-    wire [575:0] places;
-    wire [47:0]  mirrored, opposite;
+    wire [767:0] places;
+    wire [63:0]  mirrored, opposite;
     wire [7:0]   branch_far, branch_held;
     genvar i, k;
     generate
         for (i = 0; i < 8; i = i + 1) begin : g_branch
             for (k = 0; k < 12; k = k + 1) begin : g_word
                 localparam [31:0] AT = 22 * (i % 2) + (k < 2 ? k : 10 * (i / 2 % 2) + (k < 10 ? k : 21 - k));
-                assign places[72*i + 6*k +: 6] = spots[6*AT +: 6];
+                assign places[96*i + 6*k +: 6] = spots[6*AT +: 6];
             end
-            assign mirrored[6*i +: 6] = i > 3 ? 6'b010000 : 6'd0;
-            assign opposite[6*i +: 6] = i > 3 ? 6'b101000 : 6'd0;
+            assign places[96*i+72 +: 24] = 24'd0;
+            assign mirrored[8*i +: 8] = i > 3 ? 8'b010000 : 8'd0;
+            assign opposite[8*i +: 8] = i > 3 ? 8'b101000 : 8'd0;
             assign branch_far[i]  = far[i%2];
             assign branch_held[i] = held[2*(i%2)+(i/2)%2];
         end

@@ -120,8 +120,8 @@ module ur_keep #(
     // Of a shoulder the text has joints 1, 6 and 5, then joint 3 of either wrist, then joints 2 and 4 of either elbow
     // of either wrist. The elbow that is down has the sine of joint 3 negated. The other wrist has that of joint 5
     // negated, and joint 6 half a turn on
-    wire [575:0] places;
-    wire [47:0]  mirrored, opposite;
+    wire [767:0] places;
+    wire [63:0]  mirrored, opposite;
     wire [7:0]   branch_far, branch_held;
     genvar i, k;
     generate
@@ -130,10 +130,11 @@ module ur_keep #(
                 localparam [31:0] BENT = 10 + 8 * (i / 4) + 4 * (i / 2 % 2), JOINT = k / 2;
                 localparam [31:0] FIRST = JOINT == 0 ? 0 : JOINT == 1 ? BENT : JOINT == 2 ? 6 + 2 * (i / 4) :
                                           JOINT == 3 ? BENT + 2 : JOINT == 4 ? 4 : 2;
-                assign places[72*i + 6*k +: 6] = spots[6*(26*(i%2) + FIRST + k%2) +: 6];
+                assign places[96*i + 6*k +: 6] = spots[6*(26*(i%2) + FIRST + k%2) +: 6];
             end
-            assign mirrored[6*i +: 6] = {1'b0, i > 3, 1'b0, i / 2 % 2 == 1, 2'd0};
-            assign opposite[6*i +: 6] = {i > 3, 5'd0};
+            assign places[96*i+72 +: 24] = 24'd0;
+            assign mirrored[8*i +: 8] = {2'd0, {1'b0, i > 3, 1'b0, i / 2 % 2 == 1, 2'd0}};
+            assign opposite[8*i +: 8] = {2'd0, {i > 3, 5'd0}};
             assign branch_far[i]  = far[2*(i%2)+i/4];
             assign branch_held[i] = held[4*(i%2)+2*(i/4)+(i/2)%2];
         end
