@@ -113,7 +113,10 @@ def fk3(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints, cfg_l1: Ints, cfg_l
 # Two and three joints, inverse
 
 
-config = kernel_vector_solve.config  # words that the inverse cores want besides the lengths
+def config(p: Params, *, cfg_l1: int, cfg_l2: int, margin: float = 0.0, slack: float = 0.0) -> dict[str, int]:
+    """Words of the inverse cores beside the lengths; margin and slack in coordinate units."""
+    words = kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+    return words | kernel_vector_solve.edge_words(p, words, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack)
 
 
 def _about_axis(s: int, axis: Ints, negative: Ints, product: Ints) -> Ints:
@@ -135,9 +138,14 @@ def _direction(p: Params, b: Ints, a: Ints, r: Ints) -> Ints:
     return _about_axis(p["S"], np.where(far, 2 * (c < 0), 1 + 2 * (a < 0)), (a < 0) ^ (c < 0) ^ ~far, square)
 
 
-def _plane(p: Params, x: Ints, y: Ints, more: int, elbow: Ints, *words: Ints,
+def _limits(p: Params, margin: Ints, slack: Ints) -> kernel_vector_solve.Limits:
+    """Margin and slack of the kernel, where the core uses them."""
+    return (ints(margin) << 16 - p["W"], ints(slack)) if p.get("MARGINS") else None
+
+
+def _plane(p: Params, x: Ints, y: Ints, more: int, elbow: Ints, *words: Ints, limits: kernel_vector_solve.Limits,
            exact: Ints | None = None) -> tuple[Ints, ...]:
-    """(j1, j2, unreachable, at the shoulder) of the target (x, y), x with `more` fraction bits.
+    """(j1, j2, unreachable, at the shoulder, near to singular) of the target (x, y), x with `more` fraction bits.
 
     The gap is that of the quadrance of the word x, or of the `exact` one.
     """
@@ -147,28 +155,36 @@ def _plane(p: Params, x: Ints, y: Ints, more: int, elbow: Ints, *words: Ints,
     bent = found.clamped | (square >> 39 != 0)  # n2^2 is less than c2^2
     upright = _about_axis(p["S"], 1 + 2 * elbow, found.short == (elbow != 0), square)
     straight = _about_axis(p["S"], 2 * found.short, found.short ^ (elbow != 0), _square(found.sine))
-    return j1, np.where(bent, straight, upright), found.clamped, found.zero
+    far, near = found.clamped, np.False_
+    if limits:  # k2 has the elbow's sign as its complement, so that neither elbow is nearer
+        far, _ = kernel_vector_solve.edges(found, elbow, *limits)
+        near = (found.k2 ^ found.k2 >> 63) >> 1 < limits[0] << kernel_vector_solve.GUARD
+    return j1, np.where(bent, straight, upright), far, found.zero, near
 
 
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
-        cfg_e: Ints) -> dict[str, Ints]:
+        cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
     x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
         in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
     x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
-    j1, j2, clamped, zero = _plane(p, x, y, 0, elbow, l1, l2, cfg_q, cfg_r, cfg_e)
-    return {"out_j1": hold_last(j1, ~zero), "out_j2": j2, "out_status": ints(clamped) + 2 * ints(zero)}
+    j1, j2, far, zero, near = _plane(p, x, y, 0, elbow, l1, l2, cfg_q, cfg_r, cfg_e,
+                                     limits=_limits(p, cfg_margin, cfg_slack))
+    return {"out_j1": hold_last(j1, ~zero), "out_j2": j2, "out_status": ints(far) + 2 * ints(zero | near)}
 
 
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
-        cfg_r: Ints, cfg_e: Ints) -> dict[str, Ints]:
+        cfg_r: Ints, cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Yaw of (x, y), then `ik2` on (rho, z), rho = sqrt(x^2 + y^2) with 4 fraction bits."""
     x, y, z, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
         in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
     x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))
     on_axis = (x == 0) & (y == 0)
     b, a, r, rho = kernel_vector_solve.yaw(x, y)
-    j1, j2, clamped, zero = _plane(p, rho, z, kernel_vector_solve.GUARD, elbow, l1, l2, cfg_q, cfg_r, cfg_e,
-                                   exact=x * x + y * y + z * z)
+    limits = _limits(p, cfg_margin, cfg_slack)
+    j1, j2, far, zero, near = _plane(p, rho, z, kernel_vector_solve.GUARD, elbow, l1, l2, cfg_q, cfg_r, cfg_e,
+                                     limits=limits, exact=x * x + y * y + z * z)
+    if limits:
+        near = near | (rho >> kernel_vector_solve.GUARD < limits[0])
     return {"out_j1": hold_last(j1, ~zero), "out_j2": j2, "out_j3": hold_last(_direction(p, b, a, r), ~on_axis),
-            "out_status": ints(clamped) + 2 * ints(on_axis)}
+            "out_status": ints(far) + 2 * ints(on_axis | near)}

@@ -12,6 +12,7 @@
 `default_nettype none
 module kernel_solve #(
     parameter JOINTS = 2,    // joints, 2 or 3 (default 2): in the plane, where in_z is not used, or in space
+    parameter MARGINS = 0,   // 0 or 1 (default 0); 1: cfg_margin and cfg_slack
     parameter PIPE = 0,      // 0 or 1 (default 0: fewest clocks); 1: registers behind the products and the table
     parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
@@ -22,6 +23,8 @@ module kernel_solve #(
     input  wire signed [33:0] cfg_q,
     input  wire [25:0]        cfg_r,
     input  wire [3:0]         cfg_e,
+    input  wire [14:0]        cfg_margin,
+    input  wire [12:0]        cfg_slack,
     input  wire               in_valid,
     output wire               in_ready,
     input  wire signed [15:0] in_x,
@@ -57,9 +60,10 @@ module kernel_solve #(
         SLOPE   = 3'd2,           // second factor
         RESULT  = 3'd3,           // the product
         SAME    = 3'd4;           // hold
-    localparam                    // what is added to the product of the next clock
-        NONE    = 1'b0,           // nothing
-        LENGTH  = 1'b1;           // L1
+    localparam [1:0]              // what is added to the product of the next clock
+        NONE    = 2'b00,          // nothing
+        LENGTH  = 2'b01,          // L1
+        EDGE    = 2'b10;          // minus the slack in the line of COS2, otherwise minus the margin
     localparam [14:0]             // the rest
         OTHER   = 15'h0000,       // nothing
         BYTES   = 15'h0001,       // bytes that q can spare
@@ -77,7 +81,7 @@ module kernel_solve #(
         J3      = 15'h1000,       // give joint 3
         J1      = 15'h2000,       // give joint 1
         FIRST   = 15'h4000;       // PIPE = 1: the sum of these operands starts with - Q1 - Q2
-    localparam OP = 28;           // bits of a line
+    localparam OP = 29;           // bits of a line
     //                       operands    left     right   addend  rest
     localparam [1*OP-1:0] PLANE = {
         /* gap         */ {KEEP,       SHIFTED, CFG_R,  NONE,   GAP}};
@@ -98,11 +102,11 @@ module kernel_solve #(
         /* rho         */ {UP,         HOLD,    SAME,   NONE,   OTHER},
         /* gap         */ {RHO,        SHIFTED, CFG_R,  NONE,   GAP}};
     localparam [10*OP-1:0] SOLVE = {
-        /* c2          */ {KEEP,       PRODUCT, RESULT, NONE,   COS2 | BYTES},
+        /* c2          */ {KEEP,       PRODUCT, RESULT, EDGE,   COS2 | BYTES},
         /* c2^2        */ {KEEP,       HOLD,    CFG_L2, LENGTH, ROOT | PAIRS},
         /* k1; q'      */ {K1,         FACTOR,  SLOPE,  NONE,   INVERSE},
         /* n2          */ {KEEP,       PRODUCT, RESULT, NONE,   READ},
-        /* n2^2        */ {KEEP,       HOLD,    CFG_L2, NONE,   SIN2},
+        /* n2^2        */ {KEEP,       HOLD,    CFG_L2, EDGE,   SIN2},
         /* k2          */ {K2,         FACTOR,  SLOPE,  NONE,   HALVE},
         /* 1/q'; b     */ {TURN,       SHIFTED, RESULT, NONE,   OTHER},
         /* c1; a       */ {KEEP,       SHIFTED, SAME,   NONE,   SIDE},
@@ -137,9 +141,9 @@ module kernel_solve #(
         /* x^2, y^2    */ {KEEP,       SHIFTED, CFG_R,  NONE,   FIRST};
     localparam [14*OP-1:0] SOLVE_1 = {
         /* gap         */ {KEEP,       SHIFTED, CFG_R,  NONE,   GAP},
-        /* c2          */ {KEEP,       SHIFTED, CFG_R,  NONE,   BYTES},
+        /* c2          */ {KEEP,       HOLD,    CFG_R,  NONE,   BYTES},
         /* c2          */ {KEEP,       PRODUCT, RESULT, NONE,   PAIRS},
-        /* c2^2        */ {KEEP,       HOLD,    CFG_L2, NONE,   COS2},
+        /* c2^2        */ {KEEP,       HOLD,    CFG_L2, EDGE,   COS2},
         /* k1          */ WAIT,
         /* c2^2        */ {KEEP,       SHIFTED, CFG_R,  LENGTH, ROOT},
         /* k1; q'      */ {K1,         FACTOR,  CFG_R,  NONE,   INVERSE},
@@ -147,7 +151,7 @@ module kernel_solve #(
         /* n2          */ {KEEP,       HOLD,    SAME,   NONE,   OTHER},
         /* n2          */ {KEEP,       PRODUCT, CFG_L2, NONE,   OTHER},
         /* n2 again    */ {KEEP,       HOLD,    RESULT, NONE,   OTHER},
-        /* k2          */ {K2,         FACTOR,  SLOPE,  NONE,   HALVE},
+        /* k2          */ {K2,         FACTOR,  SLOPE,  EDGE,   HALVE},
         /* n2^2        */ {TURN,       SHIFTED, CFG_R,  NONE,   OTHER},
         /* 1/q'; n2^2  */ {KEEP,       SHIFTED, RESULT, NONE,   SIN2}};
     localparam [7*OP-1:0] GIVE_1 = {
@@ -161,7 +165,7 @@ module kernel_solve #(
     wire [6:0]    operands;
     wire [1:0]    left_from;
     wire [2:0]    right_from;
-    wire          addend;
+    wire [1:0]    addend;
     wire [14:0]   rest;
     assign        {operands, left_from, right_from, addend, rest} = op;
     wire          idle;
@@ -204,7 +208,6 @@ module kernel_solve #(
     wire [36:0]        total;
     wire [1:0]         coarse, fine;
     wire               over, none, axis;
-    wire               unused_axis = &{1'b0, axis};
     wire               up = |(operands & UP), rho_to = |(operands & RHO), halve = |(rest & HALVE);
     wire               first = PIPE == 1 ? |(rest & FIRST) : YAW ? up : accept;  // the sum that begins is the gap
     wire               start = PIPE == 1 ? first && !rho_to : accept;            // of x and y
@@ -215,17 +218,18 @@ module kernel_solve #(
         .in_total(rho), .in_k1(|(operands & K1)), .in_k2(|(operands & K2)), .in_turn(|(operands & TURN)),
         .in_move(|(operands & MOVE)), .in_power(|(operands & POWER)), .in_clamp(clamped), .in_odd(s[0]),
         .in_sum(result), .in_product(product[52:31] ^ {22{halve && elbow}}),
-        .in_addend(minus_q), .in_margin(15'd0), .out_axis(axis), .out_sum(total));
+        .in_addend(minus_q), .in_margin(cfg_margin), .out_axis(axis), .out_sum(total));
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
     // The third multiplier: 1.0 is 2^25 in left, 2^26 in right (2^24 in words from SLOPE), 2^49 in a product of the two
     // and 2^51 in a square. Its addend is a register that is 0 where nothing is added.
     reg  signed [26:0] left, right;
-    reg  [15:0]        l1;
+    wire               minus, near, distant;
+    wire [21:0]        more;
     kernel_product #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) multiplier (.clk(clk), .in_left(left), .in_right(right),
         .out_product(product), .out_settled(settled));
-    assign             result = settled[52:31] + {2'd0, l1, 4'd0};
+    assign             result = settled[52:31] + more + {21'd0, minus};
     wire               outside = beyond || settled[53:49] != {5{settled[53]}};
 
     // v = 1 - c2^2 has 26 fraction bits. First factors of sqrt(v), 1/q', 2/sqrt(q') have 22 bits and a constant 1.
@@ -256,7 +260,14 @@ module kernel_solve #(
     assign      out_axis = root ? {elbow, 1'b1} : sin2 ? {short, 1'b0} : {x_near ? b_left : a_left, !x_near};
     assign      out_below = root ? short == elbow : sin2 ? short ^ elbow : a_left ^ b_left ^ !x_near;
     assign      out_square = settled[51:11];
-    assign      out_status = {2'd0, YAW ? zero3 : zero, clamped};
+    reg         rho_before;
+    wire        load = YAW ? rho_before : accept;
+    kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (
+        .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack), .in_length(addend[0]),
+        .in_edge(addend[1]), .in_cos2(|(rest & COS2)), .in_root(root), .in_elbow(1'b0), .in_flat(1'b0), .in_load(load),
+        .in_axis(YAW && axis), .in_beyond(beyond), .in_clamped(clamped), .in_sum(result), .in_product(settled[53:50]),
+        .out_addend(more), .out_minus(minus), .out_near(near), .out_far(distant));
+    assign      out_status = {2'd0, (YAW ? zero3 : zero) || near, distant};
     always @(posedge clk) begin
         minus_q <= {24'd0, |(rest & NEAREST), 9'd0};
         if (start || first)
@@ -269,6 +280,7 @@ module kernel_solve #(
             elbow <= in_elbow;
         if (up)
             zero3 <= zero;
+        rho_before <= rho_to;
         if (first)
             s <= cfg_e;
         if (|(rest & BYTES))
@@ -294,9 +306,6 @@ module kernel_solve #(
             x_near <= far;
         end
 
-        l1 <= cfg_l1;
-        if (addend != LENGTH)
-            l1 <= 16'd0;
         if (root || inverse) begin
             factor   <= inverse ? inverse_w : root_w;
         end

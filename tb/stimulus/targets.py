@@ -19,20 +19,14 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
                (64, 50), (700, 900), (2900, 3000), *rng.integers(0, high, (3, 2), endpoint=True).tolist(),
                *rng.integers(0, half, (3, 2)).tolist()]
     pairs = [{"cfg_l1": min(l1, high), "cfg_l2": min(l2, high)} for l1, l2 in lengths]
-    return [pair | kernel_vector_solve.config(core.params, **pair) | edges(core, rng) for pair in pairs]
-
-
-def edges(core: Core, rng: np.random.Generator) -> dict[str, int]:
-    """Margin and slack of any size, none among them."""
-    return {port.name: int(rng.integers(0, 2)) * length(rng, port.width) for port in core.cfg
-            if port.name in ("cfg_margin", "cfg_slack")}
+    return [pair | kernel_vector_solve.config(core.params, **pair) | rational.edges(core, rng) for pair in pairs]
 
 
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
     pair = {f"cfg_l{i}": length(rng, core.params["W"]) for i in (1, 2)}
     derived = kernel_vector_solve.config(core.params, **pair) if core.function.startswith("ik") else {}
-    return pair | {"cfg_l3": length(rng, core.params["W"])} | derived | edges(core, rng)
+    return pair | {"cfg_l3": length(rng, core.params["W"])} | derived | rational.edges(core, rng)
 
 
 def corners(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
@@ -43,20 +37,6 @@ def corners(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vector
     targets = rational.targets(core, cfg, rng)
     axes = [axis for axis in targets if axis != "in_elbow"]
     near = [rng.integers(-6, 7, 256) << rng.integers(0, 8, 256) for _ in axes]  # where equal links fold up
-    if core.params.get("MARGINS"):
-        edge = _at_the_margin(cfg, rng, len(axes))
-        near = [np.concatenate(pair) for pair in zip(near, edge)]
     near = [np.clip(word, -1 << core.params["W"] - 1, (1 << core.params["W"] - 1) - 1) for word in near]
-    more = dict(zip(axes, near)) | {"in_elbow": rng.integers(0, 2, near[0].size)}
-    return {name: np.concatenate([words, more[name]]) for name, words in targets.items()}
-
-
-def _at_the_margin(cfg: dict[str, int], rng: np.random.Generator, axes: int) -> list[np.ndarray]:
-    """Targets whose elbow is as far from stretched or folded as the margin, to a few LSB; half of them yaw."""
-    turn, yaw = rng.uniform(-np.pi, np.pi, (2, 512))
-    bend = np.arcsin(min(1.0, cfg["cfg_margin"] / max(cfg["cfg_l2"], 1)))
-    bend = np.where(rng.random(512) < 0.5, bend, np.pi - bend)
-    x, y = (cfg["cfg_l1"] * part(turn) + cfg["cfg_l2"] * part(turn + bend) for part in (np.cos, np.sin))
-    flat = axes == 2 or rng.random(512) < 0.5
-    words = np.where(flat, x, x * np.cos(yaw)), np.where(flat, y, x * np.sin(yaw)), np.where(flat, 0, y)
-    return [np.rint(word).astype(np.int64) + rng.integers(-1, 2, 512) for word in words[:axes]]
+    more = stimulus.joined(targets, dict(zip(axes, near)) | {"in_elbow": rng.integers(0, 2, 256)})
+    return stimulus.joined(more, rational.at_the_margin(core, cfg, rng)) if core.params.get("MARGINS") else more

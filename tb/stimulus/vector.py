@@ -32,7 +32,7 @@ def _wide(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     for cfg in targets.configs(narrow, rng):
         extra = [0, 0] if rng.integers(0, 2) else rng.integers(0, 1 << more, 2).tolist()
         pair = {name: (cfg[name] << more) + one for name, one in zip(("cfg_l1", "cfg_l2"), extra)}
-        found.append(pair | vector.config(core.params, **pair) | targets.edges(core, rng))
+        found.append(pair | vector.config(core.params, **pair) | rational.edges(core, rng))
     return found
 
 
@@ -40,7 +40,7 @@ def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
     pair = {f"cfg_l{i}": length(rng, core.params["W"]) for i in (1, 2)}
     words = vector.config(core.params, **pair) if core.function.startswith("ik") else {}
-    return pair | words | targets.edges(core, rng)
+    return pair | words | rational.edges(core, rng)
 
 
 def directions(core: Core, rng: np.random.Generator) -> Vectors:
