@@ -313,7 +313,7 @@ def test_reach_of_two_links(core):
     assert seen == {True, False}
 
 
-EDGED = ("vector.ik2", "vector.ik3", "table.ik2", "table.ik3", "table.ik3r")
+EDGED = ("vector.ik2", "vector.ik3", "table.ik2", "table.ik3", "table.ik3r", "rational.ik2", "rational.ik3")
 
 
 def without_margins(core) -> bool:

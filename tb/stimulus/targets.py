@@ -6,6 +6,7 @@ import numpy as np
 from quadrance import kernel_vector_solve
 from quadrance.cores import Core
 
+from tb.lib import stimulus
 from tb.lib.stimulus import Vectors, length
 from tb.stimulus import rational
 

@@ -8,8 +8,7 @@ from quadrance.cores import Core, at, joints
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors, extremes, length
-from tb.stimulus import chains, targets
-from tb.stimulus.rational import points
+from tb.stimulus import chains, rational, targets
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -66,7 +65,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         return stimulus.joined(directions(core, rng), stimulus.saturation(core, cfg))
     if core.function in ("ik2", "ik3"):
         return targets.corners(core, cfg, rng)
-    x, y = points(core.params["W"])
+    x, y = rational.points(core.params["W"])
     order = np.append(rng.permutation(np.arange(x.size)), rng.integers(0, x.size, x.size // 8))
     x, y = x[order], y[order]
     zero = rng.random(x.size) < 0.05
