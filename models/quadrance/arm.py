@@ -31,11 +31,17 @@ SWITCHES = ("BASE", "SHOULDER", "LATERAL", "ELBOW", "ABSOLUTE")
 # Configuration
 
 
-def config(p: Params, *, cfg_l1: int, cfg_l2: int, cfg_lateral: int = 0, **rest: int) -> dict[str, int]:
-    """Derived words of arm_ik3: `kernel_vector_solve.config`, and minus the squared lateral offset, in 16-bit LSB."""
+def config(p: Params, *, cfg_l1: int, cfg_l2: int, cfg_lateral: int = 0, margin: float = 0.0, slack: float = 0.0,
+           **rest: int) -> dict[str, int]:
+    """Derived words of arm_ik3: those of two links, and minus the squared lateral offset, in 16-bit LSB.
+
+    `margin` and `slack` in coordinate units.
+    """
     more = {"cfg_base": 0, "cfg_shoulder": 0, "cfg_lateral": cfg_lateral, "cfg_ce": 1 << p["U"], "cfg_ne": 0} | rest
     lateral = cfg_lateral << 16 - p["W"]
-    return kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2) | {"cfg_bb": -lateral * lateral} | more
+    found = kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+    edges = kernel_vector_solve.edge_words(p, found, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack)
+    return found | edges | {"cfg_bb": -lateral * lateral} | more
 
 
 def switches(arm: Arm) -> dict[str, int]:
@@ -173,14 +179,18 @@ def branch(p: Params, x: Ints, y: Ints, z: Ints, elbow: Ints, back: Ints, cfg: d
         rho = wrap(rho - (shoulder * p["SHOULDER"] << 4), 21)
     else:
         c3, n3, rho, inside = _plain_yaw(x, y, shoulder, p["SHOULDER"], back)
-    c1, n1, c2, n2, clamped, zero, _ = kernel_vector_solve.elbow_plane(
-        rho, z, kernel_vector_solve.GUARD, elbow, l1, l2, *(ints(cfg[f"cfg_{name}"]) for name in "qre"))
+    limits = (ints(cfg["cfg_margin"]) << up, ints(cfg["cfg_slack"])) if p.get("MARGINS") else None
+    c1, n1, c2, n2, clamped, zero, near = kernel_vector_solve.elbow_plane(
+        rho, z, kernel_vector_solve.GUARD, elbow, l1, l2, *(ints(cfg[f"cfg_{name}"]) for name in "qre"), limits=limits)
+    if limits:  # of the yaw axis, too
+        distance = wrap((rho >> kernel_vector_solve.GUARD) + shoulder * p["SHOULDER"], 17) ^ -ints(back != 0)
+        near = near | (distance & 0x1FFFF < limits[0])
     c1, n1, c2, n2, c3, n3 = (kernel_vector_solve.unit_word(p, product) for product in (c1, n1, c2, n2, c3, n3))
     if p["ELBOW"]:
         c2, n2 = turn(p, c2, n2, ints(cfg["cfg_ce"]), ints(cfg["cfg_ne"]))
     on_axis = (x == 0) & (y == 0)
     return {"c1": c1, "n1": n1, "c2": c2, "n2": n2, "c3": c3, "n3": n3, "none1": zero, "none3": on_axis,
-            "status": ints(clamped | inside) + 2 * ints(on_axis | zero) + 4 * ints(over)}
+            "status": ints(clamped | inside) + 2 * ints(on_axis | zero | near) + 4 * ints(over)}
 
 
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, in_back: Ints,

@@ -20,7 +20,8 @@ module arm_ik3 #(
     parameter ELBOW = 1,     // 1 (default): with elbow offset, which turns joint 2 by a constant; 0: without
     parameter ABSOLUTE = 1,  // 1 (default): joint 2 is measured from the base (parallelogram); 0: from link 1
     parameter PIPE = 0,      // registers behind products, 0 or 1 (default 0: fewest clocks)
-    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+    parameter MULTIPLY = 18, // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+    parameter MARGINS = 0    // 0 or 1 (default 0); 1: cfg_margin and cfg_slack are used
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -35,6 +36,8 @@ module arm_ik3 #(
     input  wire signed [31:0]  cfg_bb,
     input  wire signed [U+1:0] cfg_ce,
     input  wire signed [U+1:0] cfg_ne,
+    input  wire [W-2:0]        cfg_margin,
+    input  wire [12:0]         cfg_slack,
     input  wire                in_valid,
     output wire                in_ready,
     input  wire signed [W-1:0] in_x,
@@ -56,24 +59,26 @@ module arm_ik3 #(
         if (W < 8 || W > 16 || F < 0 || F >= W || U < 8 || U > 16 || BASE < 0 || BASE > 1 || SHOULDER < 0
             || SHOULDER > 1 || LATERAL < 0 || LATERAL > 1 || ELBOW < 0 || ELBOW > 1 || ABSOLUTE < 0
             || ABSOLUTE > 1 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
-            || MULTIPLY % 9 != 0) begin : g_illegal
-            arm_ik3_needs_W_and_U_8_to_16_and_F_below_W_and_switches_and_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
+            || MULTIPLY % 9 != 0 || MARGINS < 0 || MARGINS > 1) begin : g_illegal
+            arm_ik3_needs_W_and_U_8_to_16_and_F_below_W_and_switches_PIPE_MARGINS_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire signed [15:0] x = {in_x, {(16-W){1'b0}}}, y = {in_y, {(16-W){1'b0}}}, z = {in_z, {(16-W){1'b0}}};
     wire signed [15:0] base = {cfg_base, {(16-W){1'b0}}}, lateral = {cfg_lateral, {(16-W){1'b0}}};
     wire signed [13:0] shoulder = {cfg_shoulder, {(16-W){1'b0}}};
+    wire [14:0]        margin = {cfg_margin, {(16-W){1'b0}}};
     wire [2:0]         cosine, sine;
     wire [23:0]        word;
     wire               flat, negative, none, sin2, by1, kept, turned;
-    arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE), .PIPE(PIPE),
-        .MULTIPLY(MULTIPLY)) kernel (
+    arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE),
+        .MARGINS(MARGINS), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_base(base), .cfg_shoulder(shoulder), .cfg_lateral(lateral),
-        .cfg_bb(cfg_bb), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(in_elbow),
-        .in_back(in_back), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine),
-        .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none), .out_sine(sin2), .out_by1(by1),
-        .out_kept(kept), .out_turned(turned), .out_status(out_status));
+        .cfg_bb(cfg_bb), .cfg_margin(margin), .cfg_slack(cfg_slack), .in_valid(in_valid), .in_ready(in_ready),
+        .in_x(x), .in_y(y), .in_z(z), .in_elbow(in_elbow), .in_back(in_back), .out_valid(out_valid),
+        .out_ready(out_ready), .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat),
+        .out_negative(negative), .out_none(none), .out_sine(sin2), .out_by1(by1), .out_kept(kept), .out_turned(turned),
+        .out_status(out_status));
     arm_vectors #(.U(U), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE), .PIPE(PIPE)) codec (
         .clk(clk), .rst(rst), .cfg_ce(cfg_ce), .cfg_ne(cfg_ne), .in_cos(cosine), .in_sin(sine), .in_word(word),
         .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(sin2), .in_by1(by1),

@@ -90,7 +90,7 @@ module arm_keep3 #(
         .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
         .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_base(base),
-        .cfg_shoulder(shoulder), .cfg_lateral(lateral), .cfg_bb(cfg_bb),
+        .cfg_shoulder(shoulder), .cfg_lateral(lateral), .cfg_bb(cfg_bb), .cfg_margin(15'd0), .cfg_slack(13'd0),
         .in_valid(go), .in_ready(ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(number[0]), .in_back(number[1]),
         .out_valid(done), .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat),
         .out_negative(negative), .out_none(none), .out_sine(sin2), .out_by1(by1), .out_kept(kept),

@@ -5,7 +5,7 @@
 //   LATERAL = 0: rho is in_total. in_power: k1 is +-2^15 (+-2^16 with in_odd), negative with in_back, and k2 is 0
 //   LATERAL = 1: rho is k2. in_take: k1, k2 are in_length, in_lateral; with in_near 0 and that power, signed
 //   in_k1: k1 is in_sum, or with in_clamp that power, signed. in_k2: k2 is in_product. in_move: k1 is k2. in_turn:
-//   (k1, k2) is (-k2, k1)
+//   (k1, k2) is (-k2, k1). out_axis, in the clock after in_rho: |rho| is less than in_margin
 // Formats: in_x, in_y, in_z, in_lateral s16.0; in_shoulder s14.0; in_total s17.4; in_sum, in_product, in_length s18.4;
 // in_addend s34.0; out_sum s34.3. A constant 1 below the last bit of k1 and k2, 0 where they are coordinates, centres
 // truncation. out_sum is combinational in the registers; with PIPE = 1 it is a register three clocks later, and
@@ -24,6 +24,7 @@ module arm_operands #(
     input  wire signed [15:0] in_z,
     input  wire signed [15:0] in_lateral,
     input  wire signed [13:0] in_shoulder,
+    input  wire [14:0]        in_margin,
     input  wire               in_rho,
     input  wire [20:0]        in_total,
     input  wire               in_take,
@@ -40,6 +41,7 @@ module arm_operands #(
     input  wire [21:0]        in_sum,
     input  wire [21:0]        in_product,
     input  wire [33:0]        in_addend,
+    output wire               out_axis,
     output wire [36:0]        out_sum
 );
     reg         [21:0]    k1, k2;
@@ -82,6 +84,8 @@ module arm_operands #(
     wire                  unused = &{1'b0, in_total, in_take, in_near, in_length, in_lateral, in_shoulder, in_move,
                                      in_power, in_back, k2[21]};
 
+    wire           [16:0] distance = (x[20:4] + offset) ^ {17{in_back}};  // of the yaw axis, where x is rho less a
+    assign                out_axis = distance < {2'd0, in_margin};
     always @(posedge clk) begin
         if (in_start)
             z <= in_z;

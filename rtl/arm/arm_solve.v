@@ -16,6 +16,7 @@ module arm_solve #(
     parameter SHOULDER = 1,  // 1 (default): with shoulder offset; 0: without
     parameter LATERAL = 1,   // 1 (default): with lateral offset; 0: without
     parameter ABSOLUTE = 1,  // 1 (default): joint 2 is measured from the base; 0: from link 1
+    parameter MARGINS = 0,   // 0 or 1 (default 0); 1: cfg_margin and cfg_slack
     parameter PIPE = 0,      // 0 or 1 (default 0: fewest clocks); 1: registers behind the products
     parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
@@ -30,6 +31,8 @@ module arm_solve #(
     input  wire signed [13:0] cfg_shoulder,
     input  wire signed [15:0] cfg_lateral,
     input  wire signed [31:0] cfg_bb,
+    input  wire [14:0]        cfg_margin,
+    input  wire [12:0]        cfg_slack,
     input  wire               in_valid,
     output wire               in_ready,
     input  wire signed [15:0] in_x,
@@ -73,10 +76,11 @@ module arm_solve #(
         SLOPE   = 3'd2,            // second factor
         RESULT  = 3'd3,            // the product
         SAME    = 3'd4;            // hold
-    localparam [1:0]               // what is added to the product of the next clock
-        NONE    = 2'b00,           // nothing
-        HALF    = 2'b01,           // the half that rounds a word
-        LENGTH  = 2'b10;           // L1
+    localparam [2:0]               // what is added to the product of the next clock
+        NONE    = 3'b000,          // nothing
+        HALF    = 3'b001,          // the half that rounds a word
+        LENGTH  = 3'b010,          // L1
+        EDGE    = 3'b100;          // minus the slack in the line of COS2, otherwise the margin against the sign of n2
     localparam [19:0]              // the rest
         OTHER   = 20'h00000,       // nothing
         BYTES   = 20'h00001,       // bytes that q can spare
@@ -99,7 +103,7 @@ module arm_solve #(
         BY1     = 20'h20000,       // joint 2 is turned by joint 1, not by the elbow's constant
         KEPT    = 20'h40000,       // the turned cosine is kept
         TURNED  = 20'h80000;       // the turned cosine and sine go to joint 2
-    localparam OP = 35;            // bits of a line
+    localparam OP = 36;            // bits of a line
     //                      operands   left     right   addend  rest
     localparam [9*OP-1:0] YAW = {
         /* x^2 + y^2   */ {KEEP,        HOLD,    SAME,   NONE,   BYTES},
@@ -128,10 +132,10 @@ module arm_solve #(
         /* n3; rho - a */ {RHO | FIRST, HOLD,    SAME,   NONE,   SIN3}};
     localparam [9*OP-1:0] SOLVE = {
         /* gap         */ {KEEP,        SHIFTED, CFG_R,  HALF,   GAP | PLAIN},
-        /* c2          */ {KEEP,        PRODUCT, RESULT, NONE,   COS2 | BYTES},
+        /* c2          */ {KEEP,        PRODUCT, RESULT, EDGE,   COS2 | BYTES},
         /* c2^2        */ {KEEP,        HOLD,    CFG_L2, LENGTH, ROOT | PAIRS},
         /* k1; q'      */ {K1,          FACTOR,  SLOPE,  HALF,   INVERSE},
-        /* n2          */ {KEEP,        PRODUCT, CFG_L2, NONE,   SIN2 | READ},
+        /* n2          */ {KEEP,        PRODUCT, CFG_L2, EDGE,   SIN2 | READ},
         /* k2          */ {K2,          FACTOR,  SLOPE,  NONE,   HALVE | KEPT},
         /* 1/q'; b     */ {TURN,        SHIFTED, RESULT, HALF,   SINE | TURNED},
         /* c1; a       */ {KEEP,        SHIFTED, SAME,   HALF,   COS1},
@@ -176,9 +180,9 @@ module arm_solve #(
         /* n3          */ {KEEP,        SHIFTED, CFG_R,  HALF,   COS3}};
     localparam [20*OP-1:0] SOLVE_1 = {
         /* n3; gap     */ {KEEP,        SHIFTED, CFG_R,  NONE,   GAP | (LATERAL ? SIN3 : OTHER)},
-        /* c2          */ {KEEP,        SHIFTED, CFG_R,  NONE,   BYTES},
+        /* c2          */ {KEEP,        HOLD,    CFG_R,  NONE,   BYTES},
         /* c2          */ {KEEP,        PRODUCT, RESULT, HALF,   PAIRS},
-        /* c2^2        */ {KEEP,        HOLD,    CFG_L2, NONE,   COS2},
+        /* c2^2        */ {KEEP,        HOLD,    CFG_L2, EDGE,   COS2},
         /* k1          */ WAIT,
         /* c2^2        */ {KEEP,        SHIFTED, CFG_R,  LENGTH, ROOT},
         /* k1; q'      */ {K1,          FACTOR,  CFG_R,  NONE,   INVERSE},
@@ -186,7 +190,7 @@ module arm_solve #(
         /* n2          */ WAIT,
         /* n2          */ {KEEP,        PRODUCT, CFG_L2, HALF,   OTHER},
         /* k2          */ {KEEP,        FACTOR,  SLOPE,  NONE,   SIN2},
-        /* k2; 1/q'    */ {K2,          SHIFTED, CFG_R,  NONE,   SINE},
+        /* k2; 1/q'    */ {K2,          SHIFTED, CFG_R,  EDGE,   SINE},
         /* 1/q'; b     */ {TURN,        SHIFTED, RESULT, NONE,   KEPT},
         /* b           */ {KEEP,        SHIFTED, SAME,   NONE,   TURNED},
         /* b           */ {2{STAY}},
@@ -201,8 +205,8 @@ module arm_solve #(
         /* sin 1 + 2   */ {KEEP,        SHIFTED, CFG_R,  NONE,   BY1 | TURNED}};
     wire [OP-1:0] op;
     wire [7:0]    operands;
-    wire [1:0]    left_from, addend;
-    wire [2:0]    right_from;
+    wire [1:0]    left_from;
+    wire [2:0]    right_from, addend;
     wire [19:0]   rest;
     assign        {operands, left_from, right_from, addend, rest} = op;
     wire          idle; wire accept = in_valid && in_ready;
@@ -236,31 +240,32 @@ module arm_solve #(
     /* verilator lint_off UNUSEDSIGNAL */ wire signed [53:0] product, settled; /* verilator lint_on UNUSEDSIGNAL */
     wire        [21:0] result;
     wire [26:0]        word; wire [36:0] total;
-    wire [1:0]         coarse, fine; wire over, none;
+    wire [1:0]         coarse, fine; wire over, none, axis;
     wire               rho = |(operands & RHO);
     wire        [21:0] length = (odd_root ? settled[50:29] : settled[51:30]) ^ {22{back}};
     arm_operands #(.LATERAL(LATERAL), .SHOULDER(SHOULDER), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) turn (
         .clk(clk), .in_start(accept), .in_x(in_x), .in_y(in_y), .in_z(z), .in_lateral(cfg_lateral),
-        .in_shoulder(cfg_shoulder), .in_rho(rho), .in_total(total[33:13]), .in_take(|(operands & TAKE)),
+        .in_shoulder(cfg_shoulder), .in_margin(cfg_margin), .in_rho(rho), .in_total(total[33:13]), .in_take(|(operands & TAKE)),
         .in_near(near_axis), .in_length(length), .in_k1(|(operands & K1)), .in_k2(|(operands & K2)),
         .in_turn(|(operands & TURN)), .in_move(|(operands & MOVE)), .in_power(|(operands & POWER)),
         .in_back(back), .in_clamp(clamped), .in_odd(s[0]), .in_sum(result), .in_product(product[52:31]),
-        .in_addend(minus_q), .out_sum(total));
+        .in_addend(minus_q), .out_axis(axis), .out_sum(total));
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
     // The third multiplier: 1.0 is 2^25 in left, 2^26 in right (2^24 in words from SLOPE) and 2^49 in a product of the
     // two. Its addend is a register that is 0 where nothing is added.
     reg  signed [26:0] left, right;
-    reg  [15:0]        l1;
-    reg                half;
+    reg                half, rho_before;
+    wire               minus, close, far;
+    wire [21:0]        more;
     kernel_product #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) multiplier (.clk(clk), .in_left(left), .in_right(right),
         .out_product(product), .out_settled(settled));
-    assign             result = settled[52:31] + ({2'd0, l1, 4'd0} | (half ? 22'd1 << 17 - U : 22'd0));
+    assign             result = settled[52:31] + (more | (half ? 22'd1 << 17 - U : 22'd0)) + {21'd0, minus};
     wire               outside = beyond || settled[53:49] != {5{settled[53]}};
 
     // v = 1 - c2^2 has 26 fraction bits. First factors of sqrt(v), 1/q', 2/sqrt(q') have 22 bits and a constant 1.
-    wire        root = |(rest & ROOT), read = |(rest & READ), inverse = |(rest & INVERSE);
+    wire        root = |(rest & ROOT), read = |(rest & READ), inverse = |(rest & INVERSE), cos2 = |(rest & COS2);
     wire [25:0] v = ~settled[50:25];
     wire        low = v[25:21] == 0;
     wire [20:0] e = low ? v[20:0] : v[25:5];
@@ -277,10 +282,14 @@ module arm_solve #(
     assign out_sin = {|(rest & SIN3), |(rest & SIN2), |(rest & SIN1)};
     assign out_none = zero; assign out_word = {result, settled[30:29]};
     assign out_flat = outside; assign out_negative = short;
-    assign out_status = {1'b0, over_z, zero || zero3, clamped || LATERAL && near_axis};
-    wire   unused = &{1'b0, cfg_base, cfg_shoulder, cfg_lateral, cfg_bb, odd_root, rest};
+    kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (
+        .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack), .in_length(addend[1]),
+        .in_edge(addend[2]), .in_cos2(cos2), .in_root(root), .in_elbow(elbow), .in_flat(clamped || settled[51]),
+        .in_load(rho_before), .in_axis(axis), .in_beyond(beyond), .in_clamped(clamped), .in_sum(result),
+        .in_product(settled[53:50]), .out_addend(more), .out_minus(minus), .out_near(close), .out_far(far));
+    assign out_status = {1'b0, over_z, zero || zero3 || close, far || LATERAL && near_axis};
+    wire   sin3 = |(rest & SIN3), unused = &{1'b0, cfg_base, cfg_shoulder, cfg_lateral, cfg_bb, odd_root, rest};
     wire   first = |(operands & FIRST), plain = |(rest & PLAIN), near = |(rest & NEAR);
-    wire   cos2 = |(rest & COS2), sin3 = |(rest & SIN3);
     always @(posedge clk) begin
         if (LATERAL == 0)
             minus_q <= !sin3 ? 34'd0 : SHOULDER ? {{6{~cfg_shoulder[13]}}, ~cfg_shoulder, 14'h3fff} : 34'd512;
@@ -299,6 +308,7 @@ module arm_solve #(
             near_axis <= total[36];
         if (rho)
             zero3 <= zero;
+        rho_before <= rho;
         if (first)
             s <= cfg_e;
         if (|(rest & BYTES))
@@ -318,10 +328,7 @@ module arm_solve #(
             short  <= total[36];
         end
 
-        l1   <= cfg_l1;
-        half <= |(addend & HALF);
-        if ((addend & LENGTH) == 0)
-            l1 <= 16'd0;
+        half <= addend[0];
         if (root || inverse) begin
             factor   <= inverse ? inverse_w : {22{elbow}} ^ root_w;
             negative <= root && elbow;

@@ -35,20 +35,19 @@ module kernel_chain #(
     localparam G = 5, D = 12, N = W + 2 + G;  // guard bits; bits of an offset; bits of A and B
 
     // Schedule, a clock a line
-    localparam [10:0]
-        WAIT   = 11'h000,  // the memories' words
-        CHORD  = 11'h001,  // operands of both roots, to complete them with the two multipliers
-        PLACE  = 11'h002,  // operands of (L2, 0) turned by joint 2 and moved by L1
-        TURN   = 11'h004,  // operands of a turn, y before x
-        ROOTS  = 11'h008,  // the sums are the roots
-        COS    = 11'h010,  // with ROOTS: cosine on the first multiplier, not the sine
-        PLACED = 11'h020,  // the sums are A and B
-        ROUND  = 11'h040,  // the sum is a turn's, to be rounded
-        YAW    = 11'h080,  // z is y; (x, 0) goes on
-        LAST   = 11'h100,  // y is rounded; x is in the clock after
-        READ1  = 11'h200,  // reads joint 1
-        READ3  = 11'h400;  // reads joint 3
-    localparam OP = 11;    // bits of a line
+    localparam [9:0]
+        WAIT   = 10'h000,  // the memories' words, or operands of a turn, y before x
+        CHORD  = 10'h001,  // operands of both roots, to complete them with the two multipliers
+        PLACE  = 10'h002,  // operands of (L2, 0) turned by joint 2 and moved by L1
+        ROOTS  = 10'h004,  // the sums are the roots
+        COS    = 10'h008,  // with ROOTS: cosine on the first multiplier, not the sine
+        PLACED = 10'h010,  // the sums are A and B
+        ROUND  = 10'h020,  // the sum is a turn's, to be rounded
+        YAW    = 10'h040,  // z is y; (x, 0) goes on
+        LAST   = 10'h080,  // y is rounded; x is in the clock after
+        READ1  = 10'h100,  // reads joint 1
+        READ3  = 10'h200;  // reads joint 3
+    localparam OP = 10;    // bits of a line
     //                   work
     localparam [OP*3-1:0] ELBOW = {
         /* joint 2      */ {WAIT},
@@ -72,14 +71,14 @@ module kernel_chain #(
         /* joint 1      */ {CHORD | READ1},
         /* A, B         */ {PLACED},
         /* c1, n1       */ {ROOTS},
-        /* y            */ {TURN | READ3},
-        /* x            */ {TURN}};
+        /* y            */ {READ3},
+        /* x            */ {WAIT}};
     localparam [OP*5-1:0] UPRIGHT_1 = {
         /* z; joint 3   */ {ROUND | CHORD | READ3},
         /* x goes on    */ {YAW},
         /* c3, n3       */ {ROOTS},
-        /* y            */ {TURN},
-        /* x            */ {TURN}};
+        /* y            */ {WAIT},
+        /* x            */ {WAIT}};
     localparam [OP*2-1:0] TIP_1 = {
         /* y            */ {ROUND},
         /* x            */ {ROUND | LAST}};
@@ -159,7 +158,6 @@ module kernel_chain #(
     wire [U-1:0] thin;
     spread_minor #(.U(U)) second (.in_range(range), .in_knot(minor_knot), .in_rise(cut2[U+2:0]), .out_root(thin));
     /* verilator lint_on UNUSEDSIGNAL */
-    wire         next = PIPE == 0 || |(op & TURN);  // the roots change places
     wire         neg_major = minor_n ? neg_c : neg_n, neg_minor = minor_n ? neg_n : neg_c;
 
     // Rounding and saturation follow a register, for the clock frequency. out_y and out_z hold earlier values of out_x.
@@ -171,11 +169,12 @@ module kernel_chain #(
     assign       out_overflow = over || over_before;
 
     always @(posedge clk) begin
-        if (roots || next)
-            swap <= roots ? minor_n != cosine : !swap;
-        if (roots || next && !swap)  // a root is negated after its use by the first multiplier: (n, c), (c, -n)
+        // The roots change places in every clock, and one is negated after its use by the first multiplier: (n, c),
+        // (c, -n)
+        swap <= roots ? minor_n != cosine : !swap;
+        if (roots || !swap)
             major <= roots ? {neg_major, sum[U+2:3] ^ {U{neg_major}}} : ~major;
-        if (roots || next && swap)
+        if (roots || swap)
             minor <= roots ? {neg_minor, thin ^ {U{neg_minor}}} : ~minor;
         if (placed || yaw) begin
             a <= sum;

@@ -18,7 +18,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     if core.function == "keep2":
         found = [*targets.configs(core, rng)[5:12], *_shifts(core)]
     elif core.function in ("arm_ik3", "keep3"):
-        found = _inverse(core, rng)
+        found = [cfg | rational.edges(core, rng) for cfg in _inverse(core, rng)]
     else:
         found = _forward(core, rng)
     if core.function == "keep3":  # every sample is four of the kernel; the last one has the shortest links
@@ -46,6 +46,7 @@ def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
         ends = {"cfg_base": half, "cfg_shoulder": half // 4, "cfg_lateral": half}
         cfg |= arm.config(p, **cfg, **{name: int(rng.integers(1 - end, end)) for name, end in ends.items()},
                           cfg_ce=int(to_fixed(np.cos(turn), p["U"])), cfg_ne=int(to_fixed(-np.sin(turn), p["U"])))
+        cfg |= rational.edges(core, rng)
     return _limited(core, cfg, int(rng.integers(0, 9)), rng) if "keep" in core.function else cfg
 
 
@@ -179,6 +180,8 @@ def _targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vecto
     """Targets of `tb.rational`, as they are and about the shoulder; the yaw axis, the circle of the lateral offset."""
     p, half = core.params, 1 << core.params["W"] - 1
     found = rational.targets(core, cfg, rng)
+    if p.get("MARGINS"):
+        found = stimulus.joined(found, rational.at_the_margin(core, cfg, rng))
     x, y, z = (found[f"in_{axis}"] for axis in "xyz")
     base, shoulder, lateral = (cfg[f"cfg_{name}"] for name in ("base", "shoulder", "lateral"))
     back, yaw = rng.integers(0, 2, x.size), rng.uniform(-np.pi, np.pi, x.size)
@@ -186,6 +189,9 @@ def _targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vecto
     far = np.hypot(radius, lateral * p["LATERAL"])
     circle = np.abs(lateral) + rng.integers(-2, 3, x.size)  # next to the circle nearer than which nothing is reached
     far = np.where(rng.random(x.size) < 0.2, circle, far)
+    if p.get("MARGINS"):
+        close = np.hypot(cfg["cfg_margin"], lateral * p["LATERAL"]) + rng.integers(-2, 3, x.size)
+        far = np.where(rng.random(x.size) < 0.1, close, far)
     moved = [np.rint(far * np.cos(yaw)), np.rint(far * np.sin(yaw)), z + base * p["BASE"]]
     moved = [np.clip(word, -half, half - 1).astype(np.int64) for word in moved]
     axis = rng.random(x.size) < 0.05
