@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 
@@ -15,7 +16,7 @@ from models.test.oracles import ask, flags, oracle
 from tb.lib import stimulus
 
 FAMILIES = ("vector", "table", "rational", "classic", "paper")
-DERIVE = {"vector": vector.config, "table": table.config, "rational": rational.config,
+DERIVE = {"arm": arm.config, "vector": vector.config, "table": table.config, "rational": rational.config,
           "classic": classic.config}
 
 
@@ -513,6 +514,54 @@ def test_reach_of_an_arm_with_offsets(core):
     if not p["LATERAL"] and core.function == "arm_ik3":
         assert flags(core, [target(core, a, 0, base)], cfg, "singular") == [True]
         assert flags(core, [target(core, a, 0, base + 1)], cfg, "singular") == [False]
+
+
+@oracle("arm.arm_ik3", status=("unreachable", "singular"), cfg=("margin", "slack"))
+def test_margin_and_slack_of_an_arm_with_offsets(core):
+    """Bit 1 where L2 |sin| of the elbow, or the distance of the wrist from the yaw axis in the arm's plane, is less LSB
+    than the margin, before and behind that axis; bit 0 from the slack beyond L1 + L2 on. The words of the joints stay.
+    """
+    if without_margins(core):
+        return
+    p, half, rng = core.params, 1 << core.params["W"] - 1, random.Random(7)
+    a, b, base = half // 16 * p["SHOULDER"], half // 8 * p["LATERAL"], half // 9 * p["BASE"]
+    l1, l2, margin, slack, lsb = half // 3, half // 5, half // 24, 5, 2.0 ** -p["F"]
+    lengths = {"cfg_l1": l1, "cfg_l2": l2, "cfg_base": base, "cfg_shoulder": a, "cfg_lateral": b}
+    cfg = {name[4:]: word for name, word in (lengths | arm.config(p, **lengths)).items()}
+    own = {name[4:]: word for name, word in arm.config(p, **lengths, margin=margin * lsb, slack=slack * lsb).items()}
+    assert own["margin"] == margin and cfg["margin"] == cfg["slack"] == 0
+    rows, near, beyond = [], [], []
+    while len(rows) < 1500:
+        back, turn = rng.randint(0, 1), rng.uniform(-math.pi, math.pi)
+        if rng.random() < 0.4:  # next to the yaw axis
+            rho, height = rng.uniform(0, 2 * margin) * (1 - 2 * back), rng.uniform(-1, 1) * (l1 + l2)
+        else:
+            radius = rng.choice((l1 + l2 + rng.uniform(-slack, 3 * slack), rng.uniform(l1 - l2, l1 + l2)))
+            rho, height = a + radius * math.cos(turn), radius * math.sin(turn)
+        if (rho < 0) != bool(back):
+            continue
+        far, yaw = math.hypot(rho, b), rng.uniform(-math.pi, math.pi)
+        x, y, z = round(far * math.cos(yaw)), round(far * math.sin(yaw)), round(height + base)
+        rho = math.sqrt(max(x * x + y * y - b * b, 0)) * (1 - 2 * back)
+        if max(abs(x), abs(y), abs(z)) >= half or math.hypot(x, y) < b + 1:
+            continue
+        radius = math.hypot(rho - a, z - base)
+        c2 = (radius * radius - l1 * l1 - l2 * l2) / (2 * l1 * l2)
+        rows.append(target(core, x, y, z, rng.randint(0, 1)) | {"back": back})
+        near.append(min(l2 * math.sqrt(max(0, 1 - c2 * c2)), abs(rho)))
+        beyond.append(radius - l1 - l2 if radius > l1 else 2 * slack if radius < l1 - l2 - 2 else None)
+    seen = []
+    for distance, over, answer, none in zip(near, beyond, ask(core, rows, cfg | own), ask(core, rows, cfg)):
+        assert {**answer, "status": 0} == {**none, "status": 0} and (answer["status"] ^ none["status"]) & 12 == 0
+        assert not none["status"] & 2 or distance < 2
+        if abs(distance - margin) > 1 + l2 / 2048:
+            assert bool(answer["status"] & 2) == (distance < margin), distance
+            seen.append(("margin", distance < margin))
+        if over is not None and abs(over - slack) > 1:
+            assert bool(answer["status"] & 1) == (over > slack), over
+            seen.append(("slack", over > slack, over > 1))
+    assert all(seen.count(one) > 25 for one in (("margin", False), ("margin", True), ("slack", True, True),
+                                               ("slack", False, True), ("slack", False, False))), Counter(seen)
 
 
 # Choice of a branch
