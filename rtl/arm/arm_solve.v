@@ -284,7 +284,7 @@ module arm_solve #(
     assign out_flat = outside; assign out_negative = short;
     kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (
         .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack), .in_length(addend[1]),
-        .in_edge(addend[2]), .in_cos2(cos2), .in_root(root), .in_elbow(elbow), .in_flat(clamped || settled[51]),
+        .in_edge(MARGINS && addend[2]), .in_cos2(cos2), .in_root(root), .in_elbow(elbow), .in_flat(clamped || settled[51]),
         .in_load(rho_before), .in_axis(axis), .in_beyond(beyond), .in_clamped(clamped), .in_sum(result),
         .in_product(settled[53:50]), .out_addend(more), .out_minus(minus), .out_near(close), .out_far(far));
     assign out_status = {1'b0, over_z, zero || zero3 || close, far || LATERAL && near_axis};
