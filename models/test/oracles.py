@@ -19,10 +19,12 @@ TABLE: dict[tuple[str, str], list[str]] = {}
 
 
 def sets_of(function: str, most: int = 2) -> list[Core]:
-    """The first core of a function at its first parameter sets."""
+    """The first core of a function at its first parameter sets, and at the first that has margin and slack."""
     cores = [core for core in all_cores() if f"{core.family}.{core.function}" == function]
     assert cores, f"cores.toml has no function {function}"
-    return [core for core in cores if core.name == cores[0].name][:most]
+    found = [core for core in cores if core.name == cores[0].name]
+    edged = [core for core in found[most:] if core.params.get("MARGINS")]
+    return found[:most] + edged[:1]
 
 
 def keys(function: str) -> list[str]:
