@@ -47,8 +47,9 @@ def primitives(report: dict) -> list[Row]:
 
 
 def q7_8(rows: Iterable[Row]) -> list[Row]:
-    """Rows with the paper's coordinates, Q7.8: others do less work and are not compared."""
-    return [row for row in rows if (row["params"].get("W"), row["params"].get("F")) == (16, 8)]
+    """Rows with the paper's coordinates, Q7.8, without margin and slack: others do other work and are not compared."""
+    return [row for row in rows if (row["params"].get("W"), row["params"].get("F")) == (16, 8)
+            and not row["params"].get("MARGINS")]
 
 
 def leading(rows: Iterable[Row], apart: Iterable[str] = ("MODE", "PIPE")) -> list[Row]:
