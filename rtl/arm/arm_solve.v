@@ -203,11 +203,9 @@ module arm_solve #(
         /* sin 1 + 2   */ {KEEP,        SHIFTED, CFG_R,  NONE,   BY1 | SINE},
         /* cos 1 + 2   */ {KEEP,        SHIFTED, CFG_R,  NONE,   BY1 | KEPT},
         /* sin 1 + 2   */ {KEEP,        SHIFTED, CFG_R,  NONE,   BY1 | TURNED}};
-    wire [OP-1:0] op;
-    wire [7:0]    operands;
-    wire [1:0]    left_from;
+    wire [OP-1:0] op; wire [19:0] rest;
+    wire [7:0]    operands; wire [1:0] left_from;
     wire [2:0]    right_from, addend;
-    wire [19:0]   rest;
     assign        {operands, left_from, right_from, addend, rest} = op;
     wire          idle; wire accept = in_valid && in_ready;
     localparam LINES = PIPE == 0 ? 18 + 5 * LATERAL + 2 * ABSOLUTE : 41 + LATERAL + 4 * ABSOLUTE;
@@ -235,8 +233,7 @@ module arm_solve #(
 
     // minus_q turns a sum into a gap: q - b^2 first, q - Q1 - Q2 after rho. Without b it subtracts the shoulder offset
     reg                elbow, back, clamped, zero, zero3, beyond, short, near_axis, over_z, odd_root;
-    reg         [33:0] minus_q;
-    reg  [3:0]         s;
+    reg         [33:0] minus_q; reg [3:0] s;
     /* verilator lint_off UNUSEDSIGNAL */ wire signed [53:0] product, settled; /* verilator lint_on UNUSEDSIGNAL */
     wire        [21:0] result;
     wire [26:0]        word; wire [36:0] total;
@@ -245,20 +242,18 @@ module arm_solve #(
     wire        [21:0] length = (odd_root ? settled[50:29] : settled[51:30]) ^ {22{back}};
     arm_operands #(.LATERAL(LATERAL), .SHOULDER(SHOULDER), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) turn (
         .clk(clk), .in_start(accept), .in_x(in_x), .in_y(in_y), .in_z(z), .in_lateral(cfg_lateral),
-        .in_shoulder(cfg_shoulder), .in_margin(cfg_margin), .in_rho(rho), .in_total(total[33:13]), .in_take(|(operands & TAKE)),
-        .in_near(near_axis), .in_length(length), .in_k1(|(operands & K1)), .in_k2(|(operands & K2)),
-        .in_turn(|(operands & TURN)), .in_move(|(operands & MOVE)), .in_power(|(operands & POWER)),
-        .in_back(back), .in_clamp(clamped), .in_odd(s[0]), .in_sum(result), .in_product(product[52:31]),
-        .in_addend(minus_q), .out_axis(axis), .out_sum(total));
+        .in_shoulder(cfg_shoulder), .in_margin(cfg_margin), .in_rho(rho), .in_total(total[33:13]),
+        .in_take(|(operands & TAKE)), .in_near(near_axis), .in_length(length), .in_k1(|(operands & K1)),
+        .in_k2(|(operands & K2)), .in_turn(|(operands & TURN)), .in_move(|(operands & MOVE)),
+        .in_power(|(operands & POWER)), .in_back(back), .in_clamp(clamped), .in_odd(s[0]), .in_sum(result),
+        .in_product(product[52:31]), .in_addend(minus_q), .out_axis(axis), .out_sum(total));
     kernel_vector_shift shift (.in_sum(total), .in_q(total[34:3]), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
 
     // The third multiplier: 1.0 is 2^25 in left, 2^26 in right (2^24 in words from SLOPE) and 2^49 in a product of the
     // two. Its addend is a register that is 0 where nothing is added.
     reg  signed [26:0] left, right;
-    reg                half, rho_before;
-    wire               minus, close, far;
-    wire [21:0]        more;
+    reg                half, rho_before; wire minus, close, far; wire [21:0] more;
     kernel_product #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) multiplier (.clk(clk), .in_left(left), .in_right(right),
         .out_product(product), .out_settled(settled));
     assign             result = settled[52:31] + (more | (half ? 22'd1 << 17 - U : 22'd0)) + {21'd0, minus};
@@ -271,9 +266,7 @@ module arm_solve #(
     wire [20:0] e = low ? v[20:0] : v[25:5];
     wire [21:0] root_w = {e[20:11], ~e[11], e[10:0]};
     wire [21:0] inverse_w = {1'b0, word[24:16], ~word[15], clamped ? {word[15], ~word[14:5]} : ~word[14:4]};
-    reg  [21:0] factor;
-    reg         negative;
-    wire [19:0] slope;
+    reg  [21:0] factor; reg negative; wire [19:0] slope;
     kernel_vector_slopes #(.PIPE(PIPE)) slopes (.clk(clk), .in_read(root || read),
         .in_range(read ? {1'b1, clamped} : {1'b0, low}), .in_segment(read ? factor[20:12] : e[20:12]),
         .out_slope(slope));
@@ -304,11 +297,11 @@ module arm_solve #(
             back   <= in_back;
             over_z <= beyond_z;
         end
+        rho_before <= rho;
         if (|(rest & TEST))
             near_axis <= total[36];
         if (rho)
             zero3 <= zero;
-        rho_before <= rho;
         if (first)
             s <= cfg_e;
         if (|(rest & BYTES))

@@ -264,7 +264,7 @@ module kernel_solve #(
     wire        load = YAW ? rho_before : accept;
     kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (
         .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack), .in_length(addend[0]),
-        .in_edge(addend[1]), .in_cos2(|(rest & COS2)), .in_root(root), .in_elbow(1'b0), .in_flat(1'b0), .in_load(load),
+        .in_edge(addend[1]), .in_cos2(|(rest & COS2)), .in_root(1'b1), .in_elbow(1'b0), .in_flat(1'b0), .in_load(load),
         .in_axis(YAW && axis), .in_beyond(beyond), .in_clamped(clamped), .in_sum(result), .in_product(settled[53:50]),
         .out_addend(more), .out_minus(minus), .out_near(near), .out_far(distant));
     assign      out_status = {2'd0, (YAW ? zero3 : zero) || near, distant};
