@@ -342,6 +342,26 @@ def test_an_instance_is_the_arm_or_refused(quadrance, arguments, reason):
     assert reason in quadrance("instance", core, "--arm", arm, *given, code=2)
 
 
+@pytest.mark.parametrize(("core", "arm"), [("vector_ik2", "cobra600"), ("table_ik2", "cobra600"),
+                                           ("rational_ik2", "cobra600"), ("arm_ik3", "puma560")])
+def test_the_margin_of_a_core_is_that_of_the_arm_file(quadrance, tmp_path, core, arm):
+    file = tmp_path / "mine.toml"
+    text = re.sub(r"^axis = .*\n", "", arms.path_of(arm).read_text(), flags=re.M)
+    text = text.replace("elbow = 5.0", "{0}\nelbow = 5")
+    file.write_text(text.replace("{0}", "axis = 20"))
+    word = round(20 * 256 / arms.load(arm).mm_per_unit)
+    found = quadrance("instance", core, "--arm", str(file), "-p", "MARGINS=1")
+    assert re.search(rf"\.cfg_margin\(15'd{word}\), +// 20 mm, singular\.axis$", found, re.M)
+    without = quadrance("instance", core, "--arm", str(file))
+    assert re.search(r"\.cfg_margin\(15'd0\), +// not built: MARGINS is 0$", without, re.M)
+    file.write_text(text.replace("{0}", "axis = 20000"))
+    refusal = quadrance("instance", core, "--arm", str(file), "-p", "MARGINS=1", code=2)
+    assert f"cfg_margin would be {20000 * 256 / arms.load(arm).mm_per_unit:.0f}, its 15 bits end at 32767" in refusal
+    file.write_text(text.replace("{0}", ""))
+    assert "cfg_margin(15'd0), " in quadrance("instance", core, "--arm", str(file), "-p", "MARGINS=1")
+
+
+
 def test_a_switch_that_the_arm_does_not_need_may_be_built(quadrance):
     text = quadrance("instance", "arm_ik3", "--arm", "kr6_r700", "-p", "LATERAL=1", "-p", "U=14")
     assert ".U(14), .BASE(1), .SHOULDER(1), .LATERAL(1), .ELBOW(1), .ABSOLUTE(0)" in text

@@ -80,9 +80,10 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
         For a core with words that no arm file says.
     """
     p, function = core.params, core.function
+    margin = (arm.singular[1] or 0.0) / arm.mm_per_unit
     if core.family == "srs":
         lengths = {name: length / arm.mm_per_unit for name, length in arm.srs.items()}
-        return srs.config(p, **lengths, margin=(arm.singular[1] or 0.0) / arm.mm_per_unit)
+        return srs.config(p, **lengths, margin=margin)
     if core.family == "six" and function in ("velocity6", "rates6"):
         lengths = {name: length / arm.mm_per_unit for name, length in arm.six.items() if name != "c1"}
         if function == "velocity6":
@@ -91,16 +92,16 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
         return six.rates_config(p, **lengths, radius=radius / arm.mm_per_unit, angle=math.radians(angle))
     if core.family == "six":
         derive = six.forward_config if function.startswith("fk6") else six.config
-        edges = {"margin": (arm.singular[1] or 0.0) / arm.mm_per_unit, "slack": 0.0} if function == "ik6_all" else {}
+        edges = {"margin": margin, "slack": 0.0} if function == "ik6_all" else {}
         return derive(p, **{name: length / arm.mm_per_unit for name, length in arm.six.items()}, **edges)
     if core.family == "ur":
         lengths = {name: length / arm.mm_per_unit for name, length in arm.ur.items()}
-        margin = (arm.singular[1] or 0.0) / arm.mm_per_unit
         if function.startswith("ur_fk"):
             return ur.forward_config(p, **lengths)
         return ur.config(p, **lengths, margin=margin)
     if function in ("arm_fk3", "arm_ik3"):
-        return arm_model.words(p, arm, inverse=function == "arm_ik3")
+        found = arm_model.words(p, arm, inverse=function == "arm_ik3")
+        return found | ({"cfg_margin": int(to_fixed(margin, p["F"]))} if p.get("MARGINS") else {})
     if function == "keep3":
         return arm_model.words(p, arm, inverse=True) | _limits(core, arm)
     if "F" not in p:
@@ -114,7 +115,7 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
         lengths["cfg_sine"] = int(to_fixed(sine, p["U"]))
     if "cfg_radius" in names:
         lengths["cfg_radius"] = int(to_fixed(_said(arm, "singular.axis", arm.singular[1]) / arm.mm_per_unit, p["F"]))
-    edges = {"margin": (arm.singular[1] or 0.0) / arm.mm_per_unit} if p.get("MARGINS") else {}
+    edges = {"margin": margin} if p.get("MARGINS") else {}
     return configure(core, **lengths, **edges, **(_limits(core, arm) if function == "keep2" else {}))
 
 
