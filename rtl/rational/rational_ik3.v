@@ -53,9 +53,10 @@ module rational_ik3 #(
     wire [14:0]        margin = {cfg_margin, {(16-W){1'b0}}};
     kernel_solve #(.JOINTS(3), .MARGINS(MARGINS), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1({cfg_l1, {(16-W){1'b0}}}), .cfg_l2({cfg_l2, {(16-W){1'b0}}}), .cfg_q(cfg_q),
-        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_margin(margin), .cfg_slack(cfg_slack), .in_valid(in_valid), .in_ready(in_ready),
-        .in_x(x), .in_y(y), .in_z(z), .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_take(take), .out_axis(axis),
-        .out_below(below), .out_square(square), .out_status(out_status));
+        .cfg_r(cfg_r), .cfg_e(cfg_e), .cfg_margin(margin), .cfg_slack(cfg_slack), .in_valid(in_valid),
+        .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(in_elbow), .out_valid(out_valid),
+        .out_ready(out_ready), .out_take(take), .out_axis(axis), .out_below(below), .out_square(square),
+        .out_status(out_status));
     spread_about_axis #(.JOINTS(3), .HELD(3'b101), .S(S), .PIPE(PIPE)) codec (.clk(clk), .rst(rst), .in_take(take),
         .in_axis(axis), .in_below(below), .in_square(square), .out_j({out_j3, out_j2, out_j1}));
 endmodule
