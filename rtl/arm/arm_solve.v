@@ -260,8 +260,8 @@ module arm_solve #(
     wire               outside = beyond || settled[53:49] != {5{settled[53]}};
 
     // v = 1 - c2^2 has 26 fraction bits. First factors of sqrt(v), 1/q', 2/sqrt(q') have 22 bits and a constant 1.
-    wire        root = |(rest & ROOT), read = |(rest & READ), inverse = |(rest & INVERSE);
-    wire [25:0] v = ~settled[50:25]; wire cos2 = |(rest & COS2);
+    wire        root = |(rest & ROOT), read = |(rest & READ), inverse = |(rest & INVERSE), cos2 = |(rest & COS2);
+    wire [25:0] v = ~settled[50:25];
     wire        low = v[25:21] == 0;
     wire [20:0] e = low ? v[20:0] : v[25:5];
     wire [21:0] root_w = {e[20:11], ~e[11], e[10:0]};
@@ -275,11 +275,11 @@ module arm_solve #(
     assign out_sin = {|(rest & SIN3), |(rest & SIN2), |(rest & SIN1)};
     assign out_none = zero; assign out_word = {result, settled[30:29]};
     assign out_flat = outside; assign out_negative = short;
-    kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (
-        .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack), .in_length(addend[1]),
-        .in_edge(MARGINS && addend[2]), .in_cos2(cos2), .in_root(root), .in_elbow(elbow), .in_load(rho_before),
-        .in_flat(clamped || settled[51]), .in_axis(axis), .in_beyond(beyond), .in_clamped(clamped), .in_sum(result),
-        .in_product(settled[53:50]), .out_addend(more), .out_minus(minus), .out_near(close), .out_far(far));
+    kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges ( .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin),
+        .cfg_slack(cfg_slack), .in_length(addend[1]), .in_edge(MARGINS && addend[2]), .in_cos2(cos2), .in_root(root),
+        .in_elbow(elbow), .in_flat(clamped || settled[51]), .in_load(rho_before), .in_axis(axis), .in_beyond(beyond),
+        .in_clamped(clamped), .in_sum(result), .in_product(settled[53:50]), .out_addend(more), .out_minus(minus),
+        .out_near(close), .out_far(far));
     assign out_status = {1'b0, over_z, zero || zero3 || close, far || LATERAL && near_axis};
     wire   sin3 = |(rest & SIN3), unused = &{1'b0, cfg_base, cfg_shoulder, cfg_lateral, cfg_bb, odd_root, rest};
     wire   first = |(operands & FIRST), plain = |(rest & PLAIN), near = |(rest & NEAR);
