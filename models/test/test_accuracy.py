@@ -230,7 +230,7 @@ def test_configuration_words():
     with pytest.raises(ValueError, match=r"has no config\(\) for \['cfg_gain'\]"):
         accuracy.config(odd, ARM)
     derived = accuracy.configure(cores.find("rational_ik2"), cfg_l1=8320, cfg_l2=7040)
-    assert list(derived) == ["cfg_l1", "cfg_l2", "cfg_q", "cfg_r", "cfg_e"]
+    assert list(derived) == ["cfg_l1", "cfg_l2", "cfg_q", "cfg_r", "cfg_e", "cfg_margin", "cfg_slack"]
 
 
 # The workspace
