@@ -125,9 +125,11 @@ def _pairs(row: Params) -> set[tuple[tuple[str, int], ...]]:
 
 def _switched(core: Core, names: list[str]) -> Iterator[Params]:
     """Values of the switches `names`: those of every arm, then further ones until every pair has had all its values."""
-    seen = _pairs({name: core.params[name] for name in names})
+    own = {name: core.params[name] for name in names}
+    seen = _pairs(own)
     for name in arms.known():
-        if set(row := switches(arms.load(name))) == set(names):
+        if (row := switches(arms.load(name))).keys() <= own.keys():
+            row = own | row
             seen |= _pairs(row)
             yield row
     rows = [dict(zip(names, row)) for row in itertools.product((0, 1), repeat=len(names))]
