@@ -6,8 +6,9 @@
 // other cfg_* by arm.config. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE, with PIPE = 1 42 + LATERAL + 4 ABSOLUTE.
 // Error of the tip in reach: bounds.arm.ik3, that of vector_ik2 plus 2 d, d = 3/32 LSB + 2^-16 rho, plus (|rho| +
 // L1 + L2)(2^-U sqrt(1/2) + 2^-18), plus 2^-U sqrt(5) L2 each for ELBOW and ABSOLUTE.
-// Status: unreachable (the nearest point in the plane of the arm is answered), singular (joint 1 or 3 has no direction
-// and holds its last word, (1, 0) after a reset), overflow (z - base was saturated).
+// Status: unreachable (by more than cfg_slack, 2^-14 of cos j2, or nearer to the yaw axis than b; the nearest point in
+// the plane of the arm is answered), singular (within cfg_margin, LSB, of a stretched or folded elbow, or rho is; joint
+// 1 or 3 has no direction and holds its last word, (1, 0) after a reset), overflow (z - base was saturated).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form, with the offsets of real arms. Model: arm.ik3
 `default_nettype none
 module arm_ik3 #(

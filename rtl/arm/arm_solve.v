@@ -6,8 +6,8 @@
 // sine of joint i + 1, half a unit of U bits added; out_flat: c2 is 1, or -1 with out_negative; out_none: the joint has
 // no direction; out_sine, out_by1, out_kept, out_turned turn joint 2 in arm_vectors.
 // Error of the tip: bounds.arm.ik3. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE, with PIPE = 1 42 + LATERAL +
-// 4 ABSOLUTE. Status: unreachable (the nearest point in the plane of the arm is answered), singular (joint 1 or 3 has
-// no direction), overflow (z - base was saturated).
+// 4 ABSOLUTE. Status: unreachable (the nearest point in the plane of the arm is answered), singular (within the margin,
+// or joint 1 or 3 has no direction), overflow (z - base was saturated).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form, with the offsets of real arms. Model: arm.ik3
 `default_nettype none
 module arm_solve #(
@@ -275,7 +275,7 @@ module arm_solve #(
     assign out_sin = {|(rest & SIN3), |(rest & SIN2), |(rest & SIN1)};
     assign out_none = zero; assign out_word = {result, settled[30:29]};
     assign out_flat = outside; assign out_negative = short;
-    kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges ( .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin),
+    kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (.clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin),
         .cfg_slack(cfg_slack), .in_length(addend[1]), .in_edge(MARGINS && addend[2]), .in_cos2(cos2), .in_root(root),
         .in_elbow(elbow), .in_flat(clamped || settled[51]), .in_load(rho_before), .in_axis(axis), .in_beyond(beyond),
         .in_clamped(clamped), .in_sum(result), .in_product(settled[53:50]), .out_addend(more), .out_minus(minus),

@@ -7,8 +7,9 @@
 // k. Formats: in_* s16.0; cfg_*: kernel_vector_solve.config; out_axis u2.0 quarter turns; out_below: clockwise of the
 // axis; out_square u1.40, square of the sine. Valid for joint i + 1 in each clock of out_take[i]; the last one holds.
 // Error of the tip: bounds.rational.ik2, _ik3. Latency and II: 12 + 12 PIPE; three joints 26 + 19 PIPE. Status:
-// unreachable (nearest point), singular (x = y = 0: joint 3, of two joints joint 1, is not given; nor is joint 1 of
-// three where z = 0 too). Source: rational trigonometry paper, eqs. 18-23 and 32-40. Models: rational.ik2, rational.ik3
+// unreachable (nearest point), singular (within the margin; x = y = 0: joint 3, of two joints joint 1, is not given;
+// nor is joint 1 of three where z = 0 too). Source: rational trigonometry paper, eqs. 18-23 and 32-40. Models:
+// rational.ik2, rational.ik3
 `default_nettype none
 module kernel_solve #(
     parameter JOINTS = 2,    // joints, 2 or 3 (default 2): in the plane, where in_z is not used, or in space
@@ -63,7 +64,7 @@ module kernel_solve #(
     localparam [1:0]              // what is added to the product of the next clock
         NONE    = 2'b00,          // nothing
         LENGTH  = 2'b01,          // L1
-        EDGE    = 2'b10;          // minus the slack in the line of COS2, otherwise minus the margin
+        EDGE    = 2'b10;          // minus the slack in the line of COS2, minus the margin in the other
     localparam [14:0]             // the rest
         OTHER   = 15'h0000,       // nothing
         BYTES   = 15'h0001,       // bytes that q can spare

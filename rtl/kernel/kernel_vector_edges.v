@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Addend of the third multiplier of kernel_vector_solve, and the status bits that margin and slack decide.
-// Two lines of the schedule do not need their sum. In one out_addend is minus the slack, and c2 less it is 1 or more:
-// far (the sum is that of c2 - 2; with PIPE = 1 of c2). In the other it is the margin, against the sign of n2, and k2
-// changes its sign: near.
-// in_length: the next addend is L1. in_edge: with in_cos2 the slack, otherwise the margin. in_root reads n2, in_flat:
-// it is 0. in_load ends the last sample; in_axis: joint 3 is within the margin then.
+// What the third multiplier of a solver adds to its product, and the two status bits that margin and slack decide.
+// Two lines of the schedule do not use their sum, so it makes the comparisons:
+//   The slack is subtracted from c2. The target is out of reach where 1 or more is left: out_far.
+//   The margin is added to k2 = L2 n2 against its sign. The elbow is near to singular where the sign changes: out_near.
+// The first sum is that of c2 - 2, a word that has wrapped, or with PIPE = 1 that of c2.
+// in_length: L1 is added next. in_edge: with in_cos2 the slack is subtracted next, otherwise the margin is added.
+// in_root: n2 is read; in_flat: it is 0. in_load: a sample begins; in_axis: it is within the margin of the axis of
+// joint 3.
 // Formats: cfg_margin LSB of a coordinate, cfg_slack 2^-14 of c2; out_addend and in_sum s18.4, out_minus is added too.
-// Model: kernel_vector_solve.edges
+// Models: kernel_vector_solve.edges, rational.ik2
 `default_nettype none
 module kernel_vector_edges #(
     parameter MARGINS = 1,  // 0 or 1 (default 1); 0: out_far is in_clamped and out_near 0

@@ -7,7 +7,8 @@
 // Error of the tip beyond the rounding of the words, L1 = L2 = 2^13, W = 16: at most 0.71 LSB for targets at a distance
 // rho >= 256 LSB with |sin j2| > 2^-8; within 12 LSB of the shoulder at most 2 rho + 9.3 LSB.
 // Latency and II: 12 + 12 PIPE.
-// Status: unreachable (the nearest point is answered), singular (x = y = 0: out_j1 is held).
+// Status: unreachable (by more than cfg_slack, 2^-14 of cos j2; the nearest point is answered), singular (within
+// cfg_margin, LSB, of a stretched or folded arm; x = y = 0: out_j1 is held).
 // Source: rational-trigonometry paper, eqs. 18-23 in vector form. Model: rational.ik2
 `default_nettype none
 module rational_ik2 #(

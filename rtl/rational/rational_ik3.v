@@ -5,7 +5,9 @@
 // Error of the tip beyond the rounding of the words: at most 0.94 LSB at L1 = L2 = 2^13 (W = 16) for targets at least
 // 256 LSB away with |sin j2| > 2^-8.
 // Latency and II: 26 + 19 PIPE.
-// Status: unreachable (the nearest point is answered), singular (x = y = 0: out_j3 is held; z = 0 too: out_j1 also).
+// Status: unreachable (by more than cfg_slack, 2^-14 of cos j2; the nearest point is answered), singular (within
+// cfg_margin, LSB, of a stretched or folded arm or of the axis of joint 3; x = y = 0: out_j3 is held; z = 0 too:
+// out_j1).
 // Source: rational-trigonometry paper, eqs. 9 and 18-23 in vector form. Model: rational.ik3
 `default_nettype none
 module rational_ik3 #(

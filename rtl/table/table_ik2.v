@@ -7,7 +7,8 @@
 // Error of the tip at the answered words: bounds.table.ik2, at L1 = L2 = 2^13 from a quarter of the reach on 1.27 LSB
 // at A = 18 and 0.94 at A = 24.
 // Latency and II: 12 + 14 PIPE.
-// Status: unreachable (the nearest point is answered), singular (x = y = 0: j1 is held, 0 after a reset).
+// Status: unreachable (by more than cfg_slack, 2^-14 of cos j2; the nearest point is answered), singular (within
+// cfg_margin, LSB, of a stretched or folded arm; x = y = 0: j1 is held, 0 after a reset).
 // Source: rational trigonometry paper, eqs. 18-23, in vector form, and an arc sine of their result. Model: table.ik2
 `default_nettype none
 module table_ik2 #(

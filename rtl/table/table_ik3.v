@@ -6,7 +6,8 @@
 // Error of the tip at the answered words: bounds.table.ik3, at L1 = L2 = 2^13 from a quarter of the reach on 2.09 LSB
 // at A = 18 and 1.55 at A = 24.
 // Latency and II: 21 + 25 PIPE.
-// Status: unreachable (the nearest point is answered), singular (x = y = 0: j3 is held; z = 0 too: j1).
+// Status: unreachable (by more than cfg_slack, 2^-14 of cos j2; the nearest point is answered), singular (within
+// cfg_margin, LSB, of a stretched or folded arm or of the axis of joint 3; x = y = 0: j3 is held; z = 0 too: j1).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form, and an arc sine of their result. Model: table.ik3
 `default_nettype none
 module table_ik3 #(

@@ -6,8 +6,9 @@
 // words add up to in_phi exactly. cfg_l3 u(W-F).F; cfg_q, cfg_r, cfg_e by table.config.
 // Error of the tip: that of table_ik2, and sqrt(2) (1/2 + 1.62 L3 / 2^16) for the wrist in 16-bit words
 // (bounds.table.ik3r). Latency and II: 16 + 17 PIPE.
-// Status: unreachable (the wrist is at its nearest point), singular (the wrist is the shoulder: j1 is held), overflow
-// (the wrist was saturated).
+// Status: unreachable (by more than cfg_slack, 2^-14 of cos j2; the wrist is at its nearest point), singular (within
+// cfg_margin, LSB, of a stretched or folded arm; the wrist is the shoulder: j1 is held), overflow (the wrist was
+// saturated).
 // Source: Newton-Raphson paper, eq. 14, in closed form. Model: table.ik3r
 `default_nettype none
 module table_ik3r #(

@@ -6,7 +6,9 @@
 // kernel_vector_solve.config.
 // Error of the tip, rounding included: bounds.vector.ik3, 1.04 LSB at L1 = L2 = 2^13 from a quarter of the reach on.
 // Latency and II: 19 + 23 PIPE.
-// Status: unreachable (the nearest point is answered), singular (x = y = 0: c3, n3 are held; z = 0 too: c1, n1).
+// Status: unreachable (by more than cfg_slack, 2^-14 of cos j2; the nearest point is answered), singular (within
+// cfg_margin, LSB, of a stretched or folded arm or of the axis of joint 3; x = y = 0: c3, n3 are held; z = 0 too: c1,
+// n1).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form. Model: vector.ik3
 `default_nettype none
 module vector_ik3 #(
