@@ -253,7 +253,7 @@ module arm_solve #(
     // The third multiplier: 1.0 is 2^25 in left, 2^26 in right (2^24 in words from SLOPE) and 2^49 in a product of the
     // two. Its addend is a register that is 0 where nothing is added.
     reg  signed [26:0] left, right;
-    reg                half, rho_before; wire minus, close, far; wire [21:0] more;
+    reg                half; wire minus, close, far; wire [21:0] more;
     kernel_product #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) multiplier (.clk(clk), .in_left(left), .in_right(right),
         .out_product(product), .out_settled(settled));
     assign             result = settled[52:31] + (more | (half ? 22'd1 << 17 - U : 22'd0)) + {21'd0, minus};
@@ -275,11 +275,11 @@ module arm_solve #(
     assign out_sin = {|(rest & SIN3), |(rest & SIN2), |(rest & SIN1)};
     assign out_none = zero; assign out_word = {result, settled[30:29]};
     assign out_flat = outside; assign out_negative = short;
-    kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (.clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin),
-        .cfg_slack(cfg_slack), .in_length(addend[1]), .in_edge(MARGINS && addend[2]), .in_cos2(cos2), .in_root(root),
-        .in_elbow(elbow), .in_flat(clamped || settled[51]), .in_load(rho_before), .in_axis(axis), .in_beyond(beyond),
-        .in_clamped(clamped), .in_sum(result), .in_product(settled[53:50]), .out_addend(more), .out_minus(minus),
-        .out_near(close), .out_far(far));
+    kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (
+        .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack), .in_length(|(addend & LENGTH)),
+        .in_edge(MARGINS && |(addend & EDGE)), .in_cos2(cos2), .in_root(root), .in_elbow(elbow), .in_load(rho),
+        .in_flat(clamped || settled[51]), .in_axis(axis), .in_beyond(beyond), .in_clamped(clamped), .in_sum(result),
+        .in_product(settled[53:50]), .out_addend(more), .out_minus(minus), .out_near(close), .out_far(far));
     assign out_status = {1'b0, over_z, zero || zero3 || close, far || LATERAL && near_axis};
     wire   sin3 = |(rest & SIN3), unused = &{1'b0, cfg_base, cfg_shoulder, cfg_lateral, cfg_bb, odd_root, rest};
     wire   first = |(operands & FIRST), plain = |(rest & PLAIN), near = |(rest & NEAR);
@@ -297,7 +297,6 @@ module arm_solve #(
             back   <= in_back;
             over_z <= beyond_z;
         end
-        rho_before <= rho;
         if (|(rest & TEST))
             near_axis <= total[36];
         if (rho)
@@ -321,7 +320,7 @@ module arm_solve #(
             short  <= total[36];
         end
 
-        half <= addend[0];
+        half <= |(addend & HALF);
         if (root || inverse) begin
             factor   <= inverse ? inverse_w : {22{elbow}} ^ root_w;
             negative <= root && elbow;

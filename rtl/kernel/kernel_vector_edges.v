@@ -5,8 +5,8 @@
 //   The margin is added to k2 = L2 n2 against its sign. The elbow is near to singular where the sign changes: out_near.
 // The first sum is that of c2 - 2, a word that has wrapped, or with PIPE = 1 that of c2.
 // in_length: L1 is added next. in_edge: with in_cos2 the slack is subtracted next, otherwise the margin is added.
-// in_root: n2 is read; in_flat: it is 0. in_load: a sample begins; in_axis: it is within the margin of the axis of
-// joint 3.
+// in_root: n2 is read; in_flat: it is 0. in_load: a sample begins; in_axis, one clock later: it is within the margin
+// of the axis of joint 3.
 // Formats: cfg_margin LSB of a coordinate, cfg_slack 2^-14 of c2; out_addend and in_sum s18.4, out_minus is added too.
 // Models: kernel_vector_solve.edges, rational.ik2
 `default_nettype none
@@ -38,7 +38,7 @@ module kernel_vector_edges #(
     reg [15:0] l1;
     generate
         if (MARGINS == 1) begin : g_margins
-            reg         minus, side, slack, margin, much, far, near;
+            reg         minus, side, load, slack, margin, much, far, near;
             wire        invert = in_cos2 || !side;
             wire [15:0] taken = !in_cos2 ? {1'b0, cfg_margin} : PIPE == 1 ? {3'd0, cfg_slack} : {1'b0, cfg_slack, 2'd0};
             wire        unused = &{1'b0, in_sum};
@@ -61,7 +61,8 @@ module kernel_vector_edges #(
                     far <= in_clamped && (much || in_sum[PIPE == 1 ? 18 : 20]);
                 if (margin && in_sum[21] != in_product[3])
                     near <= 1'b1;
-                if (in_load)
+                load <= in_load;
+                if (load)
                     near <= in_axis;
             end
         end else begin : g_none
