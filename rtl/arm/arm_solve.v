@@ -276,10 +276,11 @@ module arm_solve #(
     assign out_none = zero; assign out_word = {result, settled[30:29]};
     assign out_flat = outside; assign out_negative = short;
     kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (
-        .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack), .in_length(|(addend & LENGTH)),
-        .in_edge(MARGINS && |(addend & EDGE)), .in_cos2(cos2), .in_root(root), .in_elbow(elbow), .in_load(rho),
-        .in_flat(clamped || settled[51]), .in_axis(axis), .in_beyond(beyond), .in_clamped(clamped), .in_sum(result),
-        .in_product(settled[53:50]), .out_addend(more), .out_minus(minus), .out_near(close), .out_far(far));
+        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack),
+        .in_length(|(addend & LENGTH)), .in_edge(MARGINS && |(addend & EDGE)), .in_cos2(cos2), .in_root(root),
+        .in_elbow(elbow), .in_load(rho), .in_flat(clamped || settled[51]), .in_axis(axis), .in_beyond(beyond),
+        .in_clamped(clamped), .in_sum(result), .in_product(settled[53:50]), .out_addend(more), .out_minus(minus),
+        .out_near(close), .out_far(far));
     assign out_status = {1'b0, over_z, zero || zero3 || close, far || LATERAL && near_axis};
     wire   sin3 = |(rest & SIN3), unused = &{1'b0, cfg_base, cfg_shoulder, cfg_lateral, cfg_bb, odd_root, rest};
     wire   first = |(operands & FIRST), plain = |(rest & PLAIN), near = |(rest & NEAR);

@@ -262,11 +262,11 @@ module kernel_solve #(
     assign      out_below = root ? short == elbow : sin2 ? short ^ elbow : a_left ^ b_left ^ !x_near;
     assign      out_square = settled[51:11];
     kernel_vector_edges #(.MARGINS(MARGINS), .PIPE(PIPE)) edges (
-        .clk(clk), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack), .in_length(|(addend & LENGTH)),
-        .in_edge(|(addend & EDGE)), .in_cos2(|(rest & COS2)), .in_root(1'b1), .in_elbow(1'b0), .in_flat(1'b0),
-        .in_load(YAW ? rho_to : accept), .in_axis(YAW && axis), .in_beyond(beyond), .in_clamped(clamped),
-        .in_sum(result), .in_product(settled[53:50]), .out_addend(more), .out_minus(minus), .out_near(near),
-        .out_far(distant));
+        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack),
+        .in_length(|(addend & LENGTH)), .in_edge(|(addend & EDGE)), .in_cos2(|(rest & COS2)), .in_root(1'b1),
+        .in_elbow(1'b0), .in_flat(1'b0), .in_load(YAW ? rho_to : accept), .in_axis(YAW && axis), .in_beyond(beyond),
+        .in_clamped(clamped), .in_sum(result), .in_product(settled[53:50]), .out_addend(more), .out_minus(minus),
+        .out_near(near), .out_far(distant));
     assign      out_status = {2'd0, (YAW ? zero3 : zero) || near, distant};
     always @(posedge clk) begin
         minus_q <= {24'd0, |(rest & NEAREST), 9'd0};

@@ -15,6 +15,7 @@ module kernel_vector_edges #(
     parameter PIPE = 0      // 0 or 1 (default 0), that of the kernel
 ) (
     input  wire        clk,
+    input  wire        rst,
     input  wire [15:0] cfg_l1,
     input  wire [14:0] cfg_margin,
     input  wire [12:0] cfg_slack,
@@ -61,12 +62,12 @@ module kernel_vector_edges #(
                     far <= in_clamped && (much || in_sum[PIPE == 1 ? 18 : 20]);
                 if (margin && in_sum[21] != in_product[3])
                     near <= 1'b1;
-                load <= in_load;
+                load <= !rst && in_load;
                 if (load)
                     near <= in_axis;
             end
         end else begin : g_none
-            wire   unused = &{1'b0, cfg_margin, cfg_slack, in_cos2, in_root, in_elbow, in_flat, in_load, in_axis,
+            wire   unused = &{1'b0, rst, cfg_margin, cfg_slack, in_cos2, in_root, in_elbow, in_flat, in_load, in_axis,
                               in_beyond, in_sum, in_product};
             assign out_addend = {2'd0, l1, 4'd0};
             assign {out_minus, out_near} = 2'b00;
