@@ -186,7 +186,7 @@ def product(results: Iterable[int], roots: bool = True, margins: bool = False) -
     return read
 
 
-def two(results: Iterable[int], pose: int) -> Callable[[Played, str], list[str]]:
+def two(results: Iterable[int], pose: int, margins: bool = False) -> Callable[[Played, str], list[str]]:
     """The reading of a program for two poses, whose ports from 0 to `pose` are the pose's."""
     def read(one: Played, text: str) -> list[str]:
         lines = rows(text)
@@ -195,7 +195,7 @@ def two(results: Iterable[int], pose: int) -> Callable[[Played, str], list[str]]
         dests = ((replace(row, label=row.label.removeprefix(halves.MARK)), row.cells[cells["dest"]]) for row in lines)
         return [*mislabelled(text, dests, _registers(text)),
                 *halves.check(one.words, [row.label for row in lines], names, frozenset(results), one.pipe,
-                              range(pose))]
+                              range(pose), margins)]
 
     return read
 
@@ -301,6 +301,8 @@ def parallel(one: Played, text: str) -> list[str]:
 MACHINES: dict[str, Callable[[Played, str], list[str]]] = {
     "engine_delta_program": product((3, 7, 11)), "engine_gd_n_program": space, "engine_rus_fk_program": parallel,
     "vector_ik6_program": product(range(2, 14)), "vector_ik6_two_program": two(range(2, 14), 12),
+    "vector_ik6_near_program": product(range(2, 14), margins=True),
+    "vector_ik6_near_two_program": two(range(2, 14), 12, margins=True),
     "vector_ik6_all_program": product(range(48, 64), margins=True),
     "vector_fk6_program": product(range(2, 14), roots=False),
     "vector_velocity6_program": product(range(2, 8), roots=False), "vector_rates6_program": product(range(2, 11)),

@@ -19,8 +19,8 @@ from quadrance.program.meaning import MORE
 
 Params = dict[str, int]
 AXES = [f"{row}{column}" for row in "123" for column in "123"]
-FORWARD, INVERSE, ALL, VELOCITY, RATES = (RTL / "program" / f"vector_{name}.kin" for name in
-                                          ("fk6", "ik6", "ik6_all", "velocity6", "rates6"))
+FORWARD, INVERSE, NEAR, ALL, VELOCITY, RATES = (RTL / "program" / f"vector_{name}.kin" for name in
+                                                ("fk6", "ik6", "ik6_near", "ik6_all", "velocity6", "rates6"))
 
 
 def fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
@@ -32,17 +32,22 @@ def fk6(p: Params, **ports: Ints) -> dict[str, Ints]:
 
 
 def config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: float, c3: float, c4: float,
-           **edges: float) -> dict[str, int]:
-    """Configuration words of vector_ik6 from the seven parameters, in coordinate units.
-
-    With `margin` and `slack`, in coordinate units, those of the cores with all branches.
+           margin: float = 0.0, slack: float = 0.0) -> dict[str, int]:
+    """Configuration words of vector_ik6 from the seven parameters, `margin` and `slack`, all in coordinate units.
 
     Lengths in 2^-4 LSB; `cfg_k` is the length of (a2, c3) and (`cfg_cp`, `cfg_np`) its direction; `cfg_r` and `cfg_e`,
     a power of two, multiply to 1 / 2 c2 k, with c2 and k as rounded.
+
+    Raises
+    ------
+    ValueError
+        Where the core has MARGINS = 0 and either is given.
     """
+    if (margin or slack) and p.get("MARGINS") == 0:
+        raise ValueError("margin and slack need MARGINS = 1")
     words = {f"cfg_{name}": round(value * 2.0 ** (p["F"] + MORE)) for name, value in
              (("a1", a1), ("b", b), ("c1", c1), ("c2", c2), ("c4", c4), ("k", math.hypot(a2, c3)))}
-    words |= {f"cfg_{name}": round(value * 2.0 ** p["F"]) for name, value in edges.items()}
+    words |= {f"cfg_{name}": round(value * 2.0 ** p["F"]) for name, value in (("margin", margin), ("slack", slack))}
     psi = math.atan2(a2, c3)
     return words | {"cfg_cp": round(ONE * math.cos(psi)), "cfg_np": round(ONE * math.sin(psi))} | triangle(
         p, words["cfg_c2"], words["cfg_k"])
@@ -62,9 +67,14 @@ def forward_config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: 
             (("a1", a1), ("a2", a2), ("b", b), ("c1", c1), ("c2", c2), ("c3", c3), ("c4", c4))}
 
 
+def inverse(p: Params) -> Program:
+    """The program of one branch, with margin and slack where the core has them."""
+    return parser.load(NEAR if p["MARGINS"] else INVERSE)
+
+
 def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
     """One branch of a pose."""
-    return meaning.answer(parser.load(INVERSE), p, **ports)
+    return meaning.answer(inverse(p), p, **ports)
 
 
 def solved(p: Params, **ports: Ints) -> meaning.Outcome:
@@ -180,4 +190,4 @@ def to_angles(program: Program, p: Params, **ports: Ints) -> dict[str, Ints]:
 
 def table_ik6(p: Params, **ports: Ints) -> dict[str, Ints]:
     """`ik6` to binary angles."""
-    return to_angles(parser.load(INVERSE), p, **ports)
+    return to_angles(inverse(p), p, **ports)

@@ -254,7 +254,7 @@ def test_words_of_six_axes(core):
     for _ in range(100):
         a1, a2, b, c1, c2, c3, c4 = (rng.uniform(-1, 1) * reach / 4 for _ in range(7))
         c2, c3 = abs(c2) + reach / 50, abs(c3) + reach / 50
-        edges = {name: rng.uniform(0, 1) * reach / 4 for name in ("margin", "slack")}
+        edges = {name: p.get("MARGINS", 1) * rng.uniform(0, 1) * reach / 4 for name in ("margin", "slack")}
         found = six.config(p, a1=a1, a2=a2, b=b, c1=c1, c2=c2, c3=c3, c4=c4, **edges)
         assert all(abs(found[f"cfg_{name}"] - value * 2 ** p["F"]) <= 0.5 for name, value in edges.items())
         k, psi = mpmath.hypot(a2, c3), mpmath.atan2(a2, c3)

@@ -261,6 +261,12 @@ def test_words_of_wide_coordinates_are_those_of_python(w, tmp_path):
     check_arms(tmp_path, 200, 2026, False, [catalogue.at(core, core.params | {"W": w, "F": w - 8})])
 
 
+def test_words_of_margins_are_those_of_python(tmp_path):
+    edged = {core.name: core for core in cores.all_cores() if core.params.get("MARGINS") and not core.params["PIPE"]}
+    assert {"vector_ik3", "table_ik3r", "rational_ik2", "arm_ik3", "vector_ik6", "table_ik6"} <= edged.keys()
+    check_arms(tmp_path, 200, 2026, False, list(edged.values()))
+
+
 @pytest.mark.slow
 @pytest.mark.timeout(3600)
 def test_words_of_a_hundred_thousand_arms_are_those_of_python(tmp_path):

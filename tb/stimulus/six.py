@@ -31,11 +31,16 @@ def arms(core: Core) -> list[Six]:
     return found + [Six(*(units * part for part in one)) for one in share]
 
 
+def _edged(core: Core) -> bool:
+    """Whether margin and slack are built."""
+    return core.function == "ik6_all" or core.params.get("MARGINS") == 1
+
+
 def _words(core: Core, arm: Six, rng: np.random.Generator) -> dict[str, int]:
     """Configuration words of an arm; thresholds of any size."""
     if core.function.startswith("fk6"):
         return six.forward_config(core.params, **arm._asdict())
-    if core.function == "ik6_all":
+    if _edged(core):
         units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
         margin, slack = units * 2.0 ** -rng.uniform(2, 10, 2) * (rng.random(2) < 0.7)
         return six.config(core.params, **arm._asdict(), margin=margin, slack=slack)
@@ -52,7 +57,7 @@ def _words(core: Core, arm: Six, rng: np.random.Generator) -> dict[str, int]:
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Words of `arms`, margin and slack of 0 among them; then the extremes of every length and of every threshold."""
     found = [_words(core, arm, rng) for arm in arms(core)]
-    if core.function == "ik6_all":
+    if _edged(core):
         found.insert(0, found[0] | {"cfg_margin": 0, "cfg_slack": 0})
     for cfg in found[::2] if core.function == "rates6" else ():  # no threshold at all
         cfg |= {"cfg_radius": 0, "cfg_elbow": 0, "cfg_sine": 0}

@@ -92,7 +92,7 @@ def config(core: Core, arm: Arm) -> dict[str, int]:
         return six.rates_config(p, **lengths, radius=radius / arm.mm_per_unit, angle=math.radians(angle))
     if core.family == "six":
         derive = six.forward_config if function.startswith("fk6") else six.config
-        edges = {"margin": margin, "slack": 0.0} if function == "ik6_all" else {}
+        edges = {"margin": margin} if function == "ik6_all" or p.get("MARGINS") else {}
         return derive(p, **{name: length / arm.mm_per_unit for name, length in arm.six.items()}, **edges)
     if core.family == "ur":
         lengths = {name: length / arm.mm_per_unit for name, length in arm.ur.items()}

@@ -44,7 +44,7 @@ def _formulas(core: Core) -> tuple[list[str], dict[str, str]]:
         found |= {"radius": f"quadrance_fine(arm, arm->singular_axis, {p['F']})", "slack": "0",
                   "sine": f"quadrance_word(rint({sine} * {1 << p['U']}.0))",
                   "elbow": f"quadrance_fine(arm, hypot(arm->elbow, quadrance_forearm(arm)) * {sine}, {p['F']})"}
-        found["margin"] = found["radius"]
+        found["margin"] = found["radius"] if p.get("MARGINS", 1) else "0"
         local = [f"const quadrance_six six = quadrance_six_of(arm, {p['W']}, {fraction}, {six.MORE}, {ONE}.0);"]
         return local if "k" in names else [], {name: found[name] for name in names}
     if core.family in LENGTHS:
@@ -79,7 +79,7 @@ def _formulas(core: Core) -> tuple[list[str], dict[str, str]]:
     shrink = [f"floor((double)quadrance_least({name}, {longest}) * {classic.SHRINK!r}" for name in ("l1", "l2")]
     turn = f"quadrance_fixed({{}}(quadrance_radians(quadrance_elbow_angle(arm))), {u})"
     found = {"l1": "l1", "l2": "l2", "l3": length("arm->l3"), "q": "gap.q", "r": "gap.r", "e": "gap.e",
-             "margin": "0", "slack": "0",
+             "margin": length("arm->singular_axis") if p.get("MARGINS") else "0", "slack": "0",
              "c1": f"quadrance_word({shrink[0]} * {2**classic.GUARD}.0))",
              "s1": f"quadrance_word({shrink[0]} * {2**classic.CHAIN_GUARD}.0))",
              "s2": f"quadrance_word({shrink[1]} * {classic.SHRINK!r} * sqrt(2.0) * {2**classic.CHAIN_GUARD}.0))",

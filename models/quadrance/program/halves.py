@@ -10,7 +10,7 @@ import re
 from collections.abc import Collection, Sequence
 
 from quadrance.program import product_engine
-from quadrance.program.product_engine import ABOVE, CHECK, CLAMP, FAR, HOLD, PORT, fields
+from quadrance.program.product_engine import ABOVE, CHECK, CLAMP, FAR, HOLD, PORT, WRIST, fields
 
 MARK = "< "  # begins the label of a line of the second half
 POSES = 3
@@ -22,23 +22,24 @@ PLUS = 32
 def _half(word: int, late: bool, results: Collection[int], pose: Collection[int]) -> str:
     """What a line does that the other half alone can do; "" for nothing."""
     at = fields(word)
+    near = at["act"] & CHECK and at["act"] & WRIST
     sign = at["b"] if at["by"] and not at["b"] >> 5 and at["from"] == product_engine.TABLE else 0
     if late:
         if at["from"] == PORT and at["a"] in pose:
             return "the second half reads a port of the pose, which is the next one's"
-        return "the first half's sign or flag in the second" if sign in EARLY or at["act"] & (
+        return "the first half's sign or flag in the second" if sign in EARLY or not near and at["act"] & (
             ABOVE | FAR | CLAMP | CHECK) else ""
     return "the second half's sign, flag or result in the first" if (
-        sign in LATE or at["act"] & HOLD or at["dest"] in results) else ""
+        sign in LATE or near or at["act"] & HOLD or at["dest"] in results) else ""
 
 
 def check(words: Sequence[int], labels: Sequence[str], names: Sequence[dict[str, str]], results: Collection[int],
-          pipe: int, pose: Collection[int]) -> list[str]:
+          pipe: int, pose: Collection[int], margins: bool = False) -> list[str]:
     """What is wrong with a program of two poses; empty for a sound one.
 
     Parameters
     ----------
-    words, labels, names, results, pipe : as for `product_engine.check`; labels of the second half begin with MARK.
+    words, labels, names, results, pipe, margins : as for `product_engine.check`; labels of the second half begin with MARK.
     pose : numbers of the ports that are the pose's.
     """
     late = [label.startswith(MARK) for label in labels]
@@ -59,7 +60,7 @@ def check(words: Sequence[int], labels: Sequence[str], names: Sequence[dict[str,
         if run < POSES:
             played += [(NOTHING, "", {})] * drain
             played.append((words[0], "between runs", {key: f"{name} between runs" for key, name in names[0].items()}))
-    found = product_engine.check(*zip(*played), frozenset(results), True, pipe, False)
+    found = product_engine.check(*zip(*played), frozenset(results), True, pipe, margins)
     clocks = len(words) + drain + 1
     return wrong + [re.sub(r"line (\d+)", lambda match: f"line {(int(match[1]) - 1) % clocks + 1}", text)
                     for text in found if not ("'between runs'" in text and "no line reads it" in text)]

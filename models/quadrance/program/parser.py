@@ -8,20 +8,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 from quadrance.program import consistency
 from quadrance.program.language import FORMATS, ONE, Port, Program, Statement, Sum, Term, Wrong
 
-LIMITS = {"characters": 100_000, "columns": 160, "statements": 1000, "loops": 4, "values": 16, "name": 12, "terms": 12}
-RESERVED = set("""in cfg sign norm argue out order reach check near far emit flags both for root unit clamp wrist
+LIMITS = {"characters": 100_000, "columns": 160, "statements": 1000, "loops": 4, "values": 16, "name": 12, "terms": 12,
+          "texts": 4}
+RESERVED = set("""use in cfg sign norm argue out order reach check near far emit flags both for root unit clamp wrist
     hold keep one""".split())
 SIGNS = 3  # bits of in_signs
 ARGUED = 3  # words of a program whose range may be argued
 
 _TOKEN = re.compile(r"\s*(?:([A-Za-z_]\w*)|(\d+(?:\.\d*)?|\.\d+)|(<=|[-+*/=(),]))")
 _NAME = re.compile(rf"[a-z][a-z0-9]{{0,{LIMITS['name'] - 1}}}")
+_FILE = re.compile(r"[A-Za-z]\w*")
 _LOOP = re.compile(r"for ([a-z][a-z0-9]*) in ([a-z0-9+\- ]+):")
 
 
@@ -280,8 +283,32 @@ def _clamp(program: Program, tokens: _Tokens, text: str, names: tuple[str, ...])
     return Statement(tokens.line, text, "clamp", names, (one,), source=tuple(factors))
 
 
-def parse(text: str, path: Path) -> Program:
-    """The program of a text.
+def _used(program: Program, line: int, text: str, users: tuple[Path, ...]) -> None:
+    """Begin a program with all that another text of its folder says; an error in it is one of this line."""
+    name = text.split()[1:]
+    if len(name) != 1 or not _FILE.fullmatch(name[0]):
+        raise program.wrong(line, "the name of one text is expected after use: that of NAME.kin beside this one")
+    if program.inputs or program.statements or program.results:
+        raise program.wrong(line, "use comes before all else, once")
+    path = program.path.with_name(f"{name[0]}.kin")
+    if path in users:
+        raise program.wrong(line, f"{path.name} uses itself")
+    if len(users) >= LIMITS["texts"]:
+        raise program.wrong(line, f"more than {LIMITS['texts']} texts that use one another")
+    try:
+        other = _read(path, users)
+    except Wrong as error:
+        raise program.wrong(line, f"use: {error}") from None
+    program.inputs |= other.inputs
+    program.signs, program.order = other.signs, other.order
+    program.norms += other.norms
+    program.argued |= other.argued
+    program.results += other.results
+    program.statements += [replace(one, line=line) for one in other.statements]
+
+
+def parse(text: str, path: Path, users: tuple[Path, ...] = ()) -> Program:
+    """The program of a text; `users`: the texts that use it.
 
     Raises
     ------
@@ -289,7 +316,7 @@ def parse(text: str, path: Path) -> Program:
         One line: file, line and reason.
     """
     program, lines = Program(path), []
-    if not re.fullmatch(r"[A-Za-z]\w*", path.stem):
+    if not _FILE.fullmatch(path.stem):
         raise program.wrong(1, "the name of the file is the module's: a letter, then letters, digits and _")
     if len(text) > LIMITS["characters"]:
         raise program.wrong(1, f"more than {LIMITS['characters']} characters")
@@ -305,6 +332,9 @@ def parse(text: str, path: Path) -> Program:
     for number, line in _expanded(program, lines, 0, [0]):
         if "{" in line:
             raise program.wrong(number, f"no loop gives {line[line.index('{'):].split('}')[0]}}}")
+        if line.split()[0] == "use":
+            _used(program, number, line, (*users, path))
+            continue
         tokens = _Tokens(program, number, line)
         if not _declare(program, tokens):
             program.statements.append(_statement(program, tokens, line.strip()))
@@ -316,7 +346,11 @@ def parse(text: str, path: Path) -> Program:
 @cache
 def load(path: Path) -> Program:
     """The program of a file."""
+    return _read(path)
+
+
+def _read(path: Path, users: tuple[Path, ...] = ()) -> Program:
     try:
-        return parse(path.read_text(), path)
+        return parse(path.read_text(), path, users)
     except (OSError, UnicodeDecodeError) as error:
         raise Wrong(f"{path}: cannot be read: {getattr(error, 'strerror', None) or 'it is no text'}") from None

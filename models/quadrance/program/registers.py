@@ -60,6 +60,26 @@ def emitted(program: Program, lines: Sequence[Line]) -> dict[str, tuple[list[int
             for how in EMITTED}
 
 
+def near(program: Program, lines: Sequence[Line], found: dict[str, int]) -> dict[str, int]:
+    """Registers of the words of `near` beside those of `found`: no line reads them, their numbers tell of the flag.
+
+    Raises
+    ------
+    Wrong
+        Where none is left.
+    """
+    given: dict[str, int] = {}
+    for line in lines:
+        if line.near >= 0 and line.dest not in given:
+            flag = next(_flag(found[other.dest]) for other in lines if other.hold == line.near)
+            taken = (*found.values(), *given.values())
+            free = [r for r in range(47, FIRST, -1) if r not in taken and _flag(r) == flag]
+            if not free:
+                raise Wrong(f"{program.path.name}: too many registers: none is free for '{line.label}'")
+            given[line.dest] = free[0]
+    return given
+
+
 def allocated(program: Program, lines: Sequence[Line], order: Order) -> dict[str, int]:
     """Name of each word -> its register.
 
@@ -80,13 +100,7 @@ def allocated(program: Program, lines: Sequence[Line], order: Order) -> dict[str
     for i, line in enumerate(lines):
         for name in line.registers:
             last[name] = max(last[name], place[i])
-    for line in lines:  # no line reads its word; it has a register whose number tells of the flag
-        if line.near >= 0 and line.dest not in found:
-            flag = next(_flag(found[other.dest]) for other in lines if other.hold == line.near)
-            free = [r for r in range(47, FIRST, -1) if r not in found.values() and _flag(r) == flag]
-            if not free:
-                raise Wrong(f"{program.path.name}: too many registers: none is free for '{line.label}'")
-            found[line.dest] = free[0]
+    found |= near(program, lines, found)
     pools = emitted(program, lines)
     shared = [r for r in range(FIRST, 48 if program.streamed else COUNT) if r not in found.values()]
     free = dict.fromkeys(range(COUNT), -1)

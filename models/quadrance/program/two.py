@@ -16,11 +16,11 @@ from pathlib import Path
 
 from quadrance.program import assembler, halves, schedule, table
 from quadrance.program.assembler import Assembled
-from quadrance.program.language import Program, Wrong
+from quadrance.program.language import ONE, Program, Wrong
 from quadrance.program.lines import PORT, Line, added, lines
 from quadrance.program.parser import load
 from quadrance.program.ranges import proved
-from quadrance.program.registers import COUNT, FIRST
+from quadrance.program.registers import COUNT, FIRST, near
 from quadrance.program.schedule import Order, Rules
 from quadrance.program.solver import solved
 
@@ -29,14 +29,14 @@ SUFFIX = "_two"  # of the name of the table
 
 
 def _second(program: Program, made: Sequence[Line]) -> set[int]:
-    """The lines of the second half: results, held directions, their units, and all that follows from them."""
+    """The lines of the second half: results, held directions, their units and margins, and all that follows."""
     results = {port.name for port in program.results}
     groups: dict[tuple[str, int], set[int]] = defaultdict(set)
     for i, line in enumerate(made):
         for unit in ("fold", "root", "far"):
             groups[unit, getattr(line, unit)].add(i)
     units = [members for (_, group), members in groups.items() if group >= 0]
-    found = {i for i, line in enumerate(made) if line.dest in results or line.hold >= 0}
+    found = {i for i, line in enumerate(made) if line.dest in results or max(line.hold, line.near) >= 0}
     while True:
         words = {made[i].dest for i in found} - {""}
         more = found | {i for i, line in enumerate(made) if words & set(line.registers) or line.after in found}
@@ -72,7 +72,7 @@ def halved(program: Program) -> tuple[list[Line], set[int]]:
         if line.source != PORT or line.dest != line.a or i in second:
             continue
         readers = {j for j, other in enumerate(made) if line.dest in other.registers}
-        pose = program.inputs[line.a].port.startswith("in_")
+        pose = line.a != ONE and program.inputs[line.a].port.startswith("in_")
         if pose and readers & second and readers & before:
             name = added(line.a, "s")
             made.append(replace(line, label=f"{name} = {line.a}", dest=name))
@@ -93,14 +93,15 @@ def rules(program: Program, made: Sequence[Line], second: Collection[int], at: s
     """The rules of a run: those of each half, and those of the units, which both use in turn.
 
     A word of the first half is read by the second before that of the next pose takes its register. The first line is
-    played while the program is idle: it is a load.
+    played while the program is idle: it is a load of the first half.
     """
     found = schedule.rules(program, made, at)
     writer = {line.dest: i for i, line in enumerate(made) if line.dest}
     same = {(i, j) for i, j, _ in found.edges if (i in second) == (j in second)}
     passed = [(j, writer[name], 1) for j in sorted(second) for name in dict.fromkeys(made[j].registers)
               if writer[name] not in second]
-    loads = {i for i, line in enumerate(made) if line.source == PORT and line.dest in (line.a, added(line.a, "s"))}
+    loads = {i for i, line in enumerate(made) if i not in second and line.source == PORT
+             and line.dest in (line.a, added(line.a, "s"))}
     return replace(found, edges=[edge for edge in found.edges if edge[:2] in same] + passed, last=found.last & same,
                    inner=set(range(len(made))) - loads)
 
@@ -115,6 +116,7 @@ def registers(program: Program, made: Sequence[Line], order: Order, second: Coll
     """
     place, run = {i: clock for clock, i in enumerate(order) if i is not None}, len(order)
     found = {port.name: FIRST + i for i, port in enumerate(program.results)}
+    found |= near(program, made, found)
     spans = {}
     for i, line in enumerate(made):
         if line.dest and line.dest not in found:
@@ -145,7 +147,7 @@ def assemble(program: Program, pipe: int, order: Order | None = None, seconds: f
         raise Wrong(f"{program.path.name}: order of two poses: {wrong[0]}")
     given = registers(program, made, order, second)
     numbers = {assembler.NIL: 0} | {assembler._cell(name): number for name, number in given.items()}
-    numbers |= {f"I_{name.upper()}": i for i, name in enumerate((*program.inputs, assembler.ONE))}
+    numbers |= {f"I_{name.upper()}": i for i, name in enumerate((*program.inputs, ONE))}
     shown = [replace(line, label=halves.MARK * (i in second) + line.label) for i, line in enumerate(made)]
     two = replace(program, path=program.path.with_name(f"{program.name}{SUFFIX}.kin"))
     return Assembled(two, pipe, made, order, found, given, numbers, assembler._rows(shown, order, found))
@@ -155,7 +157,8 @@ def problems(one: Assembled) -> list[str]:
     """What the independent checker finds wrong with the words."""
     names = [dict(zip(("a", "b", "c", "d", "dest"), (cells[i] for i in (1, 3, 4, 5, 9)))) for _, cells in one.rows]
     pose = sum(port.port.startswith("in_") for port in one.program.inputs.values())
-    return halves.check(one.words, [label for label, _ in one.rows], names, one.results, one.pipe, range(pose))
+    margins = any(statement.kind in ("near", "far") for statement in one.program.statements)
+    return halves.check(one.words, [label for label, _ in one.rows], names, one.results, one.pipe, range(pose), margins)
 
 
 def table_path(path: Path) -> Path:
