@@ -14,6 +14,7 @@ from ci import dataflow, programs, schedules
 # Programs, in a copy of the table of each machine
 
 CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_two_program": "vector_ik6_two",
+         "vector_ik6_near_program": "vector_ik6", "vector_ik6_near_two_program": "vector_ik6_two",
          "vector_ik6_all_program": "vector_ik6_all",
          "vector_fk6_program": "vector_fk6", "vector_velocity6_program": "vector_velocity6",
          "vector_rates6_program": "vector_rates6", "vector_xyzac_program": "vector_xyzac",
@@ -27,7 +28,10 @@ CORES = {"vector_ik6_program": "vector_ik6", "vector_ik6_two_program": "vector_i
 @functools.cache
 def sound(module, pipe=0):
     """The program of a module as a core plays it, and its text."""
-    core = f"{CORES[module]}-PIPE{pipe}" if pipe else CORES[module]
+    if module.endswith("two_program"):
+        pipe = pipe or 2
+    name = f"PIPE{pipe}" * (pipe > 0) + "EDGES" * ("_near_" in module)
+    core = f"{CORES[module]}-{name}" if name else CORES[module]
     one = next(one for one in programs.played(find(core)) if one.module == module)
     return one, one.text()
 
@@ -73,6 +77,7 @@ def test_every_program_is_read_and_sound():
     ("vector_ik6_program", "n4 = C4g * N4u", "c4 = C4g * C4u", "read"),
     ("vector_ik6_all_program", "N2UFu = N2UFv 2^s", "N2UFv = k1f*xxf - k2uf*pz", "is read"),
     ("vector_fk6_program", "c23 = c3*c2 - n2*n3", "u3 = c5*n23 + c23*f1", "is read"),
+    ("vector_ik6_near_program", "k5 = n5*k", "near c4 k5*k5 - m*m", "is read"),
     ("vector_ik6_program/1", "x1 = X1g * X1t", "C1v = x1*px + b*py", "is read"),
     ("vector_ik6_program/2", "n4 = C4g * N4u", "c4 = C4g * C4u", "read"),
     ("engine_delta_program", "|b|^2", "|b|^2 up", "read"),

@@ -69,7 +69,7 @@ def forward_config(p: Params, *, a1: float, a2: float, b: float, c1: float, c2: 
 
 def inverse(p: Params) -> Program:
     """The program of one branch, with margin and slack where the core has them."""
-    return parser.load(NEAR if p["MARGINS"] else INVERSE)
+    return parser.load(NEAR if p.get("MARGINS") else INVERSE)
 
 
 def ik6(p: Params, **ports: Ints) -> dict[str, Ints]:

@@ -101,6 +101,74 @@ def test_each_error_names_file_line_and_reason(name):
     assert says in refusal(SMALL.replace(old, new))
 
 
+# What a text uses
+
+
+def folder(path, **texts):
+    """Texts of programs in a folder; the one of my.kin."""
+    for name, text in texts.items():
+        (path / f"{name}.kin").write_text(text)
+    parser.load.cache_clear()
+    return parser.load(path / "my.kin")
+
+
+def test_a_text_begins_with_what_it_uses(tmp_path):
+    """The same words, ports, order of results and lines as if it were one text."""
+    more = "cfg coordinate m=margin\nnorm a <= 0.3\nnear c (u*u - m*m)\n"
+    program = folder(tmp_path, base=SMALL, my=f"use base\n{more}")
+    whole = read(SMALL + more)
+    assert lines.lines(program) == lines.lines(whole) and program.inputs == whole.inputs
+    assert (program.norms, program.results, program.order, program.signs) == (
+        whole.norms, whole.results, whole.order, whole.signs)
+    path = tmp_path / "my.kin"
+    assert main(["assemble", str(path), "--seconds", "0.1", "--write"]) == 0
+    (tmp_path / "base.kin").write_text(SMALL.replace("u = x - a", "u = x + a"))
+    parser.load.cache_clear()
+    assert "my_program.v: stale" in table.stale(tmp_path)[-1]
+    parser.load.cache_clear()
+
+
+def test_margins_change_no_word_of_what_their_text_uses():
+    plain, edged = parser.load(six.INVERSE), parser.load(six.NEAR)
+    assert [one.text for one in edged.statements[:len(plain.statements)]] == [one.text for one in plain.statements]
+    assert {one.kind for one in edged.statements[len(plain.statements):]} == {"sum", "near", "far"}
+    assert (edged.results, edged.order, edged.signs) == (plain.results, plain.order, plain.signs)
+
+
+USES = {
+    "use behind a statement": ({"my": f"{SMALL}use base\n", "base": SMALL}, "my.kin:7: use comes before all else, once"),
+    "use twice": ({"my": "use base\nuse base\n", "base": SMALL}, "my.kin:2: use comes before all else, once"),
+    "a text that is not there": ({"my": "use none\n"}, "my.kin:1: use: .*none.kin: cannot be read: No such file"),
+    "a path": ({"my": "use ../base\n"}, "my.kin:1: the name of one text is expected after use"),
+    "two names": ({"my": "use base other\n"}, "my.kin:1: the name of one text is expected after use"),
+    "no name": ({"my": "use\n"}, "my.kin:1: the name of one text is expected after use"),
+    "itself": ({"my": "use my\n"}, "my.kin:1: my.kin uses itself"),
+    "a circle": ({"my": "use base\n", "base": "use my\n"}, "my.kin:1: use: base.kin:1: my.kin uses itself"),
+    "a text with an error": ({"my": "use base\n", "base": SMALL.replace("- a", "- b")},
+                             "my.kin:1: use: base.kin:5: b is not defined"),
+    "a word of the other text": ({"my": "use base\nu = x\n", "base": SMALL}, "my.kin:2: u is given twice"),
+    "an input of the other text": ({"my": "use base\ncfg length a\n", "base": SMALL}, "my.kin:2: a is declared twice"),
+    "five deep": ({"my": "use b\n", **{one: f"use {two}\n" for one, two in zip("bcde", "cdef")}, "f": SMALL},
+                  "more than 4 texts that use one another"),
+}
+
+
+@pytest.mark.parametrize("name", USES)
+def test_a_wrong_use_names_file_line_and_reason(name, tmp_path):
+    texts, says = USES[name]
+    with pytest.raises(Wrong, match=says) as caught:
+        folder(tmp_path, **texts)
+    parser.load.cache_clear()
+    assert "\n" not in str(caught.value) and str(caught.value).startswith("my.kin:")
+
+
+def test_a_range_of_what_is_used_is_an_error_of_the_line(tmp_path):
+    program = folder(tmp_path, base=SMALL.replace("x - a", "x - a + x + x + y"), my="# more\nuse base\n")
+    with pytest.raises(Wrong, match="my.kin:2: the range of u is not proved"):
+        ranges.proved(program)
+    parser.load.cache_clear()
+
+
 def test_too_many_registers_are_refused():
     names = [f"v{i}" for i in range(70)]
     text = "in coordinate x y\nout vector c n\n" + "".join(f"{name} = x*y\n" for name in names)
@@ -219,7 +287,7 @@ def test_the_eight_branches_are_those_of_the_program_of_one():
     for axis in "xy":  # the wrist's centre on axis 1
         row = "xy".index(axis)
         ports[f"in_{axis}"][::5] = np.rint(arm.c4 / mm * 256 * rotation[::5, row, 2])
-    found = six.ik6_all(P, **ports, **cfg, cfg_margin=0, cfg_slack=0)
+    found = six.ik6_all(P, **ports, **cfg)
     assert (found["out_held"] > 0).sum() > 100
     order = 0, 2, 1, 3  # in which they hold directions
     ports = {name: np.repeat(word, 4) for name, word in ports.items()}
@@ -302,8 +370,8 @@ def test_the_checker_accepts_what_is_assembled(path):
 def test_an_order_that_the_rules_refuse_the_checker_refuses_too(path):
     """Lines moved by some places: what the rules allow the checker accepts, and what they forbid it refuses.
 
-    It cannot see the order of results and of their flags, of which root a factor is meant to be, and parts of a sum
-    that are exchanged with one another.
+    It cannot see the order of results, of their flags and of directions that hold one another's word, of which root a
+    factor is meant to be, and parts of a sum that are exchanged with one another.
     """
     one, found = assembler.assembled(path), [0, 0]
     for at in range(len(one.order)):
@@ -312,7 +380,7 @@ def test_an_order_that_the_rules_refuse_the_checker_refuses_too(path):
             order.insert(at + far, order.pop(at))
             bad = schedule.faults(one.rules, one.lines, order)
             unseen = [text for text in bad if "at once" in text or "the results while" in text or "last line" in text
-                      or re.search("1 / root. comes|lines after .* [012] are needed", text)]
+                      or re.search("held direction|1 / root. comes|lines after .* [012] are needed", text)]
             numbers = {name: one.numbers[name] for name in one.numbers}
             moved = replace(one, order=order, numbers=numbers, rows=assembler._rows(one.lines, order, one.rules))
             if not bad:

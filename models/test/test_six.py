@@ -347,7 +347,7 @@ def test_all_branches(core, robot):
     unit, arm = _arm(robot, core)
     p, cfg = core.params, six.config(core.params, **unit._asdict())
     words, rotation, tip = _words(core, *truth_six.fk6(_joints(6000, arm, 8), arm))
-    found = core.model(p, **words, **cfg, cfg_margin=0, cfg_slack=0)
+    found = core.model(p, **words, **cfg)
     for branch in range(8):
         answer = {f"out_{letter}{i}": found[f"out_{letter}{i}{branch}"] for letter in "cn" for i in range(1, 7)}
         far, held = (found[name] >> branch & 1 > 0 for name in ("out_far", "out_held"))

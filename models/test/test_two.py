@@ -2,15 +2,34 @@
 
 import pytest
 from quadrance.cores import RTL
-from quadrance.program import schedule, two
+from quadrance.program import halves, schedule, two
 from quadrance.program.language import Wrong
 from quadrance.program.parser import load, parse
 
 PATH = RTL / "program" / "vector_ik6.kin"
+NEAR = PATH.with_name("vector_ik6_near.kin")
 
 
 def test_tables_follow_from_their_texts():
-    assert two.orders(PATH).keys() == {1, 2} and two.stale(RTL / "program") == []
+    assert two.orders(PATH).keys() == two.orders(NEAR).keys() == {1, 2} and two.stale(RTL / "program") == []
+
+
+def test_margins_are_of_the_second_half_and_slack_of_the_first():
+    """With the flags that they change: NEAR that of a held direction, OVER that of reach."""
+    made, second = two.halved(load(NEAR))
+    assert [i in second for i, line in enumerate(made) if line.near >= 0] == [True] * 3
+    assert [i in second for i, line in enumerate(made) if {"CHECK", "FAR"} <= line.acts or "OVER" in line.acts] == [False]
+
+
+@pytest.mark.parametrize("label", ["near c1", "far ce"])
+def test_a_margin_in_the_other_half_is_refused(label):
+    one = two.assemble(load(NEAR), 2, two.orders(NEAR)[2])
+    labels = [f"{halves.MARK}{text}" if text.startswith(label) else text.removeprefix(
+        halves.MARK) if label in text else text for text, _ in one.rows]
+    names = [dict(zip(("a", "b", "c", "d", "dest"), (cells[i] for i in (1, 3, 4, 5, 9)))) for _, cells in one.rows]
+    found = halves.check(one.words, labels, names, one.results, 2, range(12), True)
+    assert any(label in text and "half's" in text for text in found), found
+    assert two.problems(one) == []
 
 
 @pytest.mark.parametrize("first, second, says", [
