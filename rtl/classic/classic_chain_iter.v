@@ -43,7 +43,7 @@ module classic_chain_iter #(
         HALVE  = 8'b00100000,   // x = xf = 0, y = yf = rho / 2
         FRESH  = 8'b01000000,   // SUM to xf and yf; x = y = 0
         LIFT   = 8'b10000001;   // y leaves as the height, y = 0; the joint's angle
-    localparam [5:0]            // the word that is added, in the code of cordic_term
+    localparam [5:0]            // what is added: the other word, shifted in the code of cordic_term, or one of four
         STEP   = 6'b000000,     // shifted by the step of the loop
         BY_0   = 6'b000000,     // shifted by 0
         BY_1   = 6'b000001,     // by 1
@@ -53,8 +53,9 @@ module classic_chain_iter #(
         BY_10  = 6'b010001,     // by 10
         BY_16  = 6'b011001,     // by 16
         LINK_1 = 6'b000011,     // in_s1
-        LINK_2 = 6'b001100,     // in_s2
-        HALF   = 6'b100000;     // half an LSB, and the mean of what the shifts round down
+        LINK_2 = 6'b001111,     // in_s2
+        HALF   = 6'b100011,     // half an LSB, and the mean of what the shifts round down
+        HALF_3 = 6'b110011;     // the same of the third rotation
     localparam BITS = 14;
     localparam IN_PLANE = 2 * (C + T) + 3, IN_SPACE = C + T + 10;
     //                             done   word
@@ -78,7 +79,7 @@ module classic_chain_iter #(
         /* to its quadrant    */ {SIGNS, BY_0},
         /* turn by j3         */ {C{MICRO, STEP}},
         /* its digits         */ {T{DIGIT, STEP}},
-        /* round              */ {SUM,   HALF}};
+        /* round              */ {SUM,   HALF_3}};
 
     wire            idle;
     wire [BITS-1:0] op, ahead;
@@ -92,7 +93,7 @@ module classic_chain_iter #(
         end
     endgenerate
     wire lift = op[13], fresh = op[12], halve = op[11], digit = op[8], turning = op[7], load = op[6];
-    wire first = op[3:2] == 2'd3;  // LINK_2
+    wire first = op[5:0] == LINK_2;
     wire unused = &{1'b0, op, ahead};
     assign out_busy = !idle;
     assign out_lifted = lift;
@@ -108,18 +109,24 @@ module classic_chain_iter #(
         if (in_start) {now, then, yaw} <= {in_j2, in_j1, in_j3};
         else if (load) {now, then} <= {then, yaw};
 
-    // prepared one clock ahead: word and sign of the next line, from the step of its loop and the digit of z
+    // prepared one clock ahead: shift, word and sign of the next line, from the step of its loop and the digit of z
     reg  [3:0] step;
-    reg  [5:0] shift;
+    reg  [4:0] shift;
     reg        move, minus_x, minus_y;
-    wire [5:0] by_step;
+    reg signed [D-1:0] plain_x, plain_y;
+    wire       plain = ahead[1:0] == 2'd3, third = ahead[4];  // HALF_3: rho is not rounded, so it needs no half LSB
+    wire [W+4:0] link = ahead[2] ? in_s2 : in_s1;
+    wire [4:0] round_x = third ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29, round_y = third ? 5'd22 : 5'd29;
+    wire [4:0] by_step;
     wire       ahead_turns = ahead[7], ahead_digit = ahead[8], ahead_signs = ahead[9], ahead_less = ahead[10];
     wire [1:0] quarter = in_start ? in_j1[A-1:A-2] + in_j2[A-1:A-2] + {1'b0, in_j2[A-3]} : now[A-1:A-2];
     cordic_step #(.W(W)) steps (.in_turn(ahead_turns), .in_step(step), .in_two(ahead_digit && two),
         .out_shift(by_step));
     always @(posedge clk) begin
         step    <= ahead_turns ? step + 4'd1 : 4'd0;
-        shift   <= ahead[5:0] | by_step;
+        shift   <= plain ? 5'd3 : ahead[4:0] | by_step;
+        plain_x <= ahead[5] ? {{(D-5){1'b0}}, round_x} : {2'b00, link};
+        plain_y <= ahead[5] ? {{(D-5){1'b0}}, round_y} : {2'b00, link};
         word    <= ahead_digit ? {1'b0, two, one} : step[2:0];
         move    <= !ahead[13] && (!ahead_digit || two || one);
         minus_x <= ahead_signs ? quarter[1] ^ quarter[0] : ahead_less;
@@ -129,13 +136,10 @@ module classic_chain_iter #(
     // vector
     reg  signed [D-1:0] xf, yf;
     wire signed [D-1:0] sum_x, sum_y;
-    wire                last = JOINTS == 3 && out_done;  // rho is not rounded, so it needs no half LSB
-    wire        [4:0]   round_x = last ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29;
-    wire        [4:0]   round_y = last ? 5'd22 : 5'd29;
-    cordic_term #(.D(D)) term_x (.in_v(yf), .in_s1({2'b00, in_s1}), .in_s2({2'b00, in_s2}), .in_round(round_x),
-        .in_shift(shift), .in_minus(turning ? !minus : minus_x), .in_a(out_x), .out_sum(sum_x));
-    cordic_term #(.D(D)) term_y (.in_v(xf), .in_s1({2'b00, in_s1}), .in_s2({2'b00, in_s2}), .in_round(round_y),
-        .in_shift(shift), .in_minus(turning ?  minus : minus_y), .in_a(out_y), .out_sum(sum_y));
+    cordic_term #(.D(D)) term_x (.in_v(yf), .in_word(plain_x), .in_shift(shift),
+        .in_minus(turning ? !minus : minus_x), .in_a(out_x), .out_sum(sum_x));
+    cordic_term #(.D(D)) term_y (.in_v(xf), .in_word(plain_y), .in_shift(shift),
+        .in_minus(turning ?  minus : minus_y), .in_a(out_y), .out_sum(sum_y));
     always @(posedge clk) begin
         if (in_start || halve || fresh) out_x <= {D{1'b0}};
         else if (out_busy && move) out_x <= sum_x;

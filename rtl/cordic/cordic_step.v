@@ -9,24 +9,24 @@ module cordic_step #(
     input  wire       in_turn,
     input  wire [3:0] in_step,
     input  wire       in_two,
-    output wire [5:0] out_shift
+    output wire [4:0] out_shift
 );
     localparam C = (W + 1) / 2;
     localparam T = (W - C + 1) / 2 + 1;
-    function [5:0] code(input integer step, input integer two);
+    function [4:0] code(input integer step, input integer two);
         integer n;
         begin
             n = step < C ? step + 1 : step < C + T ? C + 1 + 2 * (step - C) - two : 0;
             n = 16 * (n / 9) + 4 * (n % 9 / 3) + n % 3;
-            code = n[5:0];
+            code = n[4:0];
         end
     endfunction
     genvar b, i;
     generate
-        for (b = 0; b < 6; b = b + 1) begin : g_bit
+        for (b = 0; b < 5; b = b + 1) begin : g_bit
             wire [31:0] column;
             for (i = 0; i < 32; i = i + 1) begin : g_step
-                localparam [5:0] CODE = code(i % 16, i / 16);
+                localparam [4:0] CODE = code(i % 16, i / 16);
                 assign column[i] = CODE[b];
             end
             assign out_shift[b] = in_turn && column[{in_two, in_step}];
