@@ -504,7 +504,7 @@ def test_where_six_axes_have_no_answer(core):
         return row | ({"branch": 0} if any(port.name == "in_branch" for port in core.inputs) else {})
 
     flange = 0.5 * size
-    arm = Six(a1=0.2 * size, a2=0, b=0, c1=0.3 * size, c2=2 * size, c3=2 * size, c4=flange)
+    arm = Six(a1=0.2 * size, a2=0, b=0, c1=0.3 * size, c2=2.4 * size, c3=1.6 * size, c4=flange)
     cfg, tools = words(arm), np.diag([1.0, -1.0, -1.0])  # the flange points down
     for off in (-40, -6, 6, 40):
         turn = rng.uniform(-1.2, 1.2)
@@ -532,7 +532,8 @@ def test_where_six_axes_have_no_answer(core):
             q[joint] = math.asin(share * 0.1) if joint else q[0]
             matrix, tip = fk6(np.array([q]), arm)
             if not joint:  # the wrist's centre beside axis 1
-                tip = arm.c4 * matrix[..., 2] + [[share * 0.1 * arm.k, 0, arm.c1 + arm.c2]]
+                beside = share * 0.1 * arm.k
+                tip = arm.c4 * matrix[..., 2] + [[0.6 * beside, -0.8 * beside, arm.c1 + arm.c2]]
             at = pose(matrix[0], tip[0] * lsb)
             for edge, held in ((margin, close), (0, False)):
                 answer = ask(core, [at], words(arm, margin=edge))[0]
