@@ -519,7 +519,7 @@ def test_where_six_axes_have_no_answer(core):
     aside = words(arm._replace(b=0.4 * size))
     for off, inside in ((-8, True), (8, False)):
         x = 0.4 * size * lsb + off
-        assert flags(core, [pose(tools, (x, 0, 0.4 * size * lsb))], aside, "unreachable") == [inside]
+        assert flags(core, [pose(tools, (x, 0, size * lsb))], aside, "unreachable") == [inside]
     # singular: joint 1 on its axis, joint 2 on axis 2, joint 4 where the wrist is straight
     tilted = fk6(np.array([[0.3, 0.4, 1.0, 0.5, 0.9, 0.2]]), arm)
     place = [one * lsb for one in tilted[1][0]]
