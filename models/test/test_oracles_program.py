@@ -86,7 +86,7 @@ def test_where_seven_axes_have_no_answer(core):
     of both and of the stretched arm; a matrix and a swivel that are off."""
     p = core.params
     lsb, size, one = 2 ** p["F"], 2 ** (p["W"] - 1 - p["F"]) / 8, 1 << p["U"]
-    arm = Srs(d=0.4 * size, l1=2 * size, l2=1.8 * size, l4=0.5 * size)
+    arm = Srs(d=0.4 * size, l1=2.4 * size, l2=1.4 * size, l4=0.5 * size)
 
     def words(**more: float) -> dict:
         return {name[4:]: word for name, word in srs.config(p, **arm._asdict(), **{
@@ -117,9 +117,10 @@ def test_where_seven_axes_have_no_answer(core):
             q[joint] = math.asin(share * 0.1)
             assert told(pose(q), 2, margin=margin) == close and not told(pose(q), 2), (joint, share)
     upright = pose(plain) | {f"r{r}{s}": one * (r == s) for r in "123" for s in "123"}
-    upright |= {"y": 0, "z": round((arm.d + arm.l4 + 3 * size) * lsb)}
-    for x, edge, close in ((0, 0, True), (0.3, 0, False), (0.3, 0.4, True), (0.5, 0.4, False)):
-        assert told(upright | {"x": round(x * size * lsb)}, 2, margin=edge * size * lsb) == close, (x, edge)
+    upright |= {"z": round((arm.d + arm.l4 + 3 * size) * lsb)}
+    for beside, edge, close in ((0, 0, True), (0.3, 0, False), (0.3, 0.4, True), (0.5, 0.4, False)):
+        at = {"x": round(0.6 * beside * size * lsb), "y": round(-0.8 * beside * size * lsb)}
+        assert told(upright | at, 2, margin=edge * size * lsb) == close, (beside, edge)
     row = pose(plain)
     for name in ("r11", "r12", "r23", "r33"):
         assert flags(core, [row | {name: row[name] + 48}], words(), "no_rotation") == [True]
@@ -185,7 +186,7 @@ def test_where_three_parallel_axes_have_no_answer(core):
     p, all_of_them = core.params, core.function == "ur_ik_all"
     end = "0" if all_of_them else ""
     lsb, size = 2 ** p["F"], 2 ** (p["W"] - 1 - p["F"]) / 8
-    arm = Ur(d1=0.4 * size, d4=0.5 * size, d5=0.3 * size, d6=0.35 * size, l2=2 * size, l3=1.8 * size)
+    arm = Ur(d1=0.4 * size, d4=0.5 * size, d5=0.3 * size, d6=0.35 * size, l2=2.2 * size, l3=1.6 * size)
 
     def words(**more: float) -> dict:
         return {name[4:]: word for name, word in ur.config(p, **arm._asdict(), **{
@@ -217,12 +218,18 @@ def test_where_three_parallel_axes_have_no_answer(core):
     # above axis 1, nearer to it than d4
     matrix, tip = ur_fk(np.array(forward), arm)
     centre = (tip - arm.d6 * matrix[:, 2]) * lsb
+    lift = 1.5 * size * lsb  # axis 4 is farther from axis 2 than l2 - l3
     for rim, inside in ((-8, True), (8, False)):
         away = (arm.d4 * lsb + rim) / math.hypot(centre[0], centre[1]) - 1
-        assert told(forward, "unreachable", (centre[0] * away, centre[1] * away, 0)) == inside
-        assert told(forward, "singular", (centre[0] * away, centre[1] * away, 0), margin=arm.d4 * lsb / 2)
+        aside = centre[0] * away, centre[1] * away, lift
+        assert told(forward, "unreachable", aside) == inside
+        assert told(forward, "singular", aside, margin=arm.d4 * lsb / 2)
     # margins
     margin = 0.1 * arm.l3 * lsb
+    for share, close in ((0.8, True), (1.2, False)):  # x1, the centre's distance ahead in the arm's plane
+        away = math.hypot(arm.d4 * lsb, share * margin) / math.hypot(centre[0], centre[1]) - 1
+        aside = centre[0] * away, centre[1] * away, lift
+        assert told(forward, "singular", aside, margin=margin) == close and not told(forward, "singular", aside), share
     for joint in (2, 4):
         for share, close in ((0.8, True), (1.2, False)):
             q = list(forward)
