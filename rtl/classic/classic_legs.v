@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // This part computes the legs of the triangle of half the elbow, and the products at which vectorings start.
 //   a^2 = far - r^2,  b^2 = r^2 - near, each 0 where it would be negative,  r^2 = x^2 + y^2 (+ z^2);  f a;  K z
-// The roots are computed beside the table, one after the other on one engine: a as soon as r^2 is known, then b.
+// The roots are computed beside the table, one after the other on one engine: a as soon as r^2 is known, then b. There
+// is time for a product of one bit a clock: K z from in_start on, f a from the first root on.
 // JOINTS = 2: r^2 is known in the clock after in_start. JOINTS = 3: three clocks with in_add sum it, the third of which
-// also has in_ask. in_height sends z to the multiplier, first to be squared (in_first), later times K.
-// Formats: in_f is s1.(W+2); out_a and out_b have 4 guard bits; out_product has 5 and follows its factors by a clock.
-// out_b is held until the next in_start.
+// also has in_ask. K z is taken with in_taken, and f a follows.
+// Formats: in_f is s1.(W+2); out_a and out_b have 4 guard bits; out_product has 5. out_b is held until the next
+// in_start.
 // Rounding: the roots and the products are truncated. Status: out_unreachable. Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_legs #(
@@ -22,9 +23,8 @@ module classic_legs #(
     input  wire signed [W-1:0]   in_y,
     input  wire signed [W-1:0]   in_z,
     input  wire                  in_add,
-    input  wire                  in_first,
     input  wire                  in_ask,
-    input  wire                  in_height,
+    input  wire                  in_taken,
     output reg         [W+4:0]   out_a,
     output wire        [W+4:0]   out_b,
     output wire signed [W+7:0]   out_product,
@@ -54,32 +54,54 @@ module classic_legs #(
         if (accept && second) {near, out_a} <= {from_near[2*W], out_b};
     end
 
-    // squares and products
-    reg  signed [W+G+1:0]   left;
-    reg  signed [W+3:0]     right;
-    wire signed [2*W+G+5:0] whole = left * right;
-    wire        [2*W-1:0]   square_x = in_x * in_x, square_y = in_y * in_y;
-    reg  signed [2*W+G+5:0] done;
-    wire                    unused = &{1'b0, done};
-    always @(posedge clk) done <= whole;
-    assign out_product = done[2*W+G+5 -: W+8];
+    // Products: a bit of f or of z a clock from the lowest on, the last one is the sign. What leaves below is final
+    localparam [31:0] LAST_F = W + 3, LAST_Z = W - 1;
+    reg                  busy;
+    wire                 lifts;        // K z, or nothing yet
+    reg         [4:0]    left;         // bits behind this one
+    reg         [W+3:0]  bits;
+    reg  signed [W+7:0]  total;
+    wire                 load_z, load_f;
+    wire        [W+4:0]  other = lifts ? {1'b0, GROWTH[31 -: W+4]} : out_a;
+    wire signed [W+6:0]  upper = {total[W+7], total[W+7:2]};
+    wire signed [W+6:0]  term = {2'b00, other & {(W+5){bits[0]}}};
+    wire signed [W+6:0]  sum = left == 5'd0 ? upper - term : upper + term;
+    assign out_product = total;
+    always @(posedge clk)
+        if (load_z || load_f) begin
+            busy  <= 1'b1;
+            left  <= load_z ? LAST_Z[4:0] : LAST_F[4:0];
+            bits  <= load_z ? {4'd0, in_z} : in_f;
+            total <= {(W+8){1'b0}};
+        end else if (busy) begin
+            busy  <= left != 5'd0;
+            left  <= left - 5'd1;
+            bits  <= bits >> 1;
+            total <= {sum, total[1]};
+        end
+
+    // Squares
     generate
         if (JOINTS == 2) begin : g_plane
-            wire unused_ports = &{1'b0, in_z, in_add, in_first, in_ask, in_height};
+            wire        [2*W-1:0] square_x = in_x * in_x, square_y = in_y * in_y;
+            wire unused = &{1'b0, in_z, in_add, in_ask, in_taken};
             assign begun = in_start;
-            always @* {left, right} = {1'b0, out_a, in_f};
+            assign {lifts, load_z, load_f} = {2'b00, accept && second};
             always @(posedge clk) if (in_start) q <= square_x + square_y;
         end else begin : g_space
-            reg signed [W-1:0]   height;
-            reg        [2*W-1:0] term, last;
+            reg  signed [W-1:0]   side, next_side, last_side;
+            reg                   lift, solved, taken;
+            reg         [2*W-1:0] square;
             assign begun = in_ask;
+            assign {lifts, load_z, load_f} = {lift, in_start, lift && solved && taken};
             always @(posedge clk) begin
-                if (in_start) {height, last} <= {in_z, square_y};
+                {side, next_side, last_side} <= in_start ? {in_x, in_y, in_z} : {next_side, last_side, last_side};
+                square <= side * side;
                 if (in_start) q <= {2*W{1'b0}};
-                else if (in_add) q <= q + term;
-                term  <= in_start ? square_x : in_first ? last : done[G +: 2*W];
-                left  <= in_height ? {{2{height[W-1]}}, height, {G{1'b0}}} : {1'b0, out_a};
-                right <= !in_height ? in_f : in_first ? {{4{height[W-1]}}, height} : GROWTH[31 -: W+4];
+                else if (in_add) q <= q + square;
+                lift   <= in_start || lift && !load_f;
+                solved <= !in_start && (solved || accept && second);
+                taken  <= !in_start && (taken || in_taken);
             end
         end
     endgenerate

@@ -52,23 +52,18 @@ module classic_solve_iter #(
         TO_PHI  = 3'b001,    // the next one is of (K rho, K z)
         TO_HALF = 3'b010,    // the next one is of (b, a)
         TO_REST = 3'b100;    // the next one is of (b, f a), z goes on
-    localparam [3:0]         // squares and products, in classic_legs
-        NONE    = 4'b0000,   // nothing, or products in flight
-        X2      = 4'b0111,   // r^2 = x^2; z is squared
-        Y2      = 4'b0001,   // the sum, plus y^2
-        Z2      = 4'b1001,   // the sum, plus z^2; the roots begin
-        LIFT    = 4'b0100;   // K z, two clocks later
-    localparam BITS = 10;
-    //                                vectoring at its end products
+    localparam [1:0]         // squares, in classic_legs
+        NONE    = 2'b00,
+        ADD     = 2'b01,     // the next square is added: x^2, y^2, z^2
+        ASK     = 2'b11;     // the last one is added; the roots begin
+    localparam BITS = 8;
+    //                                vectoring at its end squares
     localparam [BITS*(L+1)-1:0] YAW = {
-        /* j3, and r^2    */ {        GROW,   STAY,    X2},
-        /* second square  */ {        GROW,   STAY,    Y2},
-        /* z^2 in term    */ {        GROW,   STAY,    NONE},
-        /* third square   */ {        GROW,   STAY,    Z2},
+        /* j3             */ {        GROW,   STAY,    NONE},
+        /* x^2 + y^2      */ {2{      GROW,   STAY,    ADD}},
+        /* r^2            */ {        GROW,   STAY,    ASK},
         /* rho grows      */ {(C - 3){GROW,   STAY,    NONE}},
-        /* bits of j3     */ {(L - C - 3){DIVIDE, STAY, NONE}},
-        /* K z            */ {        DIVIDE, STAY,    LIFT},
-        /* K z is ready   */ {        DIVIDE, STAY,    NONE},
+        /* bits of j3     */ {(L - C - 1){DIVIDE, STAY, NONE}},
         /* j3             */ {        DIVIDE, TO_PHI,  NONE}};
     localparam [BITS*(L+1+WAIT)-1:0] PHI = {
         /* phi            */ {(U + 1){GROW,   STAY,    NONE}},
@@ -97,20 +92,20 @@ module classic_solve_iter #(
                 .in_start(in_start), .out_idle(idle), .out_last(out_done), .out_ahead(unused_ahead), .out_op(op));
         end
     endgenerate
-    wire to_phi = op[4], to_half = op[5], to_rest = op[6];
+    wire to_phi = op[2], to_half = op[3], to_rest = op[4];
     assign out_busy = !idle;
 
     wire        [W+G:0] a, b;
     wire signed [W+7:0] product;
     classic_legs #(.W(W), .JOINTS(JOINTS)) legs (.clk(clk), .rst(rst), .in_start(in_start), .in_far(in_far),
-        .in_near(in_near), .in_f(in_f), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_add(op[0]), .in_first(op[1]),
-        .in_height(op[2]), .in_ask(op[3]), .out_a(a), .out_b(b), .out_product(product),
+        .in_near(in_near), .in_f(in_f), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_add(op[0]), .in_ask(op[1]),
+        .in_taken(to_phi), .out_a(a), .out_b(b), .out_product(product),
         .out_unreachable(out_unreachable));
 
     wire [Z-1:0] z, next_z, joint1;
     classic_aim_iter #(.W(W), .A(A), .JOINTS(JOINTS)) aim (.clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y),
-        .in_elbow(in_elbow), .in_a(a), .in_b(b), .in_product(product), .in_turn(op[7]), .in_grow(op[8]),
-        .in_divide(op[9]), .in_to_phi(to_phi), .in_to_half(to_half), .in_to_rest(to_rest), .out_z(z),
+        .in_elbow(in_elbow), .in_a(a), .in_b(b), .in_product(product), .in_turn(op[5]), .in_grow(op[6]),
+        .in_divide(op[7]), .in_to_phi(to_phi), .in_to_half(to_half), .in_to_rest(to_rest), .out_z(z),
         .out_next(next_z));
 
     // joints
