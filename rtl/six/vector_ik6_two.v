@@ -84,10 +84,10 @@ module vector_ik6_two #(
     reg         flip, wrong, far;
     wire        none = op[5] && !ends;  // HOLD: of no pose it would change the direction that is held
     generate
-        if (MARGINS != 0) begin : g_near
+        if (MARGINS != 0) begin : g_program
             vector_ik6_near_two_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(start),
                 .out_idle(idle), .out_done(done), .out_op(op));
-        end else begin : g_exact
+        end else begin : g_program
             vector_ik6_two_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(start), .out_idle(idle),
                 .out_done(done), .out_op(op));
         end

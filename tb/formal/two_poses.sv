@@ -5,17 +5,20 @@
 // rtl: engine_results
 // proof PIPE1 mode=prove depth=2 PIPE=1 II=97
 // proof PIPE2 mode=prove depth=2 PIPE=2 II=102
-module vector_ik6_two_props #(parameter PIPE = 2, II = 102) (
+// proof PIPE1EDGES mode=prove depth=2 PIPE=1 II=107 MARGINS=1
+// proof PIPE2EDGES mode=prove depth=2 PIPE=2 II=110 MARGINS=1
+module vector_ik6_two_props #(parameter PIPE = 2, II = 102, MARGINS = 0) (
     input clk, rst, in_valid, out_ready, input [179:0] cfg, input [161:0] in_matrix, input [47:0] in_tip,
     input [2:0] in_branch
 );
     wire in_ready, out_valid;
     wire [215:0] joints;
     wire [3:0] out_status;
-    vector_ik6_two #(.PIPE(PIPE)) dut (
+    vector_ik6_two #(.PIPE(PIPE), .MARGINS(MARGINS)) dut (
         .clk(clk), .rst(rst), .cfg_a1(cfg[19:0]), .cfg_b(cfg[39:20]), .cfg_c1(cfg[59:40]), .cfg_c2(cfg[79:60]),
         .cfg_c4(cfg[99:80]), .cfg_k(cfg[119:100]), .cfg_cp(cfg[146:120]), .cfg_np(cfg[173:147]), .cfg_r({20{cfg[174]}}),
-        .cfg_e({20{cfg[175]}}), .in_valid(in_valid), .in_ready(in_ready), .in_r11(in_matrix[17:0]),
+        .cfg_e({20{cfg[175]}}), .cfg_margin({16{cfg[176]}}), .cfg_slack({16{cfg[177]}}),
+        .in_valid(in_valid), .in_ready(in_ready), .in_r11(in_matrix[17:0]),
         .in_r12(in_matrix[35:18]), .in_r13(in_matrix[53:36]), .in_r21(in_matrix[71:54]), .in_r22(in_matrix[89:72]),
         .in_r23(in_matrix[107:90]), .in_r31(in_matrix[125:108]), .in_r32(in_matrix[143:126]),
         .in_r33(in_matrix[161:144]), .in_x(in_tip[15:0]), .in_y(in_tip[31:16]), .in_z(in_tip[47:32]),
@@ -27,7 +30,7 @@ module vector_ik6_two_props #(parameter PIPE = 2, II = 102) (
     (* hierconn *) wire \dut.begun ;
     (* hierconn *) wire \dut.ends ;
     (* hierconn *) wire \dut.idle ;
-    (* hierconn *) wire [6:0] \dut.control.control.line ;
+    (* hierconn *) wire [6:0] \dut.g_program.control.control.control.line ;
 
     reg  [2*II-1:0] age;  // bit i: a pose was accepted i + 1 clocks ago, counting those in which it moved
     reg  live, waits;
@@ -57,7 +60,7 @@ module vector_ik6_two_props #(parameter PIPE = 2, II = 102) (
     generate
         for (g = 0; g < II; g = g + 1) begin : g_age  // the pose before is a run older, and there is none between
             always @* if (live && (age[g] || age[II+g])) begin
-                if (g < II-1) assert (\dut.control.control.line == g);
+                if (g < II-1) assert (\dut.g_program.control.control.control.line == g);
                 assert ((age & ~((1 << g) | (1 << II << g))) == 0);
             end
         end
@@ -68,10 +71,24 @@ endmodule
 module vector_ik6_two_program #(parameter PIPE = 2) (
     input clk, rst, in_start, output out_idle, out_done, output [46:0] out_op
 );
+    any_program #(.LINES(PIPE == 1 ? 92 : 95), .PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(in_start),
+        .out_idle(out_idle), .out_done(out_done), .out_op(out_op));
+endmodule
+
+module vector_ik6_near_two_program #(parameter PIPE = 2) (
+    input clk, rst, in_start, output out_idle, out_done, output [46:0] out_op
+);
+    any_program #(.LINES(PIPE == 1 ? 102 : 103), .PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(in_start),
+        .out_idle(out_idle), .out_done(out_done), .out_op(out_op));
+endmodule
+
+module any_program #(parameter LINES = 95, PIPE = 2) (
+    input clk, rst, in_start, output out_idle, out_done, output [46:0] out_op
+);
     (* anyseq *) wire [46:0] any;
     wire none;
     assign out_op = any;
-    engine_program #(.LINES(PIPE == 1 ? 92 : 95), .DRAIN(PIPE == 1 ? 4 : 6), .BITS(1), .REGISTER(0), .TABLE(95'd0)) control (
+    engine_program #(.LINES(LINES), .DRAIN(PIPE == 1 ? 4 : 6), .BITS(1), .REGISTER(0), .TABLE({LINES{1'b0}})) control (
         .clk(clk), .rst(rst), .in_start(in_start), .out_idle(out_idle), .out_done(out_done), .out_op(none));
 endmodule
 
