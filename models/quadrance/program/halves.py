@@ -39,7 +39,8 @@ def check(words: Sequence[int], labels: Sequence[str], names: Sequence[dict[str,
 
     Parameters
     ----------
-    words, labels, names, results, pipe, margins : as for `product_engine.check`; labels of the second half begin with MARK.
+    words, labels, names, results, pipe, margins : as for `product_engine.check`; labels of the second half begin with
+        MARK.
     pose : numbers of the ports that are the pose's.
     """
     late = [label.startswith(MARK) for label in labels]
