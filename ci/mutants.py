@@ -274,6 +274,15 @@ def survived(verdict: Verdict) -> list[str]:
             *(f"  - {f'{count} × ' if count > 1 else ''}{why}" for why, count in found.items())]
 
 
+def together(ids: list[str]) -> list[str]:
+    """Names of cores with all their sets among `ids`: core-A/B."""
+    sets: dict[str, list[str]] = {}
+    for one in ids:
+        core, _, rest = one.partition("-")
+        sets.setdefault(core, []).append(rest)
+    return [f"{core}-{'/'.join(rest)}" for core, rest in sets.items()]
+
+
 def section(committed: list[Verdict], every: list[Core], old: set[str]) -> list[str]:
     """What is committed: counts, and the survivors with what is argued of them.
 
@@ -299,10 +308,10 @@ def section(committed: list[Verdict], every: list[Core], old: set[str]) -> list[
         lines += ["", "Cores below 100 %, and why a survivor changes nothing:", "",
                   *(line for v in verdicts if v.alive for line in survived(v))]
     for what, names in (
-            ("Never broken", [core.id for core in every if core.id not in {v.core for v in committed}]),
-            ("Changed since they were broken, and left out above", sorted(old)),
+            ("Never broken, or changed since and left out above",
+             [core.id for core in every if core.id in old or core.id not in {v.core for v in committed}]),
             ("The cocotb bench has changed since", [v.core for v in verdicts if v.cocotb != cocotb()])):
-        lines += ["", f"{what}: {', '.join(names)}."] if names else []
+        lines += ["", f"{what}: {', '.join(together(names))}."] if names else []
     return lines
 
 

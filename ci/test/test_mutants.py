@@ -244,8 +244,8 @@ def test_the_section_says_which_verdicts_are_stale_and_does_not_count_them(monke
     text = "\n".join(mutants.section([*verdicts.values()], [one, two, three], old))
     assert "1 of 3 cores: 99 killed by the bulk run, 0 by" in text and "1 survived.\n99.00% of those that" in text
     assert f"- `{one.id}` 99.0%\n  - **no argument**: `mutate x`" in text
-    assert f"Changed since they were broken, and left out above: {two.id}." in text and "mutate y" not in text
-    assert f"Never broken: {three.id}." in text
+    assert f"Never broken, or changed since and left out above: {two.id}, {three.id}." in text
+    assert "mutate y" not in text and mutants.together(["a-1", "b-2", "a-3"]) == ["a-1/3", "b-2"]
     text = "\n".join(mutants.section([*verdicts.values()], [one, two], {one.id, two.id}))
     assert "No verdict follows" in text and "%" not in text
 

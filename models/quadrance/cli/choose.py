@@ -32,7 +32,7 @@ CHIPS = {"ecp5": {"lut": ("LUT", 24288), "dsp": ("MULT18X18", 28), "mem": ("EBR"
          "ice40": {"lut": ("LC", 7680), "mem": ("RAM4K", 32)}}
 PARAMETER = {"angle": "A", "vector": "U", "spread": "S", "half_tangent": "T"}  # whose bits a joint word has
 SIGN = {"measured": "", "about": "~", "at most": "<="}  # before an area
-SAME_BITS = ("MODE", "PIPE", "MULTIPLY", "PRODUCTS", "MARGINS")  # ways to build a core: its words are the same, but for status
+SAME_BITS = ("MODE", "PIPE", "MULTIPLY", "PRODUCTS", "MARGINS")  # ways to build a core of the same words
 MULTIPLIER = 18  # bits of a multiplier's input: a longer unit vector takes two
 GROWTH = 0.005  # of the LUTs, for each bit of a joint word: what it is over all rows
 
