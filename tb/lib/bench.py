@@ -28,6 +28,7 @@ LATENCY, II = CORE.latency or min(CORE.ii or 1, 100), CORE.ii or 1  # where the 
 # A clock here costs as much as a thousand in the bulk run: here is every kind of sample, and registers that are unknown
 # until they are written; there is their number, and a reset at every clock.
 RESETS = 12 if FIXED else 24
+LINKS = 200  # of a stream that are sent in order
 WORK = 600  # clocks, where the latency varies: words are written, and some iterations run
 CLOCKS = 1_000  # about as many for the corners of all configurations
 SAMPLES = max(4, min(20, 1_000 // max(LATENCY, II)))
@@ -116,7 +117,7 @@ async def corners_back_to_back(dut):
 
 @cocotb.test(skip=not CLOCKED)
 async def idle_and_back_pressure(dut):
-    """Random samples and corners under every pair of input gaps and output stalls."""
+    """Random samples and corners, in a stream some that follow each other, under every pair of gaps and stalls."""
     bench = await _fresh(dut)
     gaps = {"none": lambda: 0, "random": lambda: random.choice((0, 0, 1, 3)),
             "burst": lambda: 0 if random.random() < 0.8 else 2 * LATENCY}
@@ -129,7 +130,11 @@ async def idle_and_back_pressure(dut):
         bench.configure(cfg)
         bench.pressure = stall()
         samples, corners = stimulus.uniform(CORE, rng, SAMPLES // 2), stimulus.corners(CORE, cfg)
-        pick = rng.integers(0, next(iter(corners.values())).size, SAMPLES // 2)  # undefined, unreachable, saturating
+        size = next(iter(corners.values())).size
+        if "in_last" in corners:  # links: what a stall loses of one shows where the others are those of its chain
+            first = rng.integers(0, size - LINKS)
+            await bench.send({name: words[first:first + LINKS] for name, words in corners.items()}, gap)
+        pick = rng.integers(0, size, SAMPLES // 2)  # undefined, unreachable, saturating
         take = rng.random(SAMPLES // 2) < 0.5
         await bench.send({name: np.where(take, corners[name][pick], words) for name, words in samples.items()}, gap)
         await bench.drain()
