@@ -137,6 +137,8 @@ def test_margins_change_no_word_of_what_their_text_uses():
 
 USES = {
     "use behind a statement": ({"my": f"{SMALL}use base\n", "base": SMALL}, "my.kin:7: use comes before all else"),
+    **{f"use behind {line.split()[0]}": ({"my": f"{line}\nuse base\n", "base": SMALL}, "my.kin:2: use comes before")
+       for line in ("sign back", "order a, b", "argue u <= 1", "in length z")},
     "use twice": ({"my": "use base\nuse base\n", "base": SMALL}, "my.kin:2: use comes before all else, once"),
     "a text that is not there": ({"my": "use none\n"}, "my.kin:1: use: .*none.kin: cannot be read: No such file"),
     "a path": ({"my": "use ../base\n"}, "my.kin:1: the name of one text is expected after use"),

@@ -288,8 +288,6 @@ def _used(program: Program, line: int, text: str, users: tuple[Path, ...]) -> No
     name = text.split()[1:]
     if len(name) != 1 or not _FILE.fullmatch(name[0]):
         raise program.wrong(line, "the name of one text is expected after use: that of NAME.kin beside this one")
-    if program.inputs or program.statements or program.results:
-        raise program.wrong(line, "use comes before all else, once")
     path = program.path.with_name(f"{name[0]}.kin")
     if path in users:
         raise program.wrong(line, f"{path.name} uses itself")
@@ -329,10 +327,12 @@ def parse(text: str, path: Path, users: tuple[Path, ...] = ()) -> Program:
             program.title = line.strip("# ")
         if line.split("#")[0].strip():
             lines.append((number, line.split("#")[0].rstrip()))
-    for number, line in _expanded(program, lines, 0, [0]):
+    for at, (number, line) in enumerate(_expanded(program, lines, 0, [0])):
         if "{" in line:
             raise program.wrong(number, f"no loop gives {line[line.index('{'):].split('}')[0]}}}")
         if line.split()[0] == "use":
+            if at:
+                raise program.wrong(number, "use comes before all else, once")
             _used(program, number, line, (*users, path))
             continue
         tokens = _Tokens(program, number, line)
