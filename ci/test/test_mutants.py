@@ -12,7 +12,7 @@ from quadrance.arm import switches
 from quadrance.cores import Core, all_cores, at, find
 
 from ci import cache, checks, cover, coverage, equivalence, mutants, mutate
-from tb.lib import legal, program, suite
+from tb.lib import legal, program, suite, tools
 from tb.lib.simulate import available, simulate
 from tb.lib.test_bench_bites import altered
 
@@ -64,6 +64,11 @@ def test_proof_knows_equal_from_different(made):
     assert prover.equivalent(same), "the number of no mutant leaves the core as it is"
     killed = next(one for one in made.every if mutants.killed_in_bulk(made, one, SEED))
     assert not prover.equivalent(killed)
+
+
+def test_a_proof_is_given_up_after_its_processor_time():
+    with pytest.raises(tools.ToolError):
+        tools.run("perl", "-e", "1 while 1", processor=1)
 
 
 @pytest.mark.full

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -68,11 +69,16 @@ def require(tool: str) -> str:
 
 
 def run(tool: str, *args: str | Path, cwd: Path = ROOT, log: Path | None = None,
-        timeout: float | None = None) -> str:
-    """Run `tool`, return its output; on failure raise ToolError, after `timeout` seconds RuntimeError."""
+        timeout: float | None = None, processor: int | None = None) -> str:
+    """Run `tool`, return its output; on failure raise ToolError, after `timeout` seconds RuntimeError.
+
+    `processor`: seconds of processor time after which it fails, however busy the machine is.
+    """
+    limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_CPU, (processor, processor))}
     try:
         done = subprocess.run([require(tool), *map(str, args)], cwd=cwd, env=environment(), timeout=timeout,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              **limited if processor else {})
     except subprocess.TimeoutExpired:
         raise RuntimeError(f"{tool} took more than {timeout:.0f} s") from None
     if log is not None:
