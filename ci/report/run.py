@@ -234,8 +234,9 @@ def engines(listed: tuple[Core, ...], committed: dict | None) -> dict:
 
 
 def engines_of(listed: tuple[Core, ...]) -> list[Core]:
-    """The listed engines at their first parameter sets."""
-    return [core for core in listed if core.first_set and core.name in convergence.ENTRIES]
+    """The listed engines at their first parameter sets, with the fewest clocks."""
+    return [core for core in listed if core.first_set and not core.params.get("PIPE")
+            and core.name in convergence.ENTRIES]
 
 
 def _engine(core: Core) -> str:

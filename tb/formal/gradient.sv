@@ -49,9 +49,11 @@ endmodule
 // passes. One clock of reset is enough, from any state.
 // rtl: engine_quaternion_gd engine_gd_judge schedule
 // with: one_inside.sv
-// proof W16A24 mode=prove depth=2 W=16 F=8 A=24
-// proof W14A20 mode=prove depth=2 W=14 F=6 A=20
-module engine_quaternion_gd_props #(parameter W = 16, F = 8, A = 24) (
+// proof W16A24 mode=prove depth=2 W=16 F=8 A=24 PIPE=0
+// proof PIPE1 mode=prove depth=2 W=16 F=8 A=24 PIPE=1
+// proof W14A20 mode=prove depth=2 W=14 F=6 A=20 PIPE=0
+// proof PIPE1W14A20 mode=prove depth=2 W=14 F=6 A=20 PIPE=1
+module engine_quaternion_gd_props #(parameter W = 16, F = 8, A = 24, PIPE = 0) (
     input clk, rst, in_valid, out_ready, in_warm, cfg_shift, input [W-1:0] cfg_l1, cfg_l2, in_x, in_y,
     input [W:0] cfg_alpha, input [21:0] cfg_tol, input [9:0] cfg_limit, input [A-1:0] in_j1, in_j2
 );
@@ -60,23 +62,24 @@ module engine_quaternion_gd_props #(parameter W = 16, F = 8, A = 24) (
     wire [9:0] out_iters;
     wire [2*W-1:0] out_error;
     wire [3:0] out_status;
-    engine_quaternion_gd #(.W(W), .F(F), .A(A)) dut (.*);
+    engine_quaternion_gd #(.W(W), .F(F), .A(A), .PIPE(PIPE)) dut (.*);
 
     wire live, inside;
     reg idled;
     initial idled = 0;
 
-    (* hierconn *) wire [11:0] \dut.control.step ;
+    localparam LAST = PIPE == 0 ? 11 : 15;
+    (* hierconn *) wire [LAST:0] \dut.control.step ;
     (* hierconn *) wire \dut.fine ;
     (* hierconn *) wire \dut.wide ;
-    wire [11:0] step = \dut.control.step ;
+    wire [LAST:0] step = \dut.control.step ;
     wire        counts = !\dut.wide ;
 
     wire [4*A+2*W+14:0] result = {out_d1, out_d2, out_j1, out_j2, out_iters, out_error, out_coarse, out_status};
     wire [32:0] cfg = {cfg_shift, cfg_limit, cfg_tol};
     one_inside #(.WO(4*A+2*W+15), .WC(33)) rules (.*);
     always @(posedge clk)
-        idled <= live && !rst && step[11] && !counts;
+        idled <= live && !rst && step[LAST] && !counts;
     always @* if (live) begin
         assert ((step != 0) == (inside && !out_valid));
         assert ((step & step - 1) == 0);
@@ -84,7 +87,7 @@ module engine_quaternion_gd_props #(parameter W = 16, F = 8, A = 24) (
         // a pass that does not count ends in the coarse range, where every pass counts
         if (idled) assert (step[0] && !\dut.fine );
         if (!\dut.fine ) assert (counts);
-        if (step[10] || step[11]) assert (!counts || out_iters < cfg_limit);
+        if (step[LAST-1] || step[LAST]) assert (!counts || out_iters < cfg_limit);
         if (out_valid && !out_status[3]) assert (\dut.fine && out_error < cfg_tol);
         if (out_valid && out_status[3]) assert (out_iters == cfg_limit);
     end
@@ -95,9 +98,11 @@ endmodule
 // most 2 cfg_limit + 2 passes. One clock of reset is enough, from any state.
 // rtl: engine_quaternion_gd_touch engine_gd_judge schedule
 // with: one_inside.sv
-// proof W16A24 mode=prove depth=2 W=16 F=8 A=24
-// proof W14A20 mode=prove depth=2 W=14 F=6 A=20
-module engine_quaternion_gd_touch_props #(parameter W = 16, F = 8, A = 24) (
+// proof W16A24 mode=prove depth=2 W=16 F=8 A=24 PIPE=0
+// proof PIPE1 mode=prove depth=2 W=16 F=8 A=24 PIPE=1
+// proof W14A20 mode=prove depth=2 W=14 F=6 A=20 PIPE=0
+// proof PIPE1W14A20 mode=prove depth=2 W=14 F=6 A=20 PIPE=1
+module engine_quaternion_gd_touch_props #(parameter W = 16, F = 8, A = 24, PIPE = 0) (
     input clk, rst, in_valid, out_ready, in_warm, cfg_shift, input [W-1:0] cfg_l1, cfg_l2, in_x, in_y, in_z,
     input [A-1:0] in_j1, in_j2, in_j3,
     input [W:0] cfg_alpha, input [21:0] cfg_tol, input [9:0] cfg_limit
@@ -107,24 +112,25 @@ module engine_quaternion_gd_touch_props #(parameter W = 16, F = 8, A = 24) (
     wire [9:0] out_iters;
     wire [2*W-1:0] out_error;
     wire [3:0] out_status;
-    engine_quaternion_gd_touch #(.W(W), .F(F), .A(A)) dut (.*);
+    engine_quaternion_gd_touch #(.W(W), .F(F), .A(A), .PIPE(PIPE)) dut (.*);
 
     wire live, inside;
     reg idled;
     initial idled = 0;
 
-    (* hierconn *) wire [13:0] \dut.control.step ;
+    localparam LAST = PIPE == 0 ? 13 : 16;
+    (* hierconn *) wire [LAST:0] \dut.control.step ;
     (* hierconn *) wire \dut.fine ;
     (* hierconn *) wire \dut.wide ;
     (* hierconn *) wire \dut.again ;
     (* hierconn *) wire [1:0] \dut.late ;
-    wire [13:0] step = \dut.control.step ;
+    wire [LAST:0] step = \dut.control.step ;
 
     wire [6*A+2*W+14:0] result = {out_j1, out_j2, out_j3, out_d1, out_d2, out_d3, out_iters, out_error, out_coarse, out_status};
     wire [32:0] cfg = {cfg_shift, cfg_limit, cfg_tol};
     one_inside #(.WO(6*A+2*W+15), .WC(33)) rules (.*);
     always @(posedge clk)
-        idled <= live && !rst && step[12] && \dut.wide ;
+        idled <= live && !rst && step[LAST-1] && \dut.wide ;
     always @* if (live) begin
         assert ((step != 0 || \dut.again ) == (inside && !out_valid));
         assert (!(step != 0 && \dut.again ) && (step & step - 1) == 0);
@@ -189,7 +195,7 @@ endmodule
 
 // What the contract of a gradient engine does not depend on: steps and chords of any value. The square is any value
 // too, but it stands where no line of the table changes it.
-module engine_gd_path #(parameter W = 16, A = 24, K = 17, T = 10) (
+module engine_gd_path #(parameter W = 16, A = 24, K = 17, T = 10, PIPE = 0) (
     input clk, input [W-1:0] cfg_l1, cfg_l2, input [W:0] cfg_alpha, input in_shift, in_fine, in_still,
     input [11:0] in_op, input [2*K-T+19:0] in_chord, input [W-1:0] in_x, in_y,
     output [A-1:0] out_step, output reg [2*W-1:0] out_square
@@ -207,7 +213,7 @@ module angle_chord #(parameter A = 18, K = 17, T = 9, DROP = 0) (
     assign out_chord = chord;
 endmodule
 
-module engine_gd_touch_path #(parameter W = 16, A = 24, K = 17, T = 10) (
+module engine_gd_touch_path #(parameter W = 16, A = 24, K = 17, T = 10, PIPE = 0) (
     input clk, input [W-1:0] cfg_l1, cfg_l2, input [W:0] cfg_alpha, input in_shift, in_fine, in_finer, in_alone,
     input [17:0] in_op, input [2*K-T+19:0] in_chord, input [W-1:0] in_x, in_y, in_z,
     output [A-1:0] out_step, output reg [2*W-1:0] out_square

@@ -3,9 +3,11 @@
 // not. One clock of reset is enough, from any state.
 // rtl: engine_quaternion_gd_plane engine_gd_plane_program schedule
 // with: one_inside.sv
-// proof W16N8 mode=prove depth=2 W=16 F=8 A=24 N=8
-// proof W14N3 mode=prove depth=2 W=14 F=6 A=20 N=3
-module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8) (
+// proof W16N8 mode=prove depth=2 W=16 F=8 A=24 N=8 PIPE=0
+// proof PIPE1 mode=prove depth=2 W=16 F=8 A=24 N=8 PIPE=1
+// proof W14N3 mode=prove depth=2 W=14 F=6 A=20 N=3 PIPE=0
+// proof PIPE1W14N3 mode=prove depth=2 W=14 F=6 A=20 N=3 PIPE=1
+module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8, PIPE = 0) (
     input clk, rst, in_valid, out_ready, input [1:0] cfg_shift, in_op, input [7:0] in_n, input [W-1:0] in_x, in_y,
     input [W:0] cfg_alpha, input [21:0] cfg_tol, input [9:0] cfg_limit, input [A-1:0] in_j
 );
@@ -14,12 +16,13 @@ module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8
     wire [9:0] out_iters;
     wire [2*W-1:0] out_error;
     wire [3:0] out_status;
-    engine_quaternion_gd_plane #(.W(W), .F(F), .A(A), .N(N)) dut (.*);
+    engine_quaternion_gd_plane #(.W(W), .F(F), .A(A), .N(N), .PIPE(PIPE)) dut (.*);
 
     wire live, inside;
+    localparam LINKS = PIPE == 0 ? 7 : 9, TAIL = PIPE == 0 ? 8 : 12;
 
-    (* hierconn *) wire [6:0] \dut.program_.links.step ;
-    (* hierconn *) wire [7:0] \dut.program_.tail.step ;
+    (* hierconn *) wire [LINKS-1:0] \dut.program_.links.step ;
+    (* hierconn *) wire [TAIL-1:0] \dut.program_.tail.step ;
     (* hierconn *) wire \dut.check ;
     (* hierconn *) wire \dut.answer ;
     (* hierconn *) wire \dut.busy ;
@@ -29,25 +32,23 @@ module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8
     (* hierconn *) wire [5:0] \dut.link ;
     (* hierconn *) wire [5:0] \dut.loaded ;
     (* hierconn *) wire [7:0] \dut.n ;
-    wire [6:0] links = \dut.program_.links.step ;
-    wire [7:0] tail = \dut.program_.tail.step ;
+    wire [8:0]  links = \dut.program_.links.step ;
+    wire [11:0] tail = \dut.program_.tail.step ;
     wire [5:0] link = \dut.link , loaded = \dut.loaded ;
     wire [7:0] n = \dut.n ;
-    reg  [6:0] with_tail;  // lines of links that are played beside a line of the tail
-    always @* case (tail)
-        8'h02: with_tail = 7'h10;
-        8'h04: with_tail = 7'h20;
-        8'h08: with_tail = 7'h40;
-        8'h40: with_tail = 7'h01;
-        8'h80: with_tail = 7'h02;
-        default: with_tail = 7'h00;
-    endcase
-    wire body = tail == 0 && (links == 7'h01 || links == 7'h02 || links == 7'h04 || links == 7'h09 || links == 7'h12
-                || links == 7'h24 || links == 7'h49);
-    wire turn = tail == 8'h01 && (links == 7'h08 || links == 7'h48)
-             || tail != 8'h00 && tail != 8'h01 && (tail & tail - 1) == 0 && links == with_tail;
+    // Lines of the last link beside the tail, and of link 1 beside its two last lines; of the link before the last one
+    reg  [8:0] with_tail, with_earlier;
+    always @* begin
+        with_tail = tail[TAIL-2] ? 9'h001 : tail[TAIL-1] ? 9'h002 : tail[LINKS-4:0] << 3;
+        with_earlier = tail[LINKS-7:0] << 6;
+    end
+    wire begun = links == 9'h001 || links == 9'h002 || links == 9'h004 || links == 9'h009 || links == 9'h012
+              || links == 9'h024 || links == 9'h049;
+    wire body = tail == 0 && (begun || PIPE == 1 && (links == 9'h092 || links == 9'h124));
+    wire turn = tail != 0 && (tail & tail - 1) == 0 && (links == with_tail || links == (with_tail | with_earlier));
     wire solves = body || turn;
-    wire first = tail[7:6] != 0 || tail == 0 && links[6:3] == 0;  // link 1 is played alone
+    wire ends = tail[TAIL-1] || tail[TAIL-2];          // the pass ends: link 1 of the next one has begun
+    wire first = ends || tail == 0 && links[8:3] == 0; // link 1 is played alone
 
     wire [A+2*W+14:0] result = {out_j, out_iters, out_error, out_coarse, out_status};
     wire [33:0] cfg = {cfg_shift, cfg_limit, cfg_tol};
@@ -60,11 +61,11 @@ module engine_quaternion_gd_plane_props #(parameter W = 16, F = 8, A = 24, N = 8
         // links are counted from 1 to n
         assert (loaded <= N);
         if (solves) assert (n != 0 && n <= loaded);
-        if (solves && (body || tail[7:6] != 0)) assert (link != 0 && link <= n && (link == 1) == first);
-        if (tail[5:2] != 0) assert (link == 0);
+        if (solves && (body || ends)) assert (link != 0 && link <= n && (link == 1) == first);
+        if (tail[TAIL-3:2] != 0) assert (link == 0);
         // an end
         if (inside) assert (out_iters <= cfg_limit);
-        if (tail[7:4] != 0 && \dut.still ) assert (\dut.fine && \dut.big );
+        if (tail[TAIL-1:PIPE == 0 ? 4 : 6] != 0 && \dut.still ) assert (\dut.fine && \dut.big );
     end
 endmodule
 
@@ -81,7 +82,7 @@ module engine_gd_joints #(parameter W = 16, A = 24, K = 17, T = 10, I = 6) (
     always @(posedge clk) if (in_read) out_j <= joint;
 endmodule
 
-module engine_gd_plane_path #(parameter W = 16, A = 24, N = 8, K = 17, T = 10, I = 6) (
+module engine_gd_plane_path #(parameter W = 16, A = 24, N = 8, K = 17, T = 10, I = 6, PIPE = 0) (
     input clk, input [W:0] cfg_alpha, input [1:0] in_shift, input in_fine, in_still, in_clear, input [8:0] in_op,
     input in_first, in_read, input [I-1:0] in_link, input in_store, in_begin, input [2*K-T+19:0] in_chord,
     input [W-1:0] in_length, in_x, in_y, output out_fits, output [A-1:0] out_move, output reg [2*W-1:0] out_square

@@ -103,11 +103,11 @@ def by_newton(core: Core) -> tuple[dict[str, Ints], dict[str, int]]:
 TWO = ("vector_ik2", "table_ik2")
 ENTRIES = {
     "engine_quaternion_gd": Entry("2 joints in the plane, to 1 LSB (12 um)", by_example,
-                                  engines.EXAMPLES["engine_quaternion_gd"].clocks, TWO),
+                                  engines.EXAMPLES["engine_quaternion_gd"].passes[0], TWO),
     "engine_quaternion_dls": Entry("2 joints in the plane, damped, to 1 LSB (12 um)", by_damping, 16, TWO),
     "engine_quaternion_gd_vector": Entry("2 joints in the plane, to 1 LSB (12 um)", by_vector, 13, TWO),
     "engine_quaternion_gd_touch": Entry("Geomagic Touch, to 1 LSB (16 um)", by_example,
-                                        engines.EXAMPLES["engine_quaternion_gd_touch"].clocks,
+                                        engines.EXAMPLES["engine_quaternion_gd_touch"].passes[0],
                                         ("vector_ik3", "table_ik3")),
     "engine_newton_3r": Entry("3 joints in the plane and an orientation, to 1 LSB (links 8192)", by_newton, 16,
                               ("table_ik3r",)),

@@ -23,15 +23,15 @@ class Example:
     """An arm for an engine whose ports are in_x.., in_j1.., in_warm, cfg_l1, cfg_l2, alpha, shift, tol and limit.
 
     arm : float64 kinematics, metres. lengths : its links, metres. gain : the paper's alpha times the longer squared.
-    clocks, last : of a pass, of the last one until its answer. target : the paper's, metres. origin : of the engine's
-    coordinates, metres.
+    passes, early : clocks of a pass, and those of the last one after its answer, by PIPE. target : the paper's, metres.
+    origin : of the engine's coordinates, metres.
     """
 
     arm: gradient.Kinematics
     lengths: tuple[float, float]
     gain: float
-    clocks: int
-    last: int
+    passes: tuple[int, int]
+    early: tuple[int, int]
     target: tuple[float, ...]
     origin: tuple[float, ...]
 
@@ -39,6 +39,10 @@ class Example:
     def alpha(self) -> float:
         """The paper's step, 1 / m^2."""
         return self.gain / max(self.lengths) ** 2
+
+    def clocks(self, core: Core) -> tuple[int, int]:
+        """Clocks of a pass of this core, and those of the last one after its answer."""
+        return self.passes[core.params["PIPE"]], self.early[core.params["PIPE"]]
 
     def lsb(self, core: Core, bits: int) -> float:
         """Metres of an LSB where the longer link is 2^(W - bits) LSB."""
@@ -71,6 +75,7 @@ def joints(answer: Answer) -> Ints:
 
 
 EXAMPLES = {
-    "engine_quaternion_gd": Example(gradient.planar(0.1, 0.1), (0.1, 0.1), 0.33, 12, 11, (0.0292, 0.1267), (0.0, 0.0)),
+    "engine_quaternion_gd": Example(gradient.planar(0.1, 0.1), (0.1, 0.1), 0.33, (12, 16), (1, 2), (0.0292, 0.1267),
+                                    (0.0, 0.0)),
     "engine_quaternion_gd_touch": Example(gradient.touch(0.135, 0.135, origin=(0.0, 0.025, -0.17)), (0.135, 0.135),
-                                          19 * 0.135**2, 14, 14, (0.0, 0.0, 0.0), (0.0, 0.025, -0.17))}
+                                          19 * 0.135**2, (14, 17), (0, 0), (0.0, 0.0, 0.0), (0.0, 0.025, -0.17))}

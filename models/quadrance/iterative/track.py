@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance import truth
-from quadrance.cores import Core, all_cores
+from quadrance.cores import Core, find
 from quadrance.iterative import engines, gradient
 from quadrance.truth import Floats, floats
 
@@ -193,7 +193,7 @@ def engine(core: Core) -> Follower:
     def solve(state: np.ndarray, goal: Floats, counts: np.ndarray) -> np.ndarray:
         return engines.joints(core.model(core.params, **ports(core, state, goal, counts)))
 
-    return Follower(core.name, example.arm, example.lengths, solve=solve, clocks=example.clocks,
+    return Follower(core.name, example.arm, example.lengths, solve=solve, clocks=example.clocks(core)[0],
                     state=lambda theta: truth.angle_to_binary_word(theta, a) & (1 << a) - 1,
                     theta=lambda state: truth.binary_word_to_angle(state, a),
                     seen=lambda goal: example.places(example.goals(goal, lsb), lsb), **ROUND[len(example.origin)])
@@ -201,5 +201,5 @@ def engine(core: Core) -> Follower:
 
 def followers() -> dict[str, Follower]:
     """All by name: float64 first, then every listed engine at its first parameter set."""
-    found = [*FLOATS, *(engine(core) for core in all_cores() if core.first_set and core.name in engines.EXAMPLES)]
+    found = [*FLOATS, *(engine(find(name)) for name in engines.EXAMPLES)]
     return {one.name: one for one in found}

@@ -5,13 +5,14 @@
 // Formats: in_chord of angle_chord, sines s2.K; links in 1/2 LSB; E in 1/64 LSB. In the fine range E has its lower W +
 // 2 bits, saturated at 2^(W-5) LSB, and its square 1/256 LSB^2; in the coarse range 1/4 LSB, saturated at 2^(W-1) LSB,
 // and LSB^2. All are truncated. Operands are in registers: a product is complete in the clock after the line that names
-// its factors. Error of a tip: bounds.iterative.tip. Model: iterative.fixed.gd
+// its factors, at PIPE = 1 a clock later. Error of a tip: bounds.iterative.tip. Model: iterative.fixed.gd
 `default_nettype none
 module engine_gd_path #(
     parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
     parameter A = 24,  // bits of a joint word, 16 to 24 (default 24)
     parameter K = 17,  // fraction bits of a sine or cosine: W + 1
-    parameter T = 10   // address bits of the sine table; a segment's step has K - T + 4 bits
+    parameter T = 10,  // address bits of the sine table; a segment's step has K - T + 4 bits
+    parameter PIPE = 0 // registers behind the products, 0 or 1 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire [W-1:0]        cfg_l1,
@@ -24,7 +25,7 @@ module engine_gd_path #(
     input  wire [2*K-T+19:0]   in_chord,
     input  wire signed [W-1:0] in_x,
     input  wire signed [W-1:0] in_y,
-    output reg  [A-1:0]        out_step,    // from the products of two clocks before
+    output reg  [A-1:0]        out_step,    // from the products of two clocks before, of three at PIPE = 1
     output reg  [2*W-1:0]      out_square
 );
     localparam N = W + 9, O = W + 2;  // bits of an error and of an operand
@@ -37,7 +38,8 @@ module engine_gd_path #(
 
     // Products
     reg  signed [O-1:0]   al, ar, bl, br;
-    wire signed [2*O-1:0] a = al * ar, b = bl * br;
+    wire signed [2*O-1:0] now_a = al * ar, now_b = bl * br;
+    wire signed [2*O-1:0] a, b;
 
     // Table segment to sine or cosine
     wire [K:0]     knot;
@@ -45,7 +47,18 @@ module engine_gd_path #(
     wire [14:0]    offset;
     assign {knot, rise, offset} = in_chord;
     reg  [K:0]     base;
-    wire [O-1:0]   root = base + a[15+:O];
+    wire [K:0]     start;  // knot of the segment whose product is a
+    wire [O-1:0]   root = start + a[15+:O];
+    generate
+        if (PIPE == 0) begin : g_now
+            assign {start, a, b} = {base, now_a, now_b};
+        end else begin : g_later
+            reg [K+4*O:0] later;
+            assign {start, a, b} = later;
+            always @(posedge clk)
+                later <= {base, now_a, now_b};
+        end
+    endgenerate
 
     // The last four of x1 y1 x2 y2
     reg [O-1:0] x1, y1, x2, y2;

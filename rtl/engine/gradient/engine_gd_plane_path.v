@@ -6,7 +6,8 @@
 // Formats: in_chord of angle_chord, sines s2.K; links and target in 1/2 LSB; E in 1/64 LSB. In the fine range E has its
 // lower W + 2 bits, saturated at 2^(W-5) LSB, and its square 1/256 LSB^2; in the coarse range 1/4 LSB, saturated at
 // 2^(W-1) LSB, and LSB^2. All are truncated. Operands are in registers: a product is complete in the clock after the
-// line that names its factors. Error of a step: bounds.iterative.plane_step. Model: iterative.plane.gd
+// line that names its factors, at PIPE = 1 a clock later. Error of a step: bounds.iterative.plane_step. Model:
+// iterative.plane.gd
 `default_nettype none
 module engine_gd_plane_path #(
     parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
@@ -14,7 +15,8 @@ module engine_gd_plane_path #(
     parameter N = 8,   // most links, 1 to 128 (default 8): E holds all of them at full length
     parameter K = 17,  // fraction bits of a sine or cosine: W + 1
     parameter T = 10,  // address bits of the sine table; a segment's step has K - T + 4 bits
-    parameter I = 6    // bits of a link's number, 6 to 8 (default 6)
+    parameter I = 6,   // bits of a link's number, 6 to 8 (default 6)
+    parameter PIPE = 0 // registers behind the products, 0 or 1 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire [W:0]          cfg_alpha,
@@ -46,15 +48,27 @@ module engine_gd_plane_path #(
 
     // Products
     reg  signed [O-1:0]   al, ar, bl, br;
-    wire signed [2*O-1:0] a = al * ar, b = bl * br;
+    wire signed [2*O-1:0] now_a = al * ar, now_b = bl * br;
+    wire signed [2*O-1:0] a, b;
 
     // Table segment to sine or cosine
     wire [K:0]     knot;
     wire [K-T+3:0] rise;
     wire [14:0]    offset;
     assign {knot, rise, offset} = in_chord;
-    reg  [K:0]     start;
+    reg  [K:0]     base;
+    wire [K:0]     start;  // knot of the segment whose product is a
     wire [O-1:0]   root = start + a[15+:O];
+    generate
+        if (PIPE == 0) begin : g_now
+            assign {start, a, b} = {base, now_a, now_b};
+        end else begin : g_later
+            reg [K+4*O:0] later;
+            assign {start, a, b} = later;
+            always @(posedge clk)
+                later <= {base, now_a, now_b};
+        end
+    endgenerate
 
     // Links of the pass before
     reg [2*O-1:0] links[0:(1<<I)-1];
@@ -86,7 +100,7 @@ module engine_gd_plane_path #(
 
     wire unused = &{1'b0, a[14:0], b[3:0]};
     always @(posedge clk) begin
-        start <= knot;
+        base <= knot;
         case (a_op)
             2'b00: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
             2'b01: al <= link[O-1:0];

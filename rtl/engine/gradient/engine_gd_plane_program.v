@@ -5,7 +5,9 @@
 // out_link {STORE, PLACE, NEXT, STEP, READ} and out_tail {STOP, GO, FITS, BASE, RANGE} are the last column of each.
 // Model: iterative.plane.gd
 `default_nettype none
-module engine_gd_plane_program (
+module engine_gd_plane_program #(
+    parameter PIPE = 0  // registers behind the products, 0 or 1 (default 0: fewest clocks)
+) (
     input  wire       clk,
     input  wire       rst,
     input  wire       in_start,
@@ -66,6 +68,33 @@ module engine_gd_plane_program (
         /* alpha Ex         */ {AIM_A, SQUARE, LESS,       GO},
         /* link 1 begins    */ {CHORD, ROOT,   MORE | ADD, WAIT},
         /* stop?            */ {CHORD, ROOT,   NONE,       STOP}};
+    // PIPE = 1: a product is used two lines after the one that names its factors, and LEFT is for the next link
+    localparam [14*9-1:0] LINK_1 = {
+        /* read joint       */ {CHORD, ROOT,  NONE, READ},
+        /* step             */ {CHORD, RIGHT, MORE, STEP},
+        /* angle            */ {LEFT,  ROOT,  NONE, NEXT},
+        /* chord of sine    */ {CHORD, ROOT,  LESS, PLACE},
+        /* chord of cosine  */ {CHORD, ROOT,  NONE, STAY},
+        /* sine             */ {CHORD, ROOT,  NONE, STAY},
+        /* cosine           */ {CHORD, ROOT,  NONE, STAY},
+        /* y                */ {CHORD, ROOT,  TIP,  STAY},
+        /* x                */ {CHORD, ROOT,  TIP,  STORE}};
+    localparam [14*12-1:0] TAIL_1 = {
+        /* range            */ {CHORD, ROOT,   NONE,       RANGE},
+        /* base             */ {CHORD, ROOT,   NONE,       BASE},
+        /* -                */ {CHORD, ROOT,   NONE,       WAIT},
+        /* -                */ {CHORD, ROOT,   NONE,       WAIT},
+        /* -                */ {CHORD, ROOT,   NONE,       WAIT},
+        /* Ey there         */ {GAIN,  SQUARE, CLEAR,      FITS},
+        /* Ex there         */ {GAIN,  SQUARE, NONE,       FITS},
+        /* Ey^2, alpha Ey   */ {CHORD, AIM_B,  ADD,        WAIT},
+        /* Ex^2, alpha Ex   */ {AIM_A, ROOT,   ADD,        WAIT},
+        /* link 1           */ {LEFT,  ROOT,   LESS,       GO},
+        /* link 1 begins    */ {CHORD, ROOT,   MORE,       WAIT},
+        /* stop?            */ {CHORD, ROOT,   NONE,       STOP}};
+    localparam LINKS = PIPE == 0 ? 7 : 9, TAILS = PIPE == 0 ? 8 : 12;
+    localparam [14*9-1:0]  TABLE_LINK = PIPE == 0 ? {{14*2{1'b0}}, LINK} : LINK_1;
+    localparam [14*12-1:0] TABLE_TAIL = PIPE == 0 ? {{14*4{1'b0}}, TAIL} : TAIL_1;
     wire [13:0] link_op, tail_op;
     wire        next = out_link[2], go = out_tail[3];
     /* verilator lint_off UNUSEDSIGNAL */
@@ -74,9 +103,9 @@ module engine_gd_plane_program (
     assign      out_op = link_op[13:5] | tail_op[13:5];
     assign      out_link = link_op[4:0];
     assign      out_tail = tail_op[4:0];
-    schedule #(.LINES(7), .BITS(14), .TABLE(LINK)) links (.clk(clk), .rst(rst || in_halt),
+    schedule #(.LINES(LINKS), .BITS(14), .TABLE(TABLE_LINK[14*LINKS-1:0])) links (.clk(clk), .rst(rst || in_halt),
         .in_start(in_start || (next && !in_last) || go), .out_idle(unused_idle[0]), .out_op(link_op));
-    schedule #(.LINES(8), .BITS(14), .TABLE(TAIL)) tail (.clk(clk), .rst(rst),
+    schedule #(.LINES(TAILS), .BITS(14), .TABLE(TABLE_TAIL[14*TAILS-1:0])) tail (.clk(clk), .rst(rst),
         .in_start(next && in_last), .out_idle(unused_idle[1]), .out_op(tail_op));
 endmodule
 `default_nettype wire

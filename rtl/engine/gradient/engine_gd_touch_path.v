@@ -12,7 +12,8 @@ module engine_gd_touch_path #(
     parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
     parameter A = 24,  // bits of a joint word, 16 to 24 (default 24)
     parameter K = 17,  // fraction bits of a sine or cosine: W + 1
-    parameter T = 10   // address bits of the sine table; a segment's step has K - T + 4 bits
+    parameter T = 10,  // address bits of the sine table; a segment's step has K - T + 4 bits
+    parameter PIPE = 0 // registers behind the products, 0 or 1 (default 0: fewest clocks)
 ) (
     input  wire                clk,
     input  wire [W-1:0]        cfg_l1,
@@ -27,7 +28,7 @@ module engine_gd_touch_path #(
     input  wire signed [W-1:0] in_x,
     input  wire signed [W-1:0] in_y,
     input  wire signed [W-1:0] in_z,
-    output reg  [A-1:0]        out_step,    // from the products of the clock before
+    output reg  [A-1:0]        out_step,    // from the products of the clock before, of two at PIPE = 1
     output reg  [2*W-1:0]      out_square
 );
     localparam N = W + 9, O = W + 2;  // bits of an error and of an operand
@@ -39,7 +40,8 @@ module engine_gd_touch_path #(
 
     // Products
     reg  signed [O-1:0]   al, ar, bl, br;
-    wire signed [2*O-1:0] a = al * ar, b = bl * br;
+    wire signed [2*O-1:0] now_a = al * ar, now_b = bl * br;
+    wire signed [2*O-1:0] a, b;
 
     // Table segment to sine or cosine
     wire [K:0]     knot;
@@ -47,7 +49,8 @@ module engine_gd_touch_path #(
     wire [14:0]    offset;
     assign {knot, rise, offset} = in_chord;
     reg  [K:0]     base;
-    wire [O-1:0]   root = base + a[15+:O];
+    wire [K:0]     start;         // knot of the segment whose product is a
+    wire [O-1:0]   root = start + a[15+:O];
     reg  [O-1:0]   root1, root2;  // -c1 s1
 
     // Links: L1 c2, L2 s3, L1 s2, -L2 c3
@@ -57,7 +60,7 @@ module engine_gd_touch_path #(
     // Error: e is v, then w; u is negated
     reg  signed [N-1:0] e, v, u, part;
     wire [N-1:0]        from = e_op[1] ? {{3{in_y[W-1]}}, in_y, 6'd0} : e_op[0] ? e : {N{1'b0}};
-    wire [N-1:0]        seen = seen_op[1] ? u : seen_op[0] ? e : v;
+    wire [N-1:0]        seen = seen_op[1] ? u : seen_op[0] || PIPE == 1 ? e : v;  // PIPE = 1: v is still in e
     wire                over = in_fine ? seen[N-1:W+1] != {8{seen[N-1]}} : seen[N-1:W+5] != {4{seen[N-1]}};
     wire [O-1:0]        f = over ? {seen[N-1], {(O-1){!seen[N-1]}}} : in_fine ? seen[W+1:0] : seen[W+5:4];
     reg  [O-1:0]        av;
@@ -67,8 +70,26 @@ module engine_gd_touch_path #(
     wire [W:0]   word = goal ? {target[W-1], target} : {1'b0, far ? cfg_l2 : cfg_l1};
 
     // Step
-    reg  signed [A+3:0] ea, eb;
-    wire signed [A+4:0] exact = {eb[A+3], eb} - {ea[A+3], ea};
+    wire signed [A+4:0] exact;
+    wire        [A+3:0] asked = in_alone ? {(A+4){1'b0}} : a[2*O-1:CUT];  // less than what b asks for
+    generate
+        if (PIPE == 0) begin : g_now
+            reg signed [A+3:0] ea, eb;
+            assign {start, a, b} = {base, now_a, now_b};
+            assign exact = {eb[A+3], eb} - {ea[A+3], ea};
+            always @(posedge clk)
+                {ea, eb} <= {asked, b[2*O-1:CUT]};
+        end else begin : g_later
+            reg [A+4:0]   difference;
+            reg [K+4*O:0] later;
+            assign {start, a, b} = later;
+            assign exact = difference;
+            always @(posedge clk) begin
+                difference <= {b[2*O-1], b[2*O-1:CUT]} - {asked[A+3], asked};
+                later      <= {base, now_a, now_b};
+            end
+        end
+    endgenerate
     always @* case ({in_finer, in_shift})
         2'd0: out_step = exact[A-1:0];
         2'd1: out_step = exact[A+1:2];
@@ -116,8 +137,6 @@ module engine_gd_touch_path #(
             out_square <= {2*W{1'b0}};
         else if (square)
             out_square <= out_square + {1'b0, b[4+:2*W-1]};
-        ea <= in_alone ? {(A+4){1'b0}} : a[2*O-1:CUT];
-        eb <= b[2*O-1:CUT];
     end
 endmodule
 `default_nettype wire

@@ -6,14 +6,15 @@
 // in LSB^2; out_d1, out_d2 sA: the last step moved joint 1 by their sum, joint 2 by out_d2. in_warm: start from the
 // last answer, 0 after reset, not from in_j1, in_j2.
 // Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.05 + 3.0 (L1 + L2) / 2^(W+1) LSB, lengths in LSB.
-// Latency 12 a pass less 1, II the same. Passes: out_iters + 1, and those that only change the range.
+// Latency 12 + 4 PIPE a pass less 1 + PIPE, II the same. Passes: out_iters + 1, and those that only change the range.
 // Status: not converged (the limit was reached: out of reach, alpha too large, or a start along the arm).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd
 `default_nettype none
 module engine_quaternion_gd #(
     parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
     parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 24   // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
+    parameter A = 24,  // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
+    parameter PIPE = 0 // registers behind the products, 0 or 1 (default 0: fewest clocks); 1: a faster clock
 ) (
     input  wire           clk,
     input  wire           rst,
@@ -42,8 +43,8 @@ module engine_quaternion_gd #(
     output wire [3:0]     out_status
 );
     generate
-        if (W < 14 || W > 20 || F < 0 || F >= W || A < 16 || A > 24) begin : g_illegal
-            engine_quaternion_gd_needs_W_from_14_to_20_and_F_below_W_and_A_from_16_to_24 rule ();
+        if (W < 14 || W > 20 || F < 0 || F >= W || A < 16 || A > 24 || PIPE < 0 || PIPE > 1) begin : g_illegal
+            engine_quaternion_gd_needs_W_from_14_to_20_and_F_below_W_and_A_from_16_to_24_and_PIPE_0_or_1 rule ();
         end
     endgenerate
 
@@ -85,14 +86,34 @@ module engine_quaternion_gd #(
         /* e1; stop?       */ {LINK2, ALPHA, STOP},
         /* e2              */ {NONE,  L1,    MOVE1},
         /* joints          */ {NONE,  L1,    MOVE2}};
+    // PIPE = 1: a product is used two lines after the one that names its factors
+    localparam [14*16-1:0] PASS_1 = {
+        /* read c1         */ {NONE,  L1,    COS},
+        /* read s1         */ {CHORD, L1,    SIN},
+        /* read c12        */ {CHORD, L1,    COS12},
+        /* read s12; c1    */ {CHORD, L1,    SIN12},
+        /* s1              */ {CHORD, L1,    SIN},
+        /* c12; L1 c1      */ {CHORD, L2,    X},
+        /* s12; L1 s1      */ {CHORD, L2,    Y},
+        /* L2 c12: Ex      */ {NONE,  L2,    TIP},
+        /* L2 s12: Ey      */ {ERROR, E,     TIP},
+        /* Ey there        */ {ERROR, E,     CLEAR},
+        /* Ex^2, alpha Ex  */ {NONE,  E,     SQUARE},
+        /* Ey^2, alpha Ey  */ {LINK1, ALPHA, SQUARE},
+        /* stop?           */ {LINK2, ALPHA, STOP},
+        /* e1              */ {NONE,  L1,    SIN},
+        /* e2              */ {NONE,  L1,    MOVE1},
+        /* joints          */ {NONE,  L1,    MOVE2}};
+    localparam LINES = PIPE == 0 ? 12 : 16;
+    localparam [14*16-1:0] TABLE = PIPE == 0 ? {{14*4{1'b0}}, PASS} : PASS_1;
     wire [13:0] op;
     wire        idle, cosine, both, stop, move1, move2, halt;
     wire        accept = in_valid && in_ready;
     assign      {move2, move1, stop} = op[9:7];
     assign      {both, cosine} = op[1:0];
     assign      in_ready = idle && (!out_valid || out_ready);
-    schedule #(.LINES(12), .BITS(14), .TABLE(PASS)) control (.clk(clk), .rst(rst || halt), .in_start(accept || move2),
-        .out_idle(idle), .out_op(op));
+    schedule #(.LINES(LINES), .BITS(14), .TABLE(TABLE[14*LINES-1:0])) control (.clk(clk), .rst(rst || halt),
+        .in_start(accept || move2), .out_idle(idle), .out_op(op));
 
     // Joints
     localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a sine, address bits of its table
@@ -118,8 +139,8 @@ module engine_quaternion_gd #(
     // Datapath and end of a sample
     reg  [W-1:0] x, y;
     wire         fine, wide, failed;
-    engine_gd_path #(.W(W), .A(A), .K(K), .T(T)) path (.clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),
-        .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_still(wide), .in_op(op[13:2]),
+    engine_gd_path #(.W(W), .A(A), .K(K), .T(T), .PIPE(PIPE)) path (.clk(clk), .cfg_l1(cfg_l1),
+        .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_still(wide), .in_op(op[13:2]),
         .in_chord(chord), .in_x(x), .in_y(y), .out_step(step), .out_square(out_error));
     engine_gd_judge #(.W(W)) judge (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_start(accept),
         .in_stop(stop), .in_step(move2), .in_square(out_error), .out_ready(out_ready), .out_fine(fine),

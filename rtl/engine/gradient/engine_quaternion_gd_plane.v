@@ -5,8 +5,8 @@
 // Formats: angles of A bits, each relative to the link before; coordinates sQ(W-F).F, lengths uQ(W-F).F; cfg_alpha,
 // cfg_shift by iterative.plane.config; cfg_tol, out_error in 1/256 LSB^2, with out_coarse in LSB^2; out_j: joint in_n,
 // of a solution joint 1. Error: a converged tip is within sqrt(out_error+2) / 16 + (n + 1) / 90 + 3 sum / 2^(W+1) LSB,
-// sum the length of n links. Latency 3; of a solution 4 + (3 in_n + 6) a pass; II the same. Passes: out_iters + 1, and
-// those that only change the range.
+// sum the length of n links. Latency 3; of a solution 4 + (3 in_n + 6 + 4 PIPE) a pass; II the same. Passes: out_iters
+// + 1, and those that only change the range.
 // Status: unreachable (in_n is 0 or no loaded link: nothing is done, out_j is 0), not converged (the limit was
 // reached).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.plane.gd
@@ -15,7 +15,8 @@ module engine_quaternion_gd_plane #(
     parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
     parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
     parameter A = 24,  // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
-    parameter N = 8    // most links, 1 to 128 (default 8); up to 63 cost nothing but a bit of the error
+    parameter N = 8,   // most links, 1 to 128 (default 8); up to 63 cost nothing but a bit of the error
+    parameter PIPE = 0 // registers behind the products, 0 or 1 (default 0: fewest clocks); 1: a faster clock
 ) (
     input  wire           clk,
     input  wire           rst,
@@ -39,8 +40,9 @@ module engine_quaternion_gd_plane #(
     output wire [3:0]     out_status
 );
     generate
-        if (W < 14 || W > 20 || F < 0 || F >= W || A < 16 || A > 24 || N < 1 || N > 128) begin : g_illegal
-            engine_quaternion_gd_plane_needs_W_from_14_to_20_and_F_below_W_and_A_from_16_to_24_and_N_to_128 rule ();
+        if (W < 14 || W > 20 || F < 0 || F >= W || A < 16 || A > 24 || N < 1 || N > 128 || PIPE < 0
+            || PIPE > 1) begin : g_illegal
+            engine_quaternion_gd_plane_needs_W_14_to_20_and_F_below_W_and_A_16_to_24_and_N_to_128_and_PIPE_0_1 rule ();
         end
     endgenerate
 
@@ -62,8 +64,9 @@ module engine_quaternion_gd_plane #(
     // Program
     wire [8:0] path_op;
     wire       store, place, next, step, read, stop, go, fits, base, range, halt;
-    engine_gd_plane_program program_ (.clk(clk), .rst(rst), .in_start(begins), .in_last(last), .in_halt(halt),
-        .out_op(path_op), .out_link({store, place, next, step, read}), .out_tail({stop, go, fits, base, range}));
+    engine_gd_plane_program #(.PIPE(PIPE)) program_ (.clk(clk), .rst(rst), .in_start(begins), .in_last(last),
+        .in_halt(halt), .out_op(path_op), .out_link({store, place, next, step, read}),
+        .out_tail({stop, go, fits, base, range}));
 
     // Joints and links
     localparam K = W + 1, T = (W + 4) / 2;  // fraction bits of a sine, address bits of its table
@@ -80,9 +83,9 @@ module engine_quaternion_gd_plane #(
     reg            first, fine, big, still;
     wire           fit;
     wire [2*W-1:0] s;
-    engine_gd_plane_path #(.W(W), .A(A), .N(N), .K(K), .T(T), .I(I)) path (.clk(clk), .cfg_alpha(cfg_alpha),
-        .in_shift(cfg_shift), .in_fine(fine), .in_still(still), .in_clear(accept),
-        .in_op(path_op), .in_first(first), .in_read(next || go), .in_link(link), .in_store(store),
+    engine_gd_plane_path #(.W(W), .A(A), .N(N), .K(K), .T(T), .I(I), .PIPE(PIPE)) path (.clk(clk),
+        .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_still(still), .in_clear(accept),
+        .in_op(path_op), .in_first(first), .in_read(PIPE == 0 ? next || go : !read), .in_link(link), .in_store(store),
         .in_begin(go || check), .in_chord(chord), .in_length(length), .in_x(x), .in_y(y), .out_fits(fit),
         .out_move(move), .out_square(s));
 

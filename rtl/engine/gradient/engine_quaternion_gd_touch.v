@@ -6,14 +6,15 @@
 // with out_coarse in LSB^2; out_d1, out_d2, out_d3 sA: the last step. in_warm: start from the last answer, 0 after
 // reset.
 // Error: a converged tip is within bounds.iterative.tip_touch: 0.85 LSB more than sqrt(out_error + 3) / 16 at lengths
-// of 2^13 LSB. Latency 14 a pass, II the same. Passes: out_iters + 1, and those that only change the range.
+// of 2^13 LSB. Latency 14 + 3 PIPE a pass, II the same. Passes: out_iters + 1, and those that only change the range.
 // Status: not converged (the limit was reached: out of reach, alpha too large, or a start where the gradient is 0).
 // Source: quaternion gradient paper, eqs. 28, 31, its Jacobian corrected. Model: iterative.fixed.gd_touch
 `default_nettype none
 module engine_quaternion_gd_touch #(
     parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
     parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 24   // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
+    parameter A = 24,  // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
+    parameter PIPE = 0 // registers behind the products, 0 or 1 (default 0: fewest clocks); 1: a faster clock
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -46,8 +47,8 @@ module engine_quaternion_gd_touch #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 14 || W > 20 || F < 0 || F >= W || A < 16 || A > 24) begin : g_illegal
-            engine_quaternion_gd_touch_needs_W_from_14_to_20_and_F_below_W_and_A_from_16_to_24 rule ();
+        if (W < 14 || W > 20 || F < 0 || F >= W || A < 16 || A > 24 || PIPE < 0 || PIPE > 1) begin : g_illegal
+            engine_quaternion_gd_touch_needs_W_from_14_to_20_and_F_below_W_and_A_from_16_to_24_and_PIPE_0_or_1 rule ();
         end
     endgenerate
 
@@ -69,6 +70,7 @@ module engine_quaternion_gd_touch #(
         L2     = 3'b010,        // length of link 2, z
         Z      = 3'b100,        // z, z
         X      = 3'b101,        // x, x
+        L1_X   = 3'b001,        // length of link 1, x
         L2_X   = 3'b011;        // length of link 2, x
     localparam [1:0]            // error
         V      = 2'b00,         // along the plane of the links
@@ -106,6 +108,27 @@ module engine_quaternion_gd_touch #(
         /* alpha w, rho alpha u   */ {ALPHA,  ARM,    L1,   W_UP, STAY, ADD},
         /* e2; stop?              */ {SINK,   LIFT,   L1,   V,    STAY, LINK | STOP},
         /* e3; step 1             */ {SINK,   AGAIN,  L1,   V,    STAY, MOVE}};
+    // PIPE = 1: a product is used two lines after the one that names its factors
+    localparam [23*17-1:0] PASS_1 = {
+        /* read -c1; step 2       */ {CHORD,  ROOT,   L1,   V,    STAY, THIRD | COS | MINUS | MOVE},
+        /* read s1; step 3        */ {CHORD,  ROOT,   L1,   V,    STAY, SIN | MOVE},
+        /* read c2                */ {CHORD,  ROOT,   L1,   V,    STAY, COS},
+        /* read s3; -c1           */ {CHORD,  ROOT,   Z,    V,    STAY, THIRD | SIN | PAIR},
+        /* read s2; s1            */ {CHORD,  ROOT,   X,    V,    STAY, SIN | PAIR},
+        /* read -c3; -c1 z        */ {CHORD,  ROOT,   L1,   V,    OUT,  THIRD | COS | MINUS},
+        /* s1 x                   */ {CHORD,  ROOT,   L2,   V,    LESS, SIN},
+        /* L1 c2                  */ {ACROSS, ROOT,   L1_X, V,    LESS, LINK | PAIR},
+        /* L2 s3; v               */ {ACROSS, ROOT,   L2,   V,    LESS, LINK},
+        /* L1 s2, -c1 x; v there  */ {ALPHA,  SQUARE, L1,   V,    UP,   LINK | CLEAR},
+        /* -L2 c3, s1 z; u, w     */ {CHORD,  ROOT,   L1,   V,    LESS, LINK | TURN},
+        /* alpha v, v^2           */ {ALPHA,  SQUARE, L1,   U,    STAY, ADD},
+        /* w there                */ {ALPHA,  SQUARE, L1,   W_UP, STAY, SIN},
+        /* alpha u, u^2           */ {CHORD,  ARM,    L1,   V,    STAY, ADD},
+        /* alpha w, w^2           */ {SINK,   LIFT,   L1,   V,    STAY, LINK | ADD},
+        /* rho alpha u; stop?     */ {SINK,   AGAIN,  L1,   V,    STAY, STOP},
+        /* e2; step 1             */ {SINK,   ROOT,   L1,   V,    STAY, MOVE}};
+    localparam LINES = PIPE == 0 ? 14 : 17;
+    localparam [23*17-1:0] TABLE = PIPE == 0 ? {{23*3{1'b0}}, PASS} : PASS_1;
     wire [22:0] op;
     wire        idle, fine, wide, halt, failed, stop, move, minus, cosine, third;
     reg         again;  // repeat the pass in the other range
@@ -115,7 +138,7 @@ module engine_quaternion_gd_touch #(
     wire        steps = last || late != 0;
     assign      {stop, move, minus, cosine, third} = op[9:5];
     assign      in_ready = idle && !again && (!out_valid || out_ready);
-    schedule #(.LINES(14), .BITS(23), .TABLE(PASS)) control (.clk(clk), .rst(rst || leave),
+    schedule #(.LINES(LINES), .BITS(23), .TABLE(TABLE[23*LINES-1:0])) control (.clk(clk), .rst(rst || leave),
         .in_start(accept || again || last), .out_idle(idle), .out_op(op));
     always @(posedge clk) begin
         again <= !rst && leave && !halt;
@@ -152,8 +175,8 @@ module engine_quaternion_gd_touch #(
     end
 
     // Datapath and end of a sample
-    engine_gd_touch_path #(.W(W), .A(A), .K(K), .T(T)) path (.clk(clk), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),
-        .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_finer(finer), .in_alone(stop),
+    engine_gd_touch_path #(.W(W), .A(A), .K(K), .T(T), .PIPE(PIPE)) path (.clk(clk), .cfg_l1(cfg_l1),
+        .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_finer(finer), .in_alone(stop),
         .in_op({op[22:10], op[4:0]}), .in_chord(chord), .in_x(x), .in_y(y), .in_z(z), .out_step(step),
         .out_square(out_error));
     engine_gd_judge #(.W(W)) judge (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_start(accept),
