@@ -5,7 +5,8 @@
 // Formats: in_j1 angle of A bits; in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, rounded to nearest and saturated; the sums
 // are not.
 // Error of a coordinate after k links, R = L1 + ... + Lk LSB, W = 16: 0.57 + 1.63 R / 2^16 LSB; in space z 0.54 + 1.06
-// R / 2^16, x and y 0.60 + 2.11 R / 2^16. Latency 3 and II 2 a link, in space 6 and 3; at PIPE = 1 latency 6.
+// R / 2^16, x and y 0.60 + 2.11 R / 2^16. Latency 3 and II 2 a link, in space 6 and 3; at PIPE = 1 latency 6
+// and 10.
 // Status: overflow (a coordinate was saturated, or the chain has more than N links; one beyond the N-th does not
 // count).
 // Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.table_chain
@@ -36,9 +37,9 @@ module table_chain #(
 );
     generate
         if (SPACE < 0 || SPACE > 1 || W < 15 || W > 20 || F < 0 || F >= W || A < 10 || A > 24 || N < 2
-            || N > 64 || PIPE < 0 || PIPE > 1 || SPACE + PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
+            || N > 64 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
             || MULTIPLY % 9 != 0) begin : g_illegal
-            table_chain_needs_W_15_to_20_F_below_W_A_10_to_24_N_2_to_64_SPACE_PIPE_0_1_not_both_MULTIPLY_18_27 rule ();
+            table_chain_needs_W_15_to_20_F_below_W_A_10_to_24_N_2_to_64_SPACE_PIPE_0_or_1_and_MULTIPLY_18_27 rule ();
         end
     endgenerate
 
@@ -81,10 +82,11 @@ module table_chain #(
                 if (rst || restart)
                     base <= {A{1'b0}};
             end
-            kernel_link_space #(.W(W), .K(K), .T(T), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
-                .in_ready(in_ready), .out_read(read), .out_cos(cosine), .out_end(restart), .in_chord(chord),
-                .in_l(in_l), .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x),
-                .out_y(out_y), .out_z(out_z), .out_last(out_last), .out_overflow(overflow));
+            kernel_link_space #(.W(W), .K(K), .T(T), .N(N), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (.clk(clk),
+                .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .out_read(read), .out_cos(cosine),
+                .out_end(restart), .in_chord(chord), .in_l(in_l), .in_last(in_last), .out_valid(out_valid),
+                .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_last(out_last),
+                .out_overflow(overflow));
         end
     endgenerate
 endmodule

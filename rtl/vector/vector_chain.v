@@ -5,7 +5,7 @@
 // Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, rounded to nearest and saturated;
 // the sums are not. Range: the product of the lengths of the vectors is below 2; beyond it this chain wraps.
 // Error of a coordinate after k links: 0.57 LSB (in space x, y 0.60) + sum over links i of sqrt(5) i L_i / 2^(U+G) LSB,
-// G = log2 N + 3. Latency 4, in space 6, at PIPE = 1 7; II 3 a link.
+// G = log2 N + 3. Latency 4, in space 6, at PIPE = 1 7 and 9; II 3 a link.
 // Status: overflow (a coordinate was saturated, or the chain has more than N links; one beyond the N-th does not
 // count).
 // Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.vector_chain
@@ -37,9 +37,9 @@ module vector_chain #(
 );
     generate
         if (SPACE < 0 || SPACE > 1 || W < 4 || W > 24 || F < 0 || F >= W || U < 4 || U > 24 || N < 2
-            || N > 64 || PIPE < 0 || PIPE > 1 || SPACE + PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
+            || N > 64 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
             || MULTIPLY % 9 != 0) begin : g_illegal
-            vector_chain_needs_W_U_4_to_24_F_below_W_N_2_to_64_SPACE_PIPE_0_1_not_both_and_MULTIPLY_18_27 rule ();
+            vector_chain_needs_W_and_U_4_to_24_F_below_W_N_2_to_64_SPACE_PIPE_0_or_1_and_MULTIPLY_18_27 rule ();
         end
     endgenerate
 
@@ -53,10 +53,10 @@ module vector_chain #(
                 .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y),
                 .out_last(out_last), .out_overflow(overflow));
         end else begin : g_space
-            kernel_vector_space #(.W(W), .U(U), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
-                .in_ready(in_ready), .in_c1(in_c1), .in_n1(in_n1), .in_l(in_l), .in_last(in_last),
-                .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z),
-                .out_last(out_last), .out_overflow(overflow));
+            kernel_vector_space #(.W(W), .U(U), .N(N), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (.clk(clk), .rst(rst),
+                .in_valid(in_valid), .in_ready(in_ready), .in_c1(in_c1), .in_n1(in_n1), .in_l(in_l),
+                .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y),
+                .out_z(out_z), .out_last(out_last), .out_overflow(overflow));
         end
     endgenerate
 endmodule
