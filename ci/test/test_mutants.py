@@ -317,7 +317,7 @@ def test_ranges_are_those_of_the_rule_wherever_it_is():
     assert legal.ranges(find("vector_fk2-PIPE1")) == {"W": (4, 24), "F": (0, 23), "U": (4, 24), "PIPE": (1, 1),
                                                       "MULTIPLY": (18, 27)}
     assert legal.ranges(find("vector_chain")) == {"SPACE": (0, 1), "W": (4, 24), "F": (0, 23), "U": (4, 24),
-                                                  "N": (2, 64)}
+                                                  "N": (2, 64), "PIPE": (0, 0), "MULTIPLY": (18, 27)}
     assert legal.ranges(find("paper_ik2"))["S"] == (4, 24)  # in paper_solve_path
     for core in cover.cores():
         for params in legal.cover(core):

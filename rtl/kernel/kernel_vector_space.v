@@ -2,18 +2,21 @@
 // kernel_vector_sum in a plane that is upright and yaws: every joint position of a chain of any number of links.
 //   (C, N) <- (C c - N n, C n + N c); d = L C; (x, y, z) <- (x, y, z) + (d c3, d n3, L N); in_last ends a chain
 // The first word of a chain is its yaw (c3, n3), which is held; its length is ignored and its position is the base.
-// Formats: in_c1, in_n1 s2.U (1.0 is 2^U); in_l uW; C, N s2.(U+G) with D = log2 N, G = D + 3; d and the sums have one
-// guard bit more; outputs sW, rounded to nearest and saturated; the sums are not saturated.
+// Formats: in_c1, in_n1 s2.U; in_l uW; C, N s2.(U+G) with D = log2 N, G = D + 3; d and the sums have one guard bit
+// more; outputs sW, rounded to nearest and saturated; the sums are not.
 // Error: 1/2 + 1/32 LSB in z, 1/2 + 3/32 in x and y, and that of the directions (bounds.chain.vector_chain_space).
 // Range: the product of the lengths of the vectors, the yaw's included, is below 2; beyond it the chain wraps.
-// Latency 6, II 3: a third multiplier turns d while the others work on the next link.
+// Latency 6, II 3: a third multiplier turns d while the others work on the next link. PIPE = 1: a fourth multiplier
+// for the lengths and registers behind all of them, the same words; latency 9, II 3.
 // Overflow: a coordinate was saturated, or the chain has more than N links; a link beyond the N-th does not count.
 // Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.vector_chain
 `default_nettype none
 module kernel_vector_space #(
-    parameter W = 16,  // bits of a coordinate and of a length, 4 to 24 (default 16)
-    parameter U = 16,  // fraction bits of cosine and sine, 4 to 24 (default 16, enough for a coordinate of 16 bits)
-    parameter N = 32   // links of a chain without its yaw, 2 to 64 (default 32)
+    parameter W = 16,        // bits of a coordinate and of a length, 4 to 24 (default 16)
+    parameter U = 16,        // fraction bits of cosine and sine, 4 to 24 (default 16, for a coordinate of 16 bits)
+    parameter N = 32,        // links of a chain without its yaw, 2 to 64 (default 32)
+    parameter PIPE = 0,      // registers behind the products, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -33,35 +36,20 @@ module kernel_vector_space #(
 );
     localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits of directions, positions have one more
     localparam V = U + 2 + G, M = W + 3 + G, P = W + D + 3 + G;  // bits of C and N, of a product, of a sum
-    localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of a cosine, sine or length; with the zeros below
     localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
     localparam [P-1:0] HALF = (1 << G) + (1 << D - 1);  // half an LSB, and half the truncation of N products
     localparam [31:0] MOST = N + 1;
-    reg  [6:1] at;  // clocks of a link: cosine; sine; products d and z; x; y. Sums are one clock later
+    // Clocks of a link: cosine; sine; ...; z; x; y
+    localparam Y = PIPE == 0 ? 6 : 9, X = Y - 1, Z = X - 1;
+    reg  [Y:1] at;
     wire move = !out_valid || out_ready;
     wire accept = in_valid && in_ready;
     assign in_ready = !at[1] && !at[2] && move;
-    assign out_valid = at[6];
+    assign out_valid = at[Y];
 
-    // r1, r2 hold (c, n), then (n, c), then the length twice, as operands of both multipliers.
-    reg  signed [V-1:0] cosine, sine;  // of the link; of the previous link in the first two clocks
-    reg         [B-1:0] r1, r2;
-    reg                 minus;  // r2 is the one's complement of n with ones below it: 2^-(U+G) less than -n
-    reg         [W-1:0] length;
-    reg         [V-1:0] next;
-    /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [V+R-1:0] product1 = cosine * $signed({r1, {G{1'b0}}}), product2 = sine * $signed({r2, {G{minus}}});
-    /* verilator lint_on UNUSEDSIGNAL */
-    wire [V-1:0] cut1 = product1[U+G +: V], cut2 = product2[U+G +: V];
-    wire [V-1:0] turned = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both truncations
-
-    // The third multiplier turns d
+    reg  signed [V-1:0] cosine, sine;  // of the link; of the previous link until both are there
     reg  signed [M-1:0] d;
     reg  signed [U+1:0] c3, n3;
-    wire signed [U+1:0] factor = at[5] ? n3 : c3;
-    /* verilator lint_off UNUSEDSIGNAL */
-    wire [M+U+1:0]      product3 = d * factor;
-    /* verilator lint_on UNUSEDSIGNAL */
 
     // z, x and y share one adder and rotate through three registers.
     reg  [P-1:0] front, middle, back;
@@ -71,6 +59,7 @@ module kernel_vector_space #(
     assign out_y = over ? {sum[P-1], {(W-1){!sum[P-1]}}} : sum[W+G:G+1];
 
     // Words of the chain so far, at most N + 1; flags of the link
+    reg  [W-1:0] length;
     reg  [D:0]   links;
     reg  [2:0]   flags;  // yaw, last of the chain, beyond N links
     reg  [1:0]   shown;
@@ -88,29 +77,13 @@ module kernel_vector_space #(
         if (accept && (full || yaw))
             length <= {W{1'b0}};
         if (move) begin
-            at    <= {at[5:1], accept};
-            r1    <= at[2] ? {{(B-W){1'b0}}, length} : at[1] ? ~r2 : {{(B-U-1){in_c1[U+1]}}, in_c1[U:0]};
-            r2    <= at[2] ? {{(B-W){1'b0}}, length} : at[1] ? r1 : ~{{(B-U-1){in_n1[U+1]}}, in_n1[U:0]};
-            minus <= !at[2] && !at[1];
-            next  <= turned;
-            if (at[2] && flags[2]) begin
-                c3 <= r2[U+1:0];
-                n3 <= r1[U+1:0];
-            end else if (at[2]) begin
-                cosine <= next;
-                sine   <= turned;
-            end
-            if (at[3]) begin
-                d     <= product1[U+G-1 +: M];
-                shown <= flags[1:0];
-            end
-            part <= at[3] ? product2[U+G-1 +: M] : product3[U +: M];
-            if (at[4])
+            at <= {at[Y-1:1], accept};
+            if (at[Z])
                 out_z <= out_y;
-            if (at[5])
+            if (at[X])
                 out_x <= out_y;
-            over_before <= over || (at[5] && over_before);
-            if (at[4] || at[5] || at[6]) begin
+            over_before <= over || (at[X] && over_before);
+            if (at[Z] || at[X] || at[Y]) begin
                 front  <= middle;
                 middle <= back;
                 back   <= sum;
@@ -118,17 +91,143 @@ module kernel_vector_space #(
         end
         if (rst || (accept && in_last))
             links <= {(D+1){1'b0}};
-        if (rst || (at[3] && move && flags[1])) begin
-            cosine <= ONE;
-            sine   <= {V{1'b0}};
-        end
-        if (rst || (at[6] && move && out_last)) begin
+        if (rst || (at[Y] && move && out_last)) begin
             front  <= HALF;
             middle <= HALF;
             back   <= HALF;
         end
         if (rst)
-            at <= 6'd0;
+            at <= {Y{1'b0}};
     end
+
+    generate
+        if (PIPE == 0) begin : g_small
+            // r1, r2 hold (c, n), then (n, c), then the length twice, as operands of both multipliers.
+            localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of them; with the zeros below
+            reg         [B-1:0] r1, r2;
+            reg                 minus;  // r2 is the one's complement of n with ones below it: 2^-(U+G) less than -n
+            reg         [V-1:0] next;
+            /* verilator lint_off UNUSEDSIGNAL */
+            wire signed [V+R-1:0] product1 = cosine * $signed({r1, {G{1'b0}}});
+            wire signed [V+R-1:0] product2 = sine * $signed({r2, {G{minus}}});
+            /* verilator lint_on UNUSEDSIGNAL */
+            wire [V-1:0] cut1 = product1[U+G +: V], cut2 = product2[U+G +: V];
+            wire [V-1:0] turned = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both truncations
+
+            // The third multiplier turns d
+            wire signed [U+1:0] factor = at[5] ? n3 : c3;
+            /* verilator lint_off UNUSEDSIGNAL */
+            wire [M+U+1:0]      product3 = d * factor;
+            /* verilator lint_on UNUSEDSIGNAL */
+
+            always @(posedge clk) begin
+                if (move) begin
+                    r1    <= at[2] ? {{(B-W){1'b0}}, length} : at[1] ? ~r2 : {{(B-U-1){in_c1[U+1]}}, in_c1[U:0]};
+                    r2    <= at[2] ? {{(B-W){1'b0}}, length} : at[1] ? r1 : ~{{(B-U-1){in_n1[U+1]}}, in_n1[U:0]};
+                    minus <= !at[2] && !at[1];
+                    next  <= turned;
+                    if (at[2] && flags[2]) begin
+                        c3 <= r2[U+1:0];
+                        n3 <= r1[U+1:0];
+                    end else if (at[2]) begin
+                        cosine <= next;
+                        sine   <= turned;
+                    end
+                    if (at[3]) begin
+                        d     <= product1[U+G-1 +: M];
+                        shown <= flags[1:0];
+                    end
+                    part <= at[3] ? product2[U+G-1 +: M] : product3[U +: M];
+                end
+                if (rst || (at[3] && move && flags[1])) begin
+                    cosine <= ONE;
+                    sine   <= {V{1'b0}};
+                end
+            end
+        end else begin : g_fast
+            // Clocks of a link
+            localparam
+                COSINE = 1,  // products of the cosine
+                SINE   = 2,  // products of the sine; those of the cosine are truncated
+                TURNED = 3,  // both sums; the yaw is held; one clock later L C, then L N
+                D_C3   = 6;  // d c3; one clock later d n3; L N is in its product's register
+
+            // As in kernel_vector_sum: C c - N n + 1 is C c - (N n + less), each truncated
+            reg  signed [U+1:0] r1, r2;      // (c, n), then (n, c)
+            reg  signed [U+2:0] less;        // floor((N - 1) / 2^G)
+            reg         [V-1:0] kept, gone;  // C c, N n + less
+            /* verilator lint_off UNUSEDSIGNAL */
+            wire signed [V:0]     lower = {sine[V-1], sine} - 1'b1;
+            wire signed [V+U+1:0] product1, product2;
+            wire signed [V+U+1:0] shifted = product2 + {{(V-1){less[U+2]}}, less};
+            wire signed [V+W:0]   product3;
+            wire signed [M+U+1:0] product4;
+            /* verilator lint_on UNUSEDSIGNAL */
+            product_parts #(.A(V), .B(U+2), .MULTIPLY(MULTIPLY)) turn1 (.clk(clk), .in_move(move), .in_a(cosine),
+                .in_b(r1), .out_p(product1));
+            product_parts #(.A(V), .B(U+2), .MULTIPLY(MULTIPLY)) turn2 (.clk(clk), .in_move(move), .in_a(sine),
+                .in_b(r2), .out_p(product2));
+            wire [V-1:0] cut1 = product1[U +: V], cut2 = product2[U +: V];
+            wire [V-1:0] new_cosine = kept - gone;
+            wire [V-1:0] new_sine = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both truncations
+
+            reg  signed [V-1:0] factor, other;  // C, N; N, which the next chain restarts in sine
+            reg         [W-1:0] reach;
+            reg         [1:0]   flags1;         // last of the chain, beyond N links: the link of reach
+            product_parts #(.A(V), .B(W+1), .MULTIPLY(MULTIPLY)) along (.clk(clk), .in_move(move), .in_a(factor),
+                .in_b({1'b0, reach}), .out_p(product3));
+
+            // d is one bit longer than two multipliers take where W = 24 and N > 32
+            localparam E = M < 2 * MULTIPLY ? 0 : 1;
+            reg  signed [U+1:0]     factor3;
+            wire signed [M-E+U+1:0] most;
+            product_parts #(.A(M-E), .B(U+2), .MULTIPLY(MULTIPLY)) turn3 (.clk(clk), .in_move(move),
+                .in_a(d[M-1:E]), .in_b(factor3), .out_p(most));
+            if (E == 0) begin : g_whole
+                assign product4 = most;
+            end else begin : g_bit
+                reg [U+1:0] least;
+                assign      product4 = {most, 1'b0} + {{M{least[U+1]}}, least};
+                always @(posedge clk)
+                    if (move)
+                        least <= factor3 & {(U+2){d[0]}};
+            end
+
+            always @(posedge clk) begin
+                if (move) begin
+                    if (!at[SINE]) begin
+                        r1 <= at[COSINE] ? r2 : in_c1;
+                        r2 <= at[COSINE] ? r1 : in_n1;
+                    end
+                    less    <= lower[V:G];
+                    kept    <= cut1;
+                    gone    <= shifted[U +: V];
+                    factor  <= at[TURNED] ? new_cosine : other;
+                    if (at[D_C3-1])
+                        d <= product3[U-1 +: M];
+                    factor3 <= at[D_C3-1] ? c3 : n3;
+                    part    <= at[D_C3] ? product3[U-1 +: M] : product4[U +: M];
+                    if (at[TURNED]) begin
+                        other  <= new_sine;
+                        reach  <= length;
+                        flags1 <= flags[1:0];
+                    end
+                    if (at[TURNED] && flags[2]) begin
+                        c3 <= r2;
+                        n3 <= r1;
+                    end else if (at[TURNED]) begin
+                        cosine <= new_cosine;
+                        sine   <= new_sine;
+                    end
+                    if (at[D_C3])
+                        shown <= flags1;
+                end
+                if (rst || (at[TURNED] && move && flags[1])) begin
+                    cosine <= ONE;
+                    sine   <= {V{1'b0}};
+                end
+            end
+        end
+    endgenerate
 endmodule
 `default_nettype wire

@@ -5,17 +5,20 @@
 // Formats: in_j1 angle of A bits; in_l uQ(W-F).F; out_x ... out_z sQ(W-F).F, rounded to nearest and saturated; the sums
 // are not.
 // Error of a coordinate after k links, R = L1 + ... + Lk LSB, W = 16: 0.57 + 1.63 R / 2^16 LSB; in space z 0.54 + 1.06
-// R / 2^16, x and y 0.60 + 2.11 R / 2^16. Latency 3 and II 2 a link, in space 6 and 3.
+// R / 2^16, x and y 0.60 + 2.11 R / 2^16. Latency 3 and II 2 a link, in space 6 and 3; at PIPE = 1 latency 6
+// and 10.
 // Status: overflow (a coordinate was saturated, or the chain has more than N links; one beyond the N-th does not
 // count).
 // Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.table_chain
 `default_nettype none
 module table_chain #(
-    parameter SPACE = 0,  // 1: in space, the first word of a chain is its yaw; 0: planar, out_z is 0 (default 0)
-    parameter W = 16,     // bits of a coordinate and of a length, 15 to 20 (default 16)
-    parameter F = 8,      // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 18,     // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
-    parameter N = 32      // links of a chain without its yaw, 2 to 64 (default 32)
+    parameter SPACE = 0,     // 1: in space, the first word of a chain is its yaw; 0: planar, out_z is 0 (default 0)
+    parameter W = 16,        // bits of a coordinate and of a length, 15 to 20 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 18,        // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter N = 32,        // links of a chain without its yaw, 2 to 64 (default 32)
+    parameter PIPE = 0,      // registers behind table and products, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -34,8 +37,9 @@ module table_chain #(
 );
     generate
         if (SPACE < 0 || SPACE > 1 || W < 15 || W > 20 || F < 0 || F >= W || A < 10 || A > 24 || N < 2
-            || N > 64) begin : g_illegal
-            table_chain_needs_SPACE_0_or_1_W_from_15_to_20_F_below_W_A_from_10_to_24_and_N_from_2_to_64 rule ();
+            || N > 64 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
+            || MULTIPLY % 9 != 0) begin : g_illegal
+            table_chain_needs_W_15_to_20_F_below_W_A_10_to_24_N_2_to_64_SPACE_PIPE_0_or_1_and_MULTIPLY_18_27 rule ();
         end
     endgenerate
 
@@ -64,10 +68,10 @@ module table_chain #(
                 if (rst || (in_valid && in_ready && in_last))
                     base <= {A{1'b0}};
             end
-            kernel_link_sum #(.W(W), .K(K), .T(T), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
-                .in_ready(in_ready), .out_read(read), .out_kept(kept), .in_chord(chord), .in_l(in_l),
-                .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x), .out_y(out_y),
-                .out_last(out_last), .out_overflow(overflow));
+            kernel_link_sum #(.W(W), .K(K), .T(T), .N(N), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (.clk(clk),
+                .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .out_read(read), .out_kept(kept),
+                .in_chord(chord), .in_l(in_l), .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready),
+                .out_x(out_x), .out_y(out_y), .out_last(out_last), .out_overflow(overflow));
         end else begin : g_space
             wire   restart;
             assign word = base;
@@ -78,10 +82,11 @@ module table_chain #(
                 if (rst || restart)
                     base <= {A{1'b0}};
             end
-            kernel_link_space #(.W(W), .K(K), .T(T), .N(N)) kernel (.clk(clk), .rst(rst), .in_valid(in_valid),
-                .in_ready(in_ready), .out_read(read), .out_cos(cosine), .out_end(restart), .in_chord(chord),
-                .in_l(in_l), .in_last(in_last), .out_valid(out_valid), .out_ready(out_ready), .out_x(out_x),
-                .out_y(out_y), .out_z(out_z), .out_last(out_last), .out_overflow(overflow));
+            kernel_link_space #(.W(W), .K(K), .T(T), .N(N), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (.clk(clk),
+                .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .out_read(read), .out_cos(cosine),
+                .out_end(restart), .in_chord(chord), .in_l(in_l), .in_last(in_last), .out_valid(out_valid),
+                .out_ready(out_ready), .out_x(out_x), .out_y(out_y), .out_z(out_z), .out_last(out_last),
+                .out_overflow(overflow));
         end
     endgenerate
 endmodule
