@@ -151,9 +151,12 @@ endmodule
 // most 2 cfg_limit + 2 passes. One clock of reset is enough, from any state.
 // rtl: engine_quaternion_gd_vector engine_gd_judge schedule
 // with: one_inside.sv
-// proof W16 mode=prove depth=2 W=16 F=8
-// proof W14 mode=prove depth=2 W=14 F=6
-module engine_quaternion_gd_vector_props #(parameter W = 16, F = 8) (
+// proof W16 mode=prove depth=2 W=16 F=8 PIPE=0
+// proof PIPE1 mode=prove depth=2 W=16 F=8 PIPE=1
+// proof PIPE1M27 mode=prove depth=2 W=16 F=8 PIPE=1 MULTIPLY=27
+// proof W14 mode=prove depth=2 W=14 F=6 PIPE=0
+// proof PIPE1W14 mode=prove depth=2 W=14 F=6 PIPE=1
+module engine_quaternion_gd_vector_props #(parameter W = 16, F = 8, PIPE = 0, MULTIPLY = 18) (
     input clk, rst, in_valid, out_ready, in_warm, cfg_shift, input [W-1:0] cfg_l1, cfg_l2, in_x, in_y,
     input [W+1:0] in_c1, in_n1, in_c12, in_n12,
     input [W:0] cfg_alpha, input [21:0] cfg_tol, input [9:0] cfg_limit
@@ -164,17 +167,18 @@ module engine_quaternion_gd_vector_props #(parameter W = 16, F = 8) (
     wire [9:0] out_iters;
     wire [2*W-1:0] out_error;
     wire [3:0] out_status;
-    engine_quaternion_gd_vector #(.W(W), .F(F)) dut (.*);
+    engine_quaternion_gd_vector #(.W(W), .F(F), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) dut (.*);
 
     wire live, inside;
     reg idled;
     initial idled = 0;
 
-    (* hierconn *) wire [12:0] \dut.control.step ;
+    localparam LAST = PIPE == 0 ? 12 : 19;
+    (* hierconn *) wire [LAST:0] \dut.control.step ;
     (* hierconn *) wire \dut.fine ;
     (* hierconn *) wire \dut.wide ;
     (* hierconn *) wire \dut.again ;
-    wire [12:0] step = \dut.control.step ;
+    wire [LAST:0] step = \dut.control.step ;
 
     wire [8*W+30:0] result = {out_c1, out_n1, out_c12, out_n12, out_d1, out_d12, out_iters, out_error, out_coarse, out_status};
     wire [32:0] cfg = {cfg_shift, cfg_limit, cfg_tol};
@@ -225,9 +229,9 @@ module engine_gd_touch_path #(parameter W = 16, A = 24, K = 17, T = 10, PIPE = 0
 endmodule
 
 // Directions and their steps stand too where the table plays no line and no sample is taken.
-module engine_gd_vector_path #(parameter W = 16) (
+module engine_gd_vector_path #(parameter W = 16, PIPE = 0, MULTIPLY = 18) (
     input clk, rst, input [W-1:0] cfg_l1, cfg_l2, input [W:0] cfg_alpha, input in_shift, in_fine, in_keep, in_load,
-    in_clear, input [13:0] in_op, input [W+1:0] in_c1, in_n1, in_c12, in_n12, input [W-1:0] in_x, in_y,
+    in_clear, in_stay, input [13:0] in_op, input [W+1:0] in_c1, in_n1, in_c12, in_n12, input [W-1:0] in_x, in_y,
     output reg [W+1:0] out_c1, out_n1, out_c12, out_n12, output reg [W+3:0] out_d1, out_d12,
     output reg [2*W-1:0] out_square
 );

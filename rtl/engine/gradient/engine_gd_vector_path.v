@@ -10,7 +10,9 @@
 // Model: iterative.fixed.gd_vector
 `default_nettype none
 module engine_gd_vector_path #(
-    parameter W = 16  // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter W = 16,        // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter PIPE = 0,      // registers behind the products, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -22,6 +24,7 @@ module engine_gd_vector_path #(
     input  wire                in_keep,     // the directions are not turned
     input  wire                in_load,     // the start is loaded
     input  wire                in_clear,    // the last step is cleared
+    input  wire                in_stay,     // a direction is an operand, and the links are not swapped
     input  wire [13:0]         in_op,       // line of the table of engine_quaternion_gd_vector
     input  wire signed [W+1:0] in_c1,
     input  wire signed [W+1:0] in_n1,
@@ -46,11 +49,24 @@ module engine_gd_vector_path #(
     assign {left_op, right_op, k_op, unused_last, stop, sum_op, add, ask, first, tip, move} = in_op;
     wire       gain = right_op[1];
     reg        second;  // the operands hold d of link 2
+    wire       swap = left_op[1] && !in_stay;
+    wire       turns = PIPE == 0 ? stop && !in_keep : in_stay && left_op[0];  // they hold d of link 1
 
     // Products
     reg  signed [O-1:0]   al, bl;
     reg  signed [D-1:0]   ar, br;
-    wire signed [O+D-1:0] a = al * ar, b = bl * br;
+    wire signed [O+D-1:0] a, b;
+    generate
+        if (PIPE == 0) begin : g_now
+            assign a = al * ar;
+            assign b = bl * br;
+        end else begin : g_parts
+            product_parts #(.A(O), .B(D), .MULTIPLY(MULTIPLY)) part_a (.clk(clk), .in_move(1'b1), .in_a(al), .in_b(ar),
+                .out_p(a));
+            product_parts #(.A(O), .B(D), .MULTIPLY(MULTIPLY)) part_b (.clk(clk), .in_move(1'b1), .in_a(bl), .in_b(br),
+                .out_p(b));
+        end
+    endgenerate
 
     // Directions
     localparam [S-O-1:0] HALF = 1 << S - O - 1;  // half a unit of an operand
@@ -79,10 +95,26 @@ module engine_gd_vector_path #(
     reg  [M-1:0]        prior;  // sum of the earlier steps
     reg  [M-2:0]        step;
     wire [M-1:0]        sum = prior + {step[M-2], step};
-    wire                over = sum[M-1:D-1] != {(M-D+1){sum[M-1]}};
+    wire [M-1:0]        turn = PIPE == 0 ? sum : prior;
+    wire                far = sum[M-1:D-1] != {(M-D+1){sum[M-1]}};
+    wire                over;  // turn does not fit a step
     wire [D-1:0]        v = gain ? {!out_square[2*W-4], out_square[2*W-5:W-7]}
-                                 : over ? {sum[M-1], {(D-1){!sum[M-1]}}} : sum[D-1:0];
-    always @* case ({in_fine, in_shift})
+                                 : over ? {turn[M-1], {(D-1){!turn[M-1]}}} : turn[D-1:0];
+    wire                fine;  // range of the steps
+    generate
+        if (PIPE == 0) begin : g_range
+            assign {fine, over} = {in_fine, far};
+        end else begin : g_range_before
+            reg finer, farther;
+            assign {fine, over} = {finer, farther};
+            always @(posedge clk) begin
+                farther <= far;
+                if (stop)
+                    finer <= in_fine;
+            end
+        end
+    endgenerate
+    always @* case ({fine, in_shift})
         2'd0: step = exact;
         2'd1: step = {{2{exact[M-2]}}, exact[M-2:2]};
         2'd2: step = {{4{exact[M-2]}}, exact[M-2:4]};
@@ -133,7 +165,7 @@ module engine_gd_vector_path #(
         if (sum_op)
             out_square <= a[2*W+3:4] + b[2*W+3:4];
         // Turned and swapped directions
-        if (left_op[1] || in_load) begin
+        if (swap || in_load) begin
             {ct, nt} <= in_load ? {in_c12, HALF, in_n12, HALF} : {c, n};
             {c, n} <= in_load ? {in_c1, HALF, in_n1, HALF}
                     : move && !in_keep ? {ct - a[W+:S], nt - b[W+:S]} : {ct, nt};
@@ -146,12 +178,12 @@ module engine_gd_vector_path #(
             out_d1 <= {D{1'b0}};
             out_d12 <= {D{1'b0}};
         end else begin
-            if (stop && !in_keep)
+            if (turns)
                 out_d1 <= ar;
             if (second)
                 out_d12 <= ar;
         end
-        second <= stop && !in_keep;
+        second <= turns;
     end
 endmodule
 `default_nettype wire

@@ -6,13 +6,15 @@
 // in 1/256 LSB^2, with out_coarse in LSB^2; out_d1, out_d12 s0.(W+4) rad: last turn of each link, at most 1/2. in_warm:
 // start from the last answer, (1, 0) after reset. Error: a converged tip of the answered words is within sqrt(out_error
 // + 2) / 16 + 0.05 LSB; their length is 1 within 3/8 d^4 of the last step and 1.8 2^-W.
-// Latency 13 a step, 10 at the end, and 10 for a pass that only changes the range; II the same. Steps: out_iters.
+// Latency 13 + 7 PIPE a step, 10 at the end and for a pass that only changes the range; II the same. Steps: out_iters.
 // Status: not converged (the limit was reached), singular (a start far from length 1, held until the next start).
 // Source: quaternion gradient paper, eqs. 18, 25, 31. Model: iterative.fixed.gd_vector
 `default_nettype none
 module engine_quaternion_gd_vector #(
-    parameter W = 16,  // bits of a coordinate and of a length, 14 to 20 (default 16)
-    parameter F = 8    // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter W = 16,        // bits of a coordinate and of a length, 14 to 20 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter PIPE = 0,      // registers behind the products, 0 or 1 (default 0: fewest clocks); 1: a faster clock
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -45,8 +47,9 @@ module engine_quaternion_gd_vector #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 14 || W > 20 || F < 0 || F >= W) begin : g_illegal
-            engine_quaternion_gd_vector_needs_W_from_14_to_20_and_F_below_W rule ();
+        if (W < 14 || W > 20 || F < 0 || F >= W || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
+            || MULTIPLY % 9 != 0) begin : g_illegal
+            engine_quaternion_gd_vector_needs_W_from_14_to_20_F_below_W_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
@@ -74,7 +77,8 @@ module engine_quaternion_gd_vector #(
         E2     = 8'h18,         // what link 2 asks for
         ADD    = 8'h30,         // square of the error
         SUM    = 8'h20,         // square of a direction
-        STOP   = 8'h41,         // turn link 1, or stop here
+        MORE   = 8'h10,         // the steps are added
+        STOP   = 8'h40,         // stop here if converged or at the limit
         LAST   = 8'h80;         // the pass ends
     localparam [14*13-1:0] PASS = {
         /* link 1          */ {SELF,   L1,     MOVE},
@@ -85,19 +89,45 @@ module engine_quaternion_gd_vector #(
         /* e2              */ {LINK,   HOLD,   E1},
         /* E^2             */ {ERROR,  SQUARE, E2},
         /* turn 1          */ {NORMAL, D,      ADD},
-        /* turn 2; stop?   */ {NORMAL, D,      STOP},
+        /* turn 2; stop?   */ {NORMAL, D,      STOP | MOVE},
         /* q1              */ {SELF,   SQUARE, MOVE},
         /* q2              */ {SELF,   SQUARE, SUM},
         /* length 1        */ {SELF,   GAIN,   SUM},
         /* length 2        */ {SELF,   GAIN,   MOVE | LAST}};
-    wire [13:0] op;
+    // PIPE = 1: a product is used two lines after the one that names its factors
+    localparam STAY = 1'b1, SWAP = 1'b0;  // of a direction: the links are not swapped, or they are
+    localparam [15*20-1:0] PASS_1 = {
+        /* link 1          */ {SWAP, SELF,   L1,     MOVE},
+        /* link 2          */ {SWAP, SELF,   L2,     NONE},
+        /*                 */ {SWAP, ERROR,  HOLD,   FIRST},
+        /*                 */ {SWAP, ERROR,  HOLD,   TIP},
+        /* alpha E         */ {SWAP, ERROR,  ALPHA,  NONE},
+        /* E^2             */ {SWAP, ERROR,  SQUARE, NONE},
+        /* e1              */ {SWAP, LINK,   PUSH,   NONE},
+        /* e2              */ {SWAP, LINK,   HOLD,   SUM},
+        /* stop?           */ {SWAP, ERROR,  HOLD,   E1 | STOP},
+        /*                 */ {SWAP, ERROR,  HOLD,   E2},
+        /*                 */ {SWAP, ERROR,  HOLD,   MORE},
+        /* turn 1          */ {SWAP, NORMAL, D,      MORE},
+        /* turn 2          */ {STAY, NORMAL, D,      NONE},
+        /*                 */ {SWAP, SELF,   L1,     MOVE},
+        /* q1              */ {SWAP, SELF,   SQUARE, MOVE},
+        /* q2              */ {SWAP, SELF,   SQUARE, NONE},
+        /*                 */ {SWAP, ERROR,  HOLD,   SUM},
+        /* length 1        */ {SWAP, SELF,   GAIN,   SUM},
+        /* length 2        */ {STAY, SELF,   GAIN,   NONE},
+        /*                 */ {SWAP, SELF,   L1,     MOVE | LAST}};
+    localparam LINES = PIPE == 0 ? 13 : 20, BITS = PIPE == 0 ? 14 : 15;
+    localparam [15*20-1:0] TABLE = PIPE == 0 ? {{(15*20-14*13){1'b0}}, PASS} : PASS_1;
+    wire [BITS-1:0] op;
+    wire        stay = PIPE == 1 && op[BITS-1];
     wire        idle, fine, wide, halt, failed;
     reg         again;  // repeat the pass in the other range
     reg         fresh;  // line 1 of a pass without an earlier turn
     wire        accept = in_valid && in_ready, stop = op[6];
     wire        keep = stop && wide || halt;
     assign      in_ready = idle && !again && (!out_valid || out_ready);
-    schedule #(.LINES(13), .BITS(14), .TABLE(PASS)) control (.clk(clk), .rst(rst || keep),
+    schedule #(.LINES(LINES), .BITS(BITS), .TABLE(TABLE[BITS*LINES-1:0])) control (.clk(clk), .rst(rst || keep),
         .in_start(accept || again || op[7]), .out_idle(idle), .out_op(op));
     always @(posedge clk) begin
         again <= !rst && keep && !halt;
@@ -129,10 +159,11 @@ module engine_quaternion_gd_vector #(
     end
 
     // Datapath and end of a sample
-    engine_gd_vector_path #(.W(W)) path (.clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha),
-        .in_shift(cfg_shift), .in_fine(fine), .in_keep(keep || fresh), .in_load(accept && !in_warm),
-        .in_clear(accept), .in_op(op), .in_c1(in_c1), .in_n1(in_n1), .in_c12(in_c12), .in_n12(in_n12), .in_x(x),
-        .in_y(y), .out_c1(out_c1), .out_n1(out_n1), .out_c12(out_c12), .out_n12(out_n12), .out_d1(out_d1),
+    engine_gd_vector_path #(.W(W), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) path (.clk(clk), .rst(rst), .cfg_l1(cfg_l1),
+        .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine),
+        .in_keep(keep || fresh), .in_load(accept && !in_warm), .in_clear(accept), .in_stay(stay),
+        .in_op(op[13:0]), .in_c1(in_c1), .in_n1(in_n1), .in_c12(in_c12), .in_n12(in_n12), .in_x(x), .in_y(y),
+        .out_c1(out_c1), .out_n1(out_n1), .out_c12(out_c12), .out_n12(out_n12), .out_d1(out_d1),
         .out_d12(out_d12), .out_square(out_error));
     engine_gd_judge #(.W(W)) judge (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_start(accept),
         .in_stop(stop), .in_step(stop), .in_square(out_error), .out_ready(out_ready), .out_fine(fine),
