@@ -37,6 +37,7 @@ CONTROL = 12_288  # bits of a memory that stays when nothing writes it: what a p
 KEPT = 16  # words, at most, that a memory which is written may begin with
 SECONDS = 300  # of processor time, to make a graph
 PROOF = 60  # the same, of either step; of the whole graph most that take longer do not end at all
+WHOLE = 40_000  # gates of a whole graph, at most, that is tried: a datapath of wide products and a register file has more
 GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt -fast; "
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
          "opt_clean -purge; aigmap; opt_clean; write_aiger -ascii -symbols -zinit")
@@ -299,7 +300,8 @@ class Prover:
         of = self._of_word if not mutant.command else lambda _, facts: self._of_command(False, facts)
         if any(self._proved(of(mutant, facts), mutant) for facts in (False, True)[:1 + bool(self.cut)]):
             return True
-        return bool(whole and mutant.command and self.cut) and self._proved(self._of_command(True), mutant)
+        return bool(whole and mutant.command and self.cut) and len(self._of_command(True).ands) <= WHOLE \
+            and self._proved(self._of_command(True), mutant)
 
     def _proved(self, graph: Graph, mutant: Mutant) -> bool:
         before, after, invariant = (self.folder / f"{mutant.number}{end}" for end in (".aig", "merged.aig", ".pla"))
