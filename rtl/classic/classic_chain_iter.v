@@ -114,24 +114,21 @@ module classic_chain_iter #(
     reg  [4:0] shift;
     reg        move, minus_x, minus_y;
     reg signed [D-1:0] plain_x, plain_y;
-    // what is added, of the line ahead: a plain word; of these half an LSB, that of the third rotation, the second link
-    wire       plain = ahead[1:0] == 2'd3, half = ahead[5], third = ahead[4], second = ahead[2];
-    wire [W+4:0] link = second ? in_s2 : in_s1;
-    // rho is not rounded, so the third needs no half LSB
+    wire       plain = ahead[1:0] == 2'd3, third = ahead[4];  // HALF_3: rho is not rounded, so it needs no half LSB
+    wire [W+4:0] link = ahead[2] ? in_s2 : in_s1;
     wire [4:0] round_x = third ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29, round_y = third ? 5'd22 : 5'd29;
     wire [4:0] by_step;
-    wire       ahead_turns = ahead[7], ahead_digit = ahead[8], ahead_signs = ahead[9], ahead_less = ahead[10],
-               ahead_lift = ahead[13];
+    wire       ahead_turns = ahead[7], ahead_digit = ahead[8], ahead_signs = ahead[9], ahead_less = ahead[10];
     wire [1:0] quarter = in_start ? in_j1[A-1:A-2] + in_j2[A-1:A-2] + {1'b0, in_j2[A-3]} : now[A-1:A-2];
     cordic_step #(.W(W)) steps (.in_turn(ahead_turns), .in_step(step), .in_two(ahead_digit && two),
         .out_shift(by_step));
     always @(posedge clk) begin
         step    <= ahead_turns ? step + 4'd1 : 4'd0;
         shift   <= plain ? 5'd3 : ahead[4:0] | by_step;
-        plain_x <= half ? {{(D-5){1'b0}}, round_x} : {2'b00, link};
-        plain_y <= half ? {{(D-5){1'b0}}, round_y} : {2'b00, link};
+        plain_x <= ahead[5] ? {{(D-5){1'b0}}, round_x} : {2'b00, link};
+        plain_y <= ahead[5] ? {{(D-5){1'b0}}, round_y} : {2'b00, link};
         word    <= ahead_digit ? {1'b0, two, one} : step[2:0];
-        move    <= !ahead_lift && (!ahead_digit || two || one);
+        move    <= !ahead[13] && (!ahead_digit || two || one);
         minus_x <= ahead_signs ? quarter[1] ^ quarter[0] : ahead_less;
         minus_y <= ahead_signs ? quarter[1] : ahead_less;
     end
