@@ -35,10 +35,11 @@ def config(p: Params, *, cfg_l1: int, cfg_l2: int) -> dict[str, int]:
 
 
 def edge_words(p: Params, words: dict[str, int], *, cfg_l1: int, cfg_l2: int, margin: float,
-               slack: float) -> dict[str, int]:
+               slack: float, bits: int = 16) -> dict[str, int]:
     """`cfg_margin` and `cfg_slack` from margin and slack in coordinate units, beside the `words` of the lengths.
 
-    `cfg_slack` is what c2 is above 1 at full reach and the slack, 2^-14, rounded up.
+    `cfg_slack` is what c2 is above 1 at full reach and the slack, rounded up, with two fraction bits fewer than the
+    `bits` of the kernel's coordinates.
 
     Raises
     ------
@@ -49,8 +50,8 @@ def edge_words(p: Params, words: dict[str, int], *, cfg_l1: int, cfg_l2: int, ma
         raise ValueError("margin and slack need MARGINS = 1")
     double, more = 2 * int(cfg_l1) * int(cfg_l2), slack * 2.0 ** p["F"]
     above = more * (2 * (cfg_l1 + cfg_l2) + more)  # of the square of the reach
-    word = math.ceil((above * 2**14) / max(double, 1)) if more else 0
-    if more and (word >> 13 or (double + above) * 4.0 ** (16 - p["W"] + words["cfg_e"]) >= 2.0**33):
+    word = math.ceil(above * 2.0 ** (bits - 2) / max(double, 1)) if more else 0
+    if more and (word >> bits - 3 or (double + above) * 4.0 ** (words["cfg_e"] - p["W"]) >= 2):
         raise ValueError(f"a slack of {slack:g} is more than these links and words can say")
     return {"cfg_margin": round(margin * 2.0 ** p["F"]), "cfg_slack": word}
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from quadrance import kernel_vector_solve
 from quadrance.fixed import Ints, ints, wrap
-from quadrance.kernel_vector_solve import GUARD, SUM, Params, turned
+from quadrance.kernel_vector_solve import GUARD, SUM, Limits, Params, turned
 
 SHIFTS = (0, 5, 8, 11)  # left shift of v = 1 - c2^2 in each of the four ranges of its root
 STARTS = (0, 5, 10, 13)  # leading zeros of v from which each range counts
@@ -122,8 +122,11 @@ def unit_word(p: Params, product: Ints) -> Ints:
     return wrap((product >> 2 * form(p).fraction - 2 - p["U"]) + 1 >> 1, p["U"] + 2)
 
 
-def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints) -> tuple[Ints, ...]:
-    """(c1, n1, c2, n2, unreachable, at the shoulder) of the target; products with 2 fraction - 1 fraction bits."""
+def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints, limits: Limits = None) -> tuple[Ints, ...]:
+    """(c1, n1, c2, n2, unreachable, at the shoulder, near to singular); products with 2 fraction - 1 fraction bits.
+
+    Last is what `kernel_vector_solve.edges` calls near; the slack in `limits` has bits - 2 fraction bits of c2.
+    """
     f = form(p)
     every = np.broadcast_arrays(in_x, in_y, in_elbow, *words)
     x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in every)
@@ -149,7 +152,14 @@ def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints) -> tu
     inverse = inverse_product(f, wrap(total << 2 * s >> drop, f.fraction + 2), clamped)
     power = np.int64(1) << f.bits - 1 + GUARD + (s & 1)
     k1 = 2 * np.where(clamped, np.where(k1 < 0, -1, 1) * power, k1) + 1
+    far, near = clamped, np.False_
+    if limits:
+        margin, slack = ints(limits[0]) << f.bits - p["W"] + GUARD, ints(limits[1])
+        less = (product >> one + 2 - f.bits) - slack
+        far = clamped & (beyond | (product >> one + 1 != 0) | (less >> f.bits - 2 > 0))
+        bent = (elbow == 1) & ~clamped & (square >> f.fraction + 1 == 0)
+        near = (k2 + np.where(bent, margin, -margin) < 0) != (k2 < 0)
     k2, s = 2 * k2 + 1, np.where(clamped, s >> 1, s)
     b, a = (wrap(turned(*k, x, y) << 2 * s >> drop, f.fraction + 2) for k in ((k1, k2), (-k2, k1)))
     r = wrap(inverse >> f.fraction - 2, f.fraction + 2)
-    return b * r, a * r, np.where(clamped, np.where(short, -1, 1) << one, product), n2, clamped, q == 0
+    return b * r, a * r, np.where(clamped, np.where(short, -1, 1) << one, product), n2, far, q == 0, near

@@ -30,7 +30,8 @@ def _coordinates(p: Params, axes: str, words: tuple[Ints, ...], guard: int) -> d
 def config(p: Params, *, cfg_l1: int, cfg_l2: int, margin: float = 0.0, slack: float = 0.0) -> dict[str, int]:
     """Words of the inverse cores beside the lengths; margin and slack in coordinate units."""
     words = kernel_vector_wide.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
-    return words | kernel_vector_solve.edge_words(p, words, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack)
+    return words | kernel_vector_solve.edge_words(p, words, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack,
+                                                  bits=form(p).bits)
 
 
 def fk1(p: Params, *, in_c1: Ints, in_n1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
@@ -90,12 +91,10 @@ def _held(p: Params, joint: int, c: Ints, n: Ints, undefined: Ints) -> dict[str,
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
         cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    words = in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e
-    if form(p).bits == 16:
-        found = kernel_vector_solve.plane(p, *words, limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
-    else:
-        found = *kernel_vector_wide.plane(p, *words), np.False_
-    c1, n1, c2, n2, clamped, zero, near = found
+    kernel = kernel_vector_solve if form(p).bits == 16 else kernel_vector_wide
+    c1, n1, c2, n2, clamped, zero, near = kernel.plane(
+        p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
+        limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {**_held(p, 1, c1, n1, zero), "out_c2": unit_word(p, c2), "out_n2": unit_word(p, n2),
             "out_status": ints(clamped) + 2 * ints(zero | near)}
 

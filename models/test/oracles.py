@@ -19,12 +19,14 @@ TABLE: dict[tuple[str, str], list[str]] = {}
 
 
 def sets_of(function: str, most: int = 2) -> list[Core]:
-    """The first core of a function at its first parameter sets, and at the first that has margin and slack."""
+    """The first core of a function at its first parameter sets, and at the first with margin and slack: of words up to
+    16 bits, of 20 and of 24.
+    """
     cores = [core for core in all_cores() if f"{core.family}.{core.function}" == function]
     assert cores, f"cores.toml has no function {function}"
     found = [core for core in cores if core.name == cores[0].name]
-    edged = [core for core in found[most:] if core.params.get("MARGINS")]
-    return found[:most] + edged[:1]
+    edged = {max(core.params["W"] + 3 >> 2, 4): core for core in reversed(found[most:]) if core.params.get("MARGINS")}
+    return found[:most] + [edged[bits] for bits in sorted(edged)]
 
 
 def keys(function: str) -> list[str]:

@@ -5,7 +5,8 @@
 // Formats: in_* sN.0; cfg_* by kernel_vector_wide.config; out_word s4.(N+2), in clocks of out_cos[i] the cosine and of
 // out_sin[i] the sine of joint i + 1, half a unit of U bits added; out_flat: c2 is 1, or -1 with out_negative;
 // out_none, until two clocks after the sine: joint 1 has no direction. Error of the tip: bounds.vector.ik2.
-// Latency, II: 10 + 15 PIPE. Status: unreachable (nearest point), singular (x = y = 0).
+// Latency, II: 10 + 15 PIPE. Status: unreachable by more than cfg_slack, 2^(2-N) of c2 (nearest point), singular (the
+// elbow is within cfg_margin of stretched or folded, x = y = 0).
 // Source: rational trigonometry paper, eqs. 18-23. Model: kernel_vector_wide.plane
 `default_nettype none
 module kernel_vector_wide #(
@@ -13,6 +14,7 @@ module kernel_vector_wide #(
     parameter U = 20,                // fraction bits of a rounded word, 8 to N (default 20)
     parameter PIPE = 0,              // 0 or 1 (default 0: fewest clocks); 1: registers behind products and tables
     parameter MULTIPLY = 18,         // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+    parameter MARGINS = 0,           // 0 or 1 (default 0); 1: cfg_margin and cfg_slack are used
     parameter F = N == 24 ? 29 : 25  // fraction bits of the words of the third multiplier, of one value (default 25)
 ) (
     input  wire                  clk,
@@ -22,6 +24,8 @@ module kernel_vector_wide #(
     input  wire signed [2*N+1:0] cfg_q,
     input  wire [F:0]            cfg_r,
     input  wire [4:0]            cfg_e,
+    input  wire [N-2:0]          cfg_margin,
+    input  wire [N-4:0]          cfg_slack,
     input  wire                  in_valid,
     output wire                  in_ready,
     input  wire signed [N-1:0]   in_x,
@@ -240,7 +244,36 @@ module kernel_vector_wide #(
     assign out_word = result;
     assign out_flat = outside;
     assign out_negative = short;
-    assign out_status = {2'd0, zero, clamped};
+
+    // Margin and slack: the target is out of reach where c2 less the slack is 1 or more, the elbow is near to singular
+    // where k2 less the margin has another sign
+    wire near, far;
+    generate
+        if (MARGINS == 1) begin : g_margins
+            reg         side, loaded, much, close, away;
+            reg  [N-3:0] above;  // fraction of c2
+            wire [N+1:0] left_over = k2[N+5:4] + ({3'd0, cfg_margin} ^ {(N+2){!side}}) + {{(N+1){1'b0}}, !side};
+            assign       near = close;
+            assign       far = away;
+            always @(posedge clk) begin
+                if (root)
+                    side <= elbow && !clamped && !settled[2*F+1];
+                loaded <= |(operands & K2);
+                if (loaded)
+                    close <= left_over[N+1] != k2[N+5];
+                if (|(rest & COS2)) begin
+                    above <= settled[2*F-2 -: N-2];
+                    much  <= beyond || settled[2*F+3:2*F] != 4'd0;
+                end
+                away <= clamped && (much || above >= {1'b0, cfg_slack});
+            end
+        end else begin : g_none
+            wire   unused = &{1'b0, cfg_margin, cfg_slack};
+            assign near = 1'b0;
+            assign far = clamped;
+        end
+    endgenerate
+    assign out_status = {2'd0, zero || near, far};
     always @(posedge clk) begin
         minus_q <= {(2*N+2){1'b0}};
         if (accept) begin
