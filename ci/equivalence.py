@@ -37,7 +37,7 @@ CONTROL = 12_288  # bits of a memory that stays when nothing writes it: what a p
 KEPT = 16  # words, at most, that a memory which is written may begin with
 SECONDS = 300  # of processor time, to make a graph
 PROOF = 60  # the same, of either step; of the whole graph most that take longer do not end at all
-WHOLE = 40_000  # gates of a whole graph, at most, that is tried: a datapath of wide products and a register file has more
+WHOLE = 40_000  # gates of a whole graph, at most, that is tried: wide products and a register file have more
 GRAPH = ("prep -flatten -top miter; memory_map; opt -full; async2sync; dffunmap; techmap; opt -fast; "
          "setundef -undriven -zero; setattr -unset init; setundef -init -zero; dfflegalize -cell $_DFF_P_ 0; "
          "opt_clean -purge; aigmap; opt_clean; write_aiger -ascii -symbols -zinit")

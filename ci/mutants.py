@@ -3,8 +3,9 @@
 Each mutant (ci/mutate.py) goes through the bulk run of its core and, when it lives, through the cocotb bench, under
 Verilator and then, its resets, under Icarus. A kill is a failed comparison or a failed test, nothing else. A survivor
 is proved equivalent (no input sequence after a reset tells it from the core), or is killed by as many samples as the
-long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory word that no input reaches, or it
-counts against the bench; ci/survivors.toml has the reasons. It ends well where 99 % of all are killed and each
+long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory word that no input reaches or in a bit
+of a program's line that selects nothing (ci.programs.unread), or it counts against the bench; ci/survivors.toml has the
+reasons. It ends well where 99 % of all are killed and each
 survivor has its argument. The seed is the day's, or SEED.
 
 Writes reports/mutants.json and, from it, a section of reports/checks.md; a core whose sources, bench and tools are
@@ -33,7 +34,7 @@ from quadrance.cores import Core, all_cores, find
 from rich.console import Console
 from rich.table import Table
 
-from ci import cache, checks, equivalence, mutate, pool
+from ci import cache, checks, equivalence, mutate, pool, programs
 from ci.mutate import Mutant, Mutants
 from tb.lib import suite, tools
 from tb.lib.simulate import UNKNOWN, simulate
@@ -69,13 +70,13 @@ class Verdict:
 
     @property
     def unread(self) -> list[str]:
-        """Survivors in words that no input reaches."""
-        return [mutation for mutation in self.survivors if reason(mutation)]
+        """Survivors in words that no input reaches, and in bits of a line that select nothing."""
+        return [mutation for mutation in self.survivors if reason(mutation, self.core)]
 
     @property
     def alive(self) -> list[str]:
         """Survivors that count against the bench."""
-        return [mutation for mutation in self.survivors if not reason(mutation)]
+        return [mutation for mutation in self.survivors if not reason(mutation, self.core)]
 
     @property
     def rate(self) -> float:
@@ -84,9 +85,12 @@ class Verdict:
         return 1 - len(self.alive) / differing if differing else 1.0
 
 
-def reason(mutation: str) -> str:
-    """Why no input reaches the memory word of this mutation, or nothing."""
+def reason(mutation: str, core: str) -> str:
+    """Why no input reaches the memory word of this mutation, or why nothing reads its bit; or nothing."""
     name, index = mutate.place(mutation)
+    masks = programs.unread(find(core)).get(name) if name.endswith(".lines") else None
+    if masks and masks[index] >> mutate.bit(mutation) & 1:
+        return "a bit of a line that selects nothing, or a word behind the last line (ci.programs.unread)"
     return next((one["why"] for one in KNOWN["words"] if re.search(one["memory"], name)
                  and one["words"][0] <= index <= one["words"][1]), "")
 
@@ -159,6 +163,8 @@ def fate(mutants: Mutants, mutant: Mutant, prover: equivalence.Prover, seed: int
         return "killed"
     if killed_by_bench(mutants, mutant, seed):  # seconds; a proof of what is not equal takes minutes
         return "bench"
+    if reason(str(mutant), core.id):
+        return "survivors"
     if prover.equivalent(mutant):
         return "equivalent"
     samples = min(suite.LONG_SAMPLES, LONG_CLOCKS // (core.ii or 1))
@@ -299,7 +305,7 @@ def section(committed: list[Verdict], every: list[Core], old: set[str]) -> list[
         lines += [
             f"{len(verdicts)} of {len(every)} cores: {bulk} killed by the bulk run, {count['bench']} by the cocotb "
             f"bench alone, {count['long']} in the long run alone; {equal} proved equal, {count['unread']} in memory "
-            f"words that no input reaches (ci/survivors.toml); {count['alive']} survived.",
+            f"words or bits that nothing reads; {count['alive']} survived.",
             f"{killed / max(killed + count['alive'], 1):.2%} of those that differ are killed; in "
             f"{sum(not v.alive for v in verdicts)} cores all of them are."]
     else:

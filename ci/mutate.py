@@ -22,7 +22,7 @@ ROM_SHARE = 10  # one mutant in so many is a bit of a memory word, where the cor
 WORK = tools.BUILD / "mutants"
 CONTROL = re.compile(r" -cell (\S+) -port RD_(?:CLK|EN|ARST|SRST) ")  # a mutation of what a clocked memory has
 NUMBER = re.compile(r" -ctrl mutant \d+ (\d+) ")  # the value of the input `mutant` that a command answers to
-PLACE = re.compile(r"(?:memory )?\\?(\S+?) ?\[(\d+)\](?: bit \d+)?")
+PLACE = re.compile(r"(?:memory )?\\?(\S+?) ?\[(\d+)\](?: bit (\d+))?")
 WORD = re.compile(r"^ +(\S+ ?\[\d+\]) = (\d+)'h([0-9a-f]+)(?=;$)", re.M)
 
 
@@ -30,6 +30,11 @@ def place(word: str) -> tuple[str, int]:
     """Memory and index of a word, as Verilog or a mutant's text names it; of what names none nothing and -1."""
     at = PLACE.fullmatch(word)
     return (at[1], int(at[2])) if at else ("", -1)
+
+
+def bit(word: str) -> int:
+    """The bit of a memory word that a mutant's text names."""
+    return int(PLACE.fullmatch(word)[3])
 
 
 @dataclass(frozen=True)

@@ -87,6 +87,55 @@ def played(core: Core) -> list[Played]:
     return found
 
 
+# What nothing reads
+
+
+def _fields(*ends: tuple[int, int]) -> int:
+    return sum((1 << high + 1) - (1 << low) for high, low in ends)
+
+
+def _idle(word: int, roots: bool, margins: bool) -> int:
+    """The bits of a line of product_engine that select nothing."""
+    at, idle = product_engine.fields(word), 0
+    if not at["add"]:  # a single product: C of a HOLD is its own register
+        idle |= _fields((25, 20)) if margins and at["act"] & product_engine.HOLD else _fields((31, 20))
+    if at["from"] in (product_engine.LAST, product_engine.TABLE):
+        idle |= _fields((44, 39))
+    if at["by"]:  # 1.0 has a sign, 0 has none; a power of two has its number, a slope its sign, too
+        one, nought = at["b"] >> 5, at["b"] >> 2 & 1
+        if one or nought or not roots:
+            idle |= _fields((36, 35), (33, 32)) | (0 if one or roots else 1 << 34)
+        elif at["b"] & 3:
+            idle |= _fields((36, 35))
+    return idle
+
+
+@cache
+def unread(core: Core) -> dict[str, tuple[int, ...]]:
+    """For the memory of each program that product_engine plays, by its path in the core: bits that nothing reads.
+
+    Behind the last line the words are 0. The first of them are read while the last line is computed: what they compute
+    goes to register 0, which no line reads. The others are never read.
+    """
+    _compilation, instances = elaborated(core)  # it owns them
+    found = {}
+    engine = next((one.body for one in instances if one.definition.name == "product_engine"), None)
+    for one in instances if engine else ():
+        if one.definition.name != "engine_program":
+            continue
+        lines, bits, drain, table_ = (int(one.body.find(key).value.value) for key in
+                                      ("LINES", "BITS", "DRAIN", "TABLE"))
+        roots, margins = (int(engine.find(key).value.value) for key in ("ROOTS", "MARGINS"))
+        wide = bits == product_engine.BITS
+        masks = [_idle(word if wide else product_engine.widened(word), bool(roots), bool(margins))
+                 for word in _cut(table_, lines, bits)]
+        masks += [_fields((46, 18), (16, 15))] * drain
+        masks = [mask if wide else mask >> 17 << 6 for mask in masks]
+        masks += [(1 << bits) - 1] * ((1 << (lines + drain - 1).bit_length()) - len(masks))
+        found[f"{one.hierarchicalPath.removeprefix(f'{core.name}.')}.lines"] = tuple(masks)
+    return found
+
+
 # The text of a table
 
 

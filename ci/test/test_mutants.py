@@ -11,7 +11,7 @@ from quadrance import arms
 from quadrance.arm import switches
 from quadrance.cores import Core, all_cores, at, find
 
-from ci import cache, checks, cover, coverage, equivalence, mutants, mutate
+from ci import cache, checks, cover, coverage, equivalence, mutants, mutate, programs
 from tb.lib import legal, program, suite, tools
 from tb.lib.simulate import available, simulate
 from tb.lib.test_bench_bites import altered
@@ -176,12 +176,20 @@ def test_a_bench_that_fails_on_the_core_itself_kills_nothing(four, monkeypatch, 
 
 def test_words_that_are_never_read():
     for name in (r"\\kernel.path.slopes.slope [1575]", "slopes.slope[1663]"):
-        assert "never read" in mutants.reason(f"memory {name} bit 11")
+        assert "never read" in mutants.reason(f"memory {name} bit 11", "vector_ik2-U16")
     for mutation in (r"memory \\kernel.path.slopes.slope [1664] bit 0", r"memory \\other.slope [1575] bit 1",
                      "mutate -mode inv -cell slopes.slope -port RD_ADDR -portbit 0"):
-        assert not mutants.reason(mutation)
+        assert not mutants.reason(mutation, "vector_ik2-U16")
     verdict = mutants.Verdict("vector_ik2-U16", killed=98, survivors=["memory slopes.slope[1600] bit 0", "mutate x"])
     assert verdict.alive == ["mutate x"] and verdict.rate == 98 / 99
+
+
+def test_a_bit_of_a_line_that_selects_nothing_needs_no_proof():
+    for pipe, line, bit in ((0, 42, 22), (1, 60, 14), (1, 5, 15)):
+        word = rf"memory \control.g_pipe{pipe}.control.lines [{line}] bit {bit}"
+        assert mutants.reason(word, f"vector_ur_fk-{'PIPE1' if pipe else 'U16'}")
+        assert not mutants.reason(word, "vector_fk6-PIPE2"), "another memory"
+    assert not mutants.reason(r"memory \control.g_pipe1.control.lines [5] bit 3", "vector_ur_fk-PIPE1"), "its DEST"
 
 
 def test_a_run_ends_well_with_enough_kills_and_an_argument_for_each_survivor():
@@ -196,17 +204,37 @@ def test_a_run_ends_well_with_enough_kills_and_an_argument_for_each_survivor():
 @pytest.mark.skipif(not available("icarus"), reason="undefined words need Icarus")
 @pytest.mark.parametrize("words", mutants.KNOWN["words"], ids=lambda one: one["core"])
 def test_words_that_are_never_read_may_be_undefined(words):
-    """Undefined for the bench in Icarus, all bits the other way round for the bulk run: nothing changes."""
-    made = mutate.make(find(words["core"]), 1, SEED)
-    text = (made.netlist.parent / "mutants.v").read_text()
     first, last = words["words"]
-    picked = {number: int(word[2]) for number, word in enumerate(mutate.WORD.finditer(text))
-              for name, index in [mutate.place(word[1])] if re.search(words["memory"], name) and first <= index <= last}
-    assert len(picked) == last - first + 1, "some of these words have no value, or there is no such memory"
+    undefined(find(words["core"]), lambda name, index, width: (1 << width) - 1
+              if re.search(words["memory"], name) and first <= index <= last else 0, last - first + 1)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not available("icarus"), reason="undefined words need Icarus")
+@pytest.mark.parametrize("name", ["vector_ur_fk-U16", "vector_ur_fk-PIPE2", "vector_ik6-U16", "vector_ur_ik-PIPE1",
+                                  "vector_ik6_all-PIPE2", "engine_delta_fk-PIPE1"])
+def test_bits_of_a_program_that_nothing_reads_may_be_undefined(name):
+    core = find(name)
+    ((memory, masks),) = programs.unread(core).items()
+    undefined(core, lambda at, index, width: masks[index] if at == memory else 0, sum(map(bool, masks)))
+
+
+def undefined(core, mask, count):
+    """Bits that are undefined for the bench in Icarus, and the other way round for the bulk run: nothing changes.
+
+    `mask(name, index, width)`: the bits of a word of a memory, in `count` words.
+    """
+    made = mutate.make(core, 1, SEED)
+    text = (made.netlist.parent / "mutants.v").read_text()
+    picked = {number: (width, bits) for number, word in enumerate(mutate.WORD.finditer(text))
+              for width, (name, index) in [(int(word[2]), mutate.place(word[1]))]
+              if (bits := mask(name, index, width))}
+    assert len(picked) == count, "some of these words have no value, or there is no such memory"
     whole = made.netlist.read_text()
 
     def masked(bit: str) -> None:
-        masks = {number: f"{{{width}{{1'b{bit}}}}}" for number, width in picked.items()}
+        masks = {number: f"{width}'b" + f"{bits:0{width}b}".replace("1", bit)
+                 for number, (width, bits) in picked.items()}
         made.netlist.write_text(whole.replace(text, mutate.flipped(text, masks)))
 
     masked("1")
