@@ -5,8 +5,7 @@ Verilator and then, its resets, under Icarus. A kill is a failed comparison or a
 is proved equivalent (no input sequence after a reset tells it from the core), or is killed by as many samples as the
 long run has (`make exhaustive`; 20 million clocks at most), or lies in a memory word that no input reaches or in a bit
 of a program's line that selects nothing (ci.programs.unread), or it counts against the bench; ci/survivors.toml has the
-reasons. It ends well where 99 % of all are killed and each
-survivor has its argument. The seed is the day's, or SEED.
+reasons. It ends well where 99 % of all are killed and each survivor has its argument. The seed is the day's, or SEED.
 
 Writes reports/mutants.json and, from it, a section of reports/checks.md; a core whose sources, bench and tools are
 still those of its verdict there is not broken again (--fresh: it is; --again: what proofs have learned since is tried
