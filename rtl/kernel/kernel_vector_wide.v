@@ -6,7 +6,7 @@
 // out_sin[i] the sine of joint i + 1, half a unit of U bits added; out_flat: c2 is 1, or -1 with out_negative;
 // out_none, until two clocks after the sine: joint 1 has no direction. Error of the tip: bounds.vector.ik2.
 // Latency, II: 10 + 15 PIPE. Status: unreachable by more than cfg_slack, 2^(2-N) of c2 (nearest point), singular (the
-// elbow is within cfg_margin of stretched or folded, x = y = 0).
+// elbow is within cfg_margin of stretched or folded, or x = y = 0).
 // Source: rational trigonometry paper, eqs. 18-23. Model: kernel_vector_wide.plane
 `default_nettype none
 module kernel_vector_wide #(
@@ -250,8 +250,11 @@ module kernel_vector_wide #(
     wire near, far;
     generate
         if (MARGINS == 1) begin : g_margins
-            reg         side, loaded, much, close, away;
-            reg  [N-3:0] above;  // fraction of c2
+            reg          side;   // n2 is negative
+            reg          loaded; // k2 is new
+            reg          much;   // c2 is negative, or 2 or more
+            reg  [N-3:0] above;  // its fraction
+            reg          close, away;
             wire [N+1:0] left_over = k2[N+5:4] + ({3'd0, cfg_margin} ^ {(N+2){!side}}) + {{(N+1){1'b0}}, !side};
             assign       near = close;
             assign       far = away;
