@@ -274,7 +274,7 @@ def stale(verdicts: dict[str, Verdict], every: list[Core], count: int = MUTANTS)
 
 def survived(verdict: Verdict) -> list[str]:
     """Lines about the survivors of a core that count: how many there are of each argument, and those without one."""
-    found = Counter(explained(verdict.core, one) or f"**no argument**: `{one}`" for one in verdict.alive)
+    found = Counter(explained(verdict.core, one) or "**no argument** (`mutants.json`)" for one in verdict.alive)
     return [f"- `{verdict.core}` {verdict.rate:.1%}",
             *(f"  - {f'{count} × ' if count > 1 else ''}{why}" for why, count in found.items())]
 
@@ -312,11 +312,10 @@ def section(committed: list[Verdict], every: list[Core], old: set[str]) -> list[
     if count["alive"]:
         lines += ["", "Cores below 100 %, and why a survivor changes nothing:", "",
                   *(line for v in verdicts if v.alive for line in survived(v))]
-    for what, names in (
-            ("Never broken, or changed since and left out above",
-             [core.id for core in every if core.id in old or core.id not in {v.core for v in committed}]),
-            ("The cocotb bench has changed since", [v.core for v in verdicts if v.cocotb != cocotb()])):
-        lines += ["", f"{what}: {', '.join(together(names))}."] if names else []
+    changed = sum(one.cocotb != cocotb() for one in verdicts)
+    lines += ["", f"The cocotb bench has changed since {changed} of these verdicts."] if changed else []
+    out = [core.id for core in every if core.id in old or core.id not in {one.core for one in committed}]
+    lines += ["", f"Never broken, or changed since and left out above: {', '.join(together(out))}."] if out else []
     return lines
 
 
