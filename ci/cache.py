@@ -145,14 +145,15 @@ def closure(starts: Iterable[Path]) -> list[Path]:
 
 
 def stimulus(core: Core) -> list[Path]:
-    """The files that a core's samples come from: of its family, and of single models its own alone."""
+    """The files that a core's samples come from: of its family, of single models its own alone, and what these use."""
     family = importlib.import_module(f"tb.stimulus.{core.family}")
     used = {one if isinstance(one, ModuleType) else inspect.getmodule(one) for one in vars(family).values()
             if isinstance(one, ModuleType | FunctionType)} - {family}
     own = getattr(family, "MODELS", {})
     used = {one for one in used if one not in own.values()} | {own.get(core.model_name, family)} - {family}
-    return [Path(family.__file__), *sorted(Path(one.__file__) for one in used if one.__name__.startswith("tb.")
-                                           and not one.__name__.startswith("tb.lib"))]
+    files = closure(Path(one.__file__) for one in used if one.__name__.startswith("tb."))
+    return [Path(family.__file__), *(one for one in files if one.is_relative_to(ROOT / "tb")
+                                     and not one.is_relative_to(ROOT / "tb" / "lib"))]
 
 
 def of_bulk(core: Core) -> list[str]:

@@ -128,6 +128,7 @@ def test_a_verdict_hangs_on_what_its_stimulus_imports():
     assert names("engine_rus_fk") == {"engine.py", "rus_fk.py"}
     assert names("engine_delta_fk") == {"engine.py", "delta.py"}
     assert {"vector.py", "chains.py", "targets.py"} <= names("vector_ik2") and names("isqrt_comb") == {"arith.py"}
+    assert "edges.py" in names("table_ik2") & names("six_keep")  # not imported by their families themselves
 
 
 @pytest.fixture
@@ -311,8 +312,13 @@ def test_survivors_whose_lines_have_moved_are_judged_anew(monkeypatch):
 def test_a_list_has_ends_neighbours_an_odd_middle_and_all_pairs_of_switches():
     core = find("arm_ik3")
     sets = legal.cover(core)
-    assert sets == legal.cover(core) and len(sets) == legal.MOST and not any(map(legal.rule_of(core).broken, sets))
+    every = [*sets, *(one.params for one in legal.sets(core))]
+    assert sets == legal.cover(core) and len(sets) > legal.MOST and not any(map(legal.rule_of(core).broken, sets))
     for name, (low, high) in legal.ranges(core).items():
+        for other in (one.params for one in legal.sets(core)):  # with the switches of a listed set
+            tops = {key: other[key] for key in ("BASE", "SHOULDER", "LATERAL", "ELBOW", "ABSOLUTE", "MARGINS")}
+            here = {one[name] for one in every if tops.items() <= one.items()}
+            assert name in tops or {one for one in (low, high) if legal.near(core, tops | {name: one})} <= here
         ends = {one for one in (low, low + 1, high - 1, high) if low <= one <= high and legal.near(core, {name: one})}
         assert {low, high} <= ends <= {one[name] for one in [*sets, core.params]}
     assert any(one["W"] % 2 and one["W"] not in (9, 15) for one in sets)
@@ -329,7 +335,7 @@ def test_a_further_pipe_has_its_own_ends():
     core = find("vector_fk2-PIPE1")
     sets = legal.cover(core)
     assert len(sets) == legal.MOST and {one["PIPE"] for one in sets} == {1}
-    assert len(legal.cover(find("vector_ik6-PIPE1"))) == legal.MOST // 3  # the engine's words have one width
+    assert len(legal.cover(find("vector_fk6-PIPE1"))) == legal.MOST // 3  # the engine's words have one width
     listed = [one.params for one in all_cores() if one.name == core.name and one.params["PIPE"] == 1]
     for name, ends in legal.ranges(core).items():
         assert set(ends) <= {one[name] for one in [*sets, *listed]}

@@ -7,6 +7,7 @@ on every set.
 from __future__ import annotations
 
 import itertools
+import math
 import re
 import tempfile
 from collections.abc import Iterator
@@ -30,7 +31,7 @@ UNLIMITED = 150  # no rule has a number as large
 FAR = 64  # the most that a parameter is moved to make another one legal
 GAP = 9  # from one legal value of a parameter to the next: MULTIPLY is 18 or 27
 KINDS = ("MODE", "PIPE")  # of building a core: each value has a first set, and sets of its own
-MOST = 24  # sets in a cover list; a third of them for a further PIPE whose registers follow no width
+MOST = 24  # sets of a cover list with switches of its own; a third for a further PIPE whose registers follow no width
 
 
 def _python(text: str) -> str:
@@ -140,11 +141,12 @@ def _switched(core: Core, names: list[str]) -> Iterator[Params]:
 
 
 def cover(core: Core) -> list[Params]:
-    """At most `MOST` legal sets other than those of cores.toml, the same ones whenever the rule is the same.
+    """Legal sets other than those of cores.toml, the same ones whenever the rule is the same.
 
-    One parameter at a time at both ends of its range; the switches of every arm, and all pairs of switches; the
-    neighbours of the ends; then sets of values that none of these has, of all parameters at once: 2^k and one less
-    first, odd ones before even ones, each as far from all before it as there is.
+    At most `MOST` of these: one parameter at a time at both ends of its range; the switches of every arm, and all pairs
+    of switches; the neighbours of the ends; then sets of values that none of these has, of all parameters at once: 2^k
+    and one less first, odd ones before even ones, each as far from all before it as there is. Behind them both ends
+    once more, with the switches of each set of cores.toml that has other switches than the core's own.
     """
     most = MOST // 3 if core.params.get("PIPE") and "MULTIPLY" not in core.params else MOST
     box = ranges(core)
@@ -153,9 +155,9 @@ def cover(core: Core) -> list[Params]:
     listed_sets = [one.params for one in sets(core)]
     found: list[Params] = []
 
-    def add(fixed: Params) -> None:
+    def add(fixed: Params, limit: float = most) -> None:
         params = near(core, fixed)
-        if params is not None and params not in [*listed_sets, *found] and len(found) < most:
+        if params is not None and params not in [*listed_sets, *found] and len(found) < limit:
             found.append(params)
 
     for name, ends in words.items():
@@ -183,6 +185,11 @@ def cover(core: Core) -> list[Params]:
         add(fixed)
         if len(found) == before:
             break
+    for listed in listed_sets:
+        row = {name: listed[name] for name in toggles}
+        for name, ends in words.items() if row != {name: core.params[name] for name in toggles} else ():
+            for value in ends:
+                add(row | {name: value}, math.inf)
     return found
 
 

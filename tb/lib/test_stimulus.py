@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from quadrance.cores import all_cores, find
 
-from tb.lib import legal, stimulus
+from tb.lib import bulk, legal, stimulus
 from tb.lib.suite import SEED, bulk_run, bulk_samples
 from tb.lib.test_bench_bites import altered
 
@@ -176,6 +176,26 @@ def test_every_value_and_every_bit_is_tried(core):
     rng = np.random.default_rng(7)
     for _ in range(2000 if never else 0):
         assert not never & stimulus.facts(core, stimulus.drawn(core, rng))
+
+
+EDGED = [core for core in all_cores() if core.params.get("MARGINS") != 0 and not core.params.get("PIPE")
+         and "cfg_slack" in {port.name for port in core.cfg} and core.family != "keep"]
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("core", EDGED, ids=lambda core: core.id)
+@pytest.mark.parametrize("name", ["cfg_margin", "cfg_slack"])
+def test_corners_tell_every_bit_of_margin_and_slack(core, name):
+    """The status of some sample is another one where the core leaves out a bit."""
+    port = next(port for port in core.cfg if port.name == name)
+    left = (1 << port.width) - 1
+    for cfg in stimulus.configs(core, np.random.default_rng(SEED)):
+        corners = stimulus.corners(core, cfg)
+        status = bulk.expected(core, corners, cfg)["out_status"]
+        for bit in (1 << i for i in range(port.width) if left & cfg[name] & 1 << i):
+            cut = int(stimulus.wrap(np.array(cfg[name] ^ bit), port.width, port.signed))
+            left -= bit * int((bulk.expected(core, corners, cfg | {name: cut})["out_status"] != status).any())
+    assert left == 0, f"no corner tells bits {left:b} of {name}"
 
 
 @pytest.mark.full

@@ -9,7 +9,7 @@ from quadrance.fixed import to_fixed
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
-from tb.stimulus import rational, targets
+from tb.stimulus import edges, rational, targets
 from tb.stimulus.vector import directions
 
 
@@ -18,7 +18,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     if core.function == "keep2":
         found = [*targets.configs(core, rng)[5:12], *_shifts(core)]
     elif core.function in ("arm_ik3", "keep3"):
-        found = [cfg | rational.edges(core, rng) for cfg in _inverse(core, rng)]
+        found = edges.joined(core, rng, _inverse(core, rng))
     else:
         found = _forward(core, rng)
     if core.function == "keep3":  # every sample is four of the kernel; the last one has the shortest links
@@ -46,7 +46,7 @@ def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
         ends = {"cfg_base": half, "cfg_shoulder": half // 4, "cfg_lateral": half}
         cfg |= arm.config(p, **cfg, **{name: int(rng.integers(1 - end, end)) for name, end in ends.items()},
                           cfg_ce=int(to_fixed(np.cos(turn), p["U"])), cfg_ne=int(to_fixed(-np.sin(turn), p["U"])))
-        cfg |= rational.edges(core, rng)
+        cfg |= edges.drawn(core, rng, cfg["cfg_l2"])
     return _limited(core, cfg, int(rng.integers(0, 9)), rng) if "keep" in core.function else cfg
 
 
@@ -82,7 +82,10 @@ def _limited(core: Core, cfg: dict[str, int], i: int, rng: np.random.Generator) 
 
 
 def _bordered(core: Core, cfg: dict[str, int]) -> list[dict[str, int]]:
-    """Limits that one answer keeps by the last unit in every joint, then those that it misses by it in one of them."""
+    """Limits that one answer keeps by the last unit in every joint, then those that it misses by it in one of them.
+
+    The three lowest bits of a limit that is kept are 0: it is another limit if the core leaves out one of them.
+    """
     number = int(core.function[-1])
     free = cfg | {name: word for i in range(1, number + 1) for name, word in
                   arm_keep.limit(core.params, i, -np.pi, np.pi).items()}
@@ -92,9 +95,12 @@ def _bordered(core: Core, cfg: dict[str, int]) -> list[dict[str, int]]:
     clear = np.where(answer["out_status"] == 0, np.abs(joint).min(axis=(0, 1)), 0)  # the farthest from every axis
     inside = {}
     for i, (c, n) in enumerate(joint[:, :, np.argmax(clear)].tolist(), 1):
-        angle = np.arctan2(n, c) + 0.7
-        words = arm_keep.limit(core.params, i, angle - 1, angle + 1)
-        cosine = (c * words[f"cfg_mc{i}"] >> core.params["U"]) + (n * words[f"cfg_mn{i}"] >> core.params["U"])
+        for off in np.arange(0.7, 0.9, 0.001):
+            angle = np.arctan2(n, c) + off
+            words = arm_keep.limit(core.params, i, angle - 1, angle + 1)
+            cosine = (c * words[f"cfg_mc{i}"] >> core.params["U"]) + (n * words[f"cfg_mn{i}"] >> core.params["U"])
+            if cosine % 8 == 1:
+                break
         inside |= words | {f"cfg_h{i}": cosine - 1}
     return [free | inside, *(free | inside | {f"cfg_h{i}": inside[f"cfg_h{i}"] + 1} for i in range(1, number + 1))]
 
@@ -181,7 +187,7 @@ def _targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vecto
     p, half = core.params, 1 << core.params["W"] - 1
     found = rational.targets(core, cfg, rng)
     if p.get("MARGINS"):
-        found = stimulus.joined(found, rational.at_the_margin(core, cfg, rng))
+        found = stimulus.joined(found, edges.targets(core, cfg, rng))
     x, y, z = (found[f"in_{axis}"] for axis in "xyz")
     base, shoulder, lateral = (cfg[f"cfg_{name}"] for name in ("base", "shoulder", "lateral"))
     back, yaw = rng.integers(0, 2, x.size), rng.uniform(-np.pi, np.pi, x.size)

@@ -38,26 +38,31 @@ def edges(core: Core, cfg: dict[str, int]) -> list[dict[str, int]]:
     """Machines whose limits the first corner's branch 0 meets exactly, in its own turn or in the next one.
 
     All weights are 0, so that this branch is chosen where it is within the limits. In the others one joint of it misses
-    its limit by 2^-12 turn.
+    its limit by 2^-12 turn. The three lowest bits of a lower limit that is met are 0, of an upper one 1: it is another
+    limit if the core leaves out one of them.
     """
     unit, turn = 1 << core.params["A"] - keep.LIMIT, 1 << keep.LIMIT
     first = {name: words[:1] for name, words in corners(core, cfg).items()}
     cfg = cfg | free() | {f"cfg_w{i}": 0 for i in range(1, 7)}
     answer = core.model(core.params, **first, **cfg)
-    at = [-100, 200, -300, 400, -500, 600]  # the joints' words, by their zeros, in 2^-12 turn
-    cfg |= {f"cfg_z{i}": (word * unit - int(answer[f"out_j{i}"][0])) % (turn * unit) for i, word in enumerate(at, 1)}
+    places = [-104, 200, -304, 400, -504, 600]  # the joints' words, by their zeros, in 2^-12 turn, without these bits
 
-    def limits(i: int, turned: bool, short: bool) -> dict[str, int]:
+    def limits(i: int, at: int, turned: bool, short: bool) -> dict[str, int]:
         """Zero is within the limits: a joint below it meets the lower one or, a turn on, the upper one."""
-        side, other = ("low", "high") if at[i] < 0 else ("high", "low")
-        inwards = 1 if at[i] < 0 else -1
-        near, far = at[i] + inwards * (turned or short), at[i] + inwards * turn - inwards * short
-        return {f"cfg_{side}{i + 1}": near} | ({f"cfg_{other}{i + 1}": far} if turned or short else {})
+        side, other = ("low", "high") if at < 0 else ("high", "low")
+        inwards = 1 if at < 0 else -1
+        near, far = at + inwards * (turned or short), at + inwards * turn - inwards * short
+        return {f"cfg_{side}{i}": near} | ({f"cfg_{other}{i}": far} if turned or short else {})
 
-    def machine_of(turned: bool, short: int | None = None) -> dict[str, int]:
-        return cfg | {name: word for i in range(6) for name, word in limits(i, turned, i == short).items()}
+    def machine_of(turned: bool, short: int = 0) -> dict[str, int]:
+        found = dict(cfg)
+        for i, place in enumerate(places, 1):
+            at = place + 7 * ((place > 0) != turned)
+            found |= limits(i, at, turned, i == short)
+            found[f"cfg_z{i}"] = (at * unit - int(answer[f"out_j{i}"][0])) % (turn * unit)
+        return found
 
-    return [machine_of(False), machine_of(True), *(machine_of(bool(i % 2), i) for i in range(6))]
+    return [machine_of(False), machine_of(True), *(machine_of(bool(i % 2), i) for i in range(1, 7))]
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:

@@ -8,6 +8,7 @@ from quadrance.cores import Core, joints
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
+from tb.stimulus import edges
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -19,7 +20,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
                    (half // 5, half), (3 << f, 2 << f), (16, 16), (2, 128), (256, 256), (255, 257), (4096, 4096 & high),
                    *rng.integers(0, high, (3, 2), endpoint=True).tolist(), *rng.integers(0, half, (3, 2)).tolist()]
         pairs = [{"cfg_l1": min(l1, high), "cfg_l2": min(l2, high)} for l1, l2 in lengths]
-        return [pair | rational.config(core.params, **pair) | edges(core, rng) for pair in pairs]
+        return edges.joined(core, rng, [pair | rational.config(core.params, **pair) for pair in pairs])
     if len(core.cfg) == 2:
         half = min(32 << f, high)
         pairs = [(high, high), (0, 0), (half, half), (high, 1), (1, high), (0, half), (half, 0), (3 << f, 2 << f),
@@ -34,13 +35,7 @@ def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
     pair = {f"cfg_l{i}": stimulus.length(rng, core.params["W"]) for i in (1, 2)}
     words = rational.config(core.params, **pair) if core.function.startswith("ik") else {}
-    return pair | words | edges(core, rng)
-
-
-def edges(core: Core, rng: np.random.Generator) -> dict[str, int]:
-    """Margin and slack of any size, none among them."""
-    return {port.name: int(rng.integers(0, 2)) * stimulus.length(rng, port.width) for port in core.cfg
-            if port.name in ("cfg_margin", "cfg_slack")}
+    return pair | words | edges.drawn(core, rng, pair["cfg_l2"])
 
 
 def points(w: int) -> tuple[np.ndarray, np.ndarray]:
@@ -79,20 +74,6 @@ def targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vector
     return dict(zip(axes, words)) | {"in_elbow": rng.integers(0, 2, 1027)}
 
 
-def at_the_margin(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
-    """Targets whose elbow is as far from stretched or folded as the margin, to a few LSB; half of them yaw."""
-    axes = [port.name for port in core.inputs if port.name != "in_elbow"]
-    turn, yaw = rng.uniform(-np.pi, np.pi, (2, 512))
-    bend = np.arcsin(min(1.0, cfg["cfg_margin"] / max(cfg["cfg_l2"], 1)))
-    bend = np.where(rng.random(512) < 0.5, bend, np.pi - bend)
-    x, y = (cfg["cfg_l1"] * part(turn) + cfg["cfg_l2"] * part(turn + bend) for part in (np.cos, np.sin))
-    flat = rng.random(512) < (0.5 if len(axes) == 3 else 1)
-    words = np.where(flat, x, x * np.cos(yaw)), np.where(flat, y, x * np.sin(yaw)), np.where(flat, 0, y)
-    high = 1 << core.params["W"] - 1
-    near = [np.clip(np.rint(word).astype(np.int64) + rng.integers(-1, 2, 512), -high, high - 1) for word in words]
-    return dict(zip(axes, near)) | {"in_elbow": rng.integers(0, 2, 512)}
-
-
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     rng = np.random.default_rng(1)
@@ -102,7 +83,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         return stimulus.joined(borders, stimulus.saturation(core, cfg))
     if core.function in ("ik2", "ik3"):
         words = targets(core, cfg, rng)
-        return stimulus.joined(words, at_the_margin(core, cfg, rng)) if core.params["MARGINS"] else words
+        return stimulus.joined(words, edges.targets(core, cfg, rng)) if core.params["MARGINS"] else words
     x, y = points(core.params["W"])
     order = np.append(rng.permutation(np.arange(x.size)), rng.integers(0, x.size, x.size // 8))
     x, y = x[order], y[order]

@@ -11,6 +11,7 @@ from quadrance.truth_six import Six
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
+from tb.stimulus import edges
 
 EIGHTH = np.pi / 4
 MOTIONS = "velocity6", "rates6"
@@ -40,10 +41,6 @@ def _words(core: Core, arm: Six, rng: np.random.Generator) -> dict[str, int]:
     """Configuration words of an arm; thresholds of any size."""
     if core.function.startswith("fk6"):
         return six.forward_config(core.params, **arm._asdict())
-    if _edged(core):
-        units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
-        margin, slack = units * 2.0 ** -rng.uniform(2, 10, 2) * (rng.random(2) < 0.7)
-        return six.config(core.params, **arm._asdict(), margin=margin, slack=slack)
     if core.function not in MOTIONS:
         return six.config(core.params, **arm._asdict())
     lengths = {name: length for name, length in arm._asdict().items() if name != "c1"}
@@ -55,10 +52,10 @@ def _words(core: Core, arm: Six, rng: np.random.Generator) -> dict[str, int]:
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Words of `arms`, margin and slack of 0 among them; then the extremes of every length and of every threshold."""
+    """Words of `arms`; then the extremes of every length and of every threshold."""
     found = [_words(core, arm, rng) for arm in arms(core)]
     if _edged(core):
-        found.insert(0, found[0] | {"cfg_margin": 0, "cfg_slack": 0})
+        found = edges.with_words(core, rng, [found[0], *found])
     for cfg in found[::2] if core.function == "rates6" else ():  # no threshold at all
         cfg |= {"cfg_radius": 0, "cfg_elbow": 0, "cfg_sine": 0}
     lengths = {port.name: (port.low, port.high) for port in core.cfg
@@ -71,7 +68,8 @@ def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
     sizes = dict(zip(Six._fields, units * 2.0 ** -rng.uniform(0.01, 12, 7) * rng.choice([-1, 1], 7)))
     sizes |= {"c2": abs(sizes["c2"]), "a2": sizes["a2"] * 0.7, "c3": sizes["c3"] * 0.7}  # both together fit a word
-    return _words(core, Six(**sizes), rng)
+    found = _words(core, Six(**sizes), rng)
+    return found | edges.any_words(core, rng) if _edged(core) else found
 
 
 def _arm(core: Core, cfg: dict[str, int]) -> Six:
@@ -91,10 +89,10 @@ def angles(count: int, rng: np.random.Generator) -> np.ndarray:
     return np.choose(rng.integers(0, 3, q.shape), [q, axis, near])
 
 
-def poses(core: Core, cfg: dict[str, int], q: np.ndarray, rng: np.random.Generator) -> Vectors:
+def poses(core: Core, arm: Six, q: np.ndarray, rng: np.random.Generator) -> Vectors:
     """Words of the poses of joints, each on a random branch; tips beyond the word are at its end."""
     p = core.params
-    rotation, tip = truth_six.fk6(q, _arm(core, cfg))
+    rotation, tip = truth_six.fk6(q, arm)
     end = (1 << p["W"] - 1) - 1
     matrix = np.rint(rotation.reshape(-1, 9).T * 2.0 ** p["U"])
     words = {f"in_r{axis}": row for axis, row in zip(six.AXES, matrix)}
@@ -134,14 +132,13 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
             found |= codecs.encode(joint, q[:, i])
         wild = stimulus.uniform(core, rng, 200)
         extreme = {port.name: rng.choice(stimulus.extremes(port), 100) for port in core.inputs}
-        edges = stimulus.saturation(core, cfg, found)
-        return stimulus.joined(stimulus.joined(stimulus.joined(found, wild), extreme), edges)
+        ends = stimulus.saturation(core, cfg, found)
+        return stimulus.joined(stimulus.joined(stimulus.joined(found, wild), extreme), ends)
     count = 150 if core.function == "ik6_all" else 600  # eight answers a pose
-    q = angles(count, rng)
+    q, arm = angles(count, rng), _arm(core, cfg)
     q[::5, 4] = np.pi * rng.integers(0, 2, q[::5, 4].shape)  # straight wrist
-    psi = np.arctan2(_arm(core, cfg).a2, _arm(core, cfg).c3)
-    q[2::9, 2] = np.pi / 2 * rng.choice([-1, 1], q[2::9, 2].shape) - psi  # elbow at a right angle: 1 - cos^2 is 1.0
-    found = poses(core, cfg, q, rng)
+    q[2::9, 2] = np.pi / 2 * rng.choice([-1, 1], q[2::9, 2].shape) - arm.psi  # a right angle: 1 - cos^2 is 1.0
+    found = poses(core, arm, q, rng)
     own = rng.random(count) < 0.5
     for axis in "xyz":  # another tip: out of reach, near axis 1, the wrist's centre on the shoulder
         other = rng.integers(-(1 << core.params["W"] - 1), 1 << core.params["W"] - 1, count) >> rng.integers(
@@ -155,8 +152,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         extreme = rng.choice(stimulus.extremes(port), count)
         found[port.name] = np.where(rng.random(count) < 0.003, extreme, found[port.name])
     # first of all a sample with no direction at all: the wrist's centre on the shoulder, a straight wrist
-    q0, arm = np.zeros((2, 6)), _arm(core, cfg)
-    first = poses(core, cfg, q0, rng)
+    first = poses(core, arm, np.zeros((2, 6)), rng)
     lsb = 2.0 ** core.params["F"]
     first |= {"in_x": first["in_x"] * 0, "in_y": first["in_y"] * 0,
               "in_z": np.full(2, np.clip(round((arm.c1 + arm.c4) * lsb), -(1 << core.params["W"] - 1),
@@ -165,4 +161,9 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     one, rows = 1 << core.params["U"], ((2, 0, 1), (1, 0, -2), (0, 1, 0))
     long = {f"in_r{i + 1}{j + 1}": np.full(2, min(value * one, 2 * one - 1)) for i, row in enumerate(rows)
             for j, value in enumerate(row)}
-    return stimulus.joined(stimulus.joined(first, first | long), found)
+    found = stimulus.joined(stimulus.joined(first, first | long), found)
+    if not _edged(core):
+        return found
+    near = edges.Joints(2, 4, -arm.psi, arm.k, "c2", arm.b, arm.c4)
+    return stimulus.joined(found, edges.poses(core, cfg, rng, arm, near, angles(count // 3, rng),
+                                              lambda q, arm: poses(core, arm, q, rng)))

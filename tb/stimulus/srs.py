@@ -12,6 +12,7 @@ from quadrance.truth_srs import Srs
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
+from tb.stimulus import edges
 
 
 def arms(core: Core) -> list[Srs]:
@@ -23,31 +24,26 @@ def arms(core: Core) -> list[Srs]:
     return found + [Srs(*(units * part for part in one)) for one in share]
 
 
-def _words(core: Core, arm: Srs, rng: np.random.Generator) -> dict[str, int]:
-    units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
-    margin, slack = units * 2.0 ** -rng.uniform(2, 10, 2) * (rng.random(2) < 0.7)
-    return srs.config(core.params, **arm._asdict(), margin=margin, slack=slack)
-
-
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
-    """Words of `arms`, margin and slack of 0 among them; then the extremes of every length."""
-    found = [_words(core, arm, rng) for arm in arms(core)]
+    """Words of `arms`; a slack below 0; then the extremes of every length."""
+    found = [srs.config(core.params, **arm._asdict()) for arm in arms(core)]
+    found = edges.with_words(core, rng, [found[0], *found])
     lengths = {port.name: (port.low, port.high) for port in core.cfg if port.signed}
-    return [found[0] | {"cfg_margin": 0, "cfg_slack": 0}, *found, *(
-        found[0] | {name: both[way] for name, both in lengths.items()} for way in (0, 1))]
+    extremes = [{name: both[way] for name, both in lengths.items()} for way in (0, 1)]
+    return [*found, *(found[0] | more for more in ({"cfg_slack": lengths["cfg_slack"][0]}, *extremes))]
 
 
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Words of an arm of any lengths."""
     units = 2.0 ** (core.params["W"] - 1 - core.params["F"])
     sizes = units * 2.0 ** -rng.uniform(0.01, 12, 4) * rng.choice([-1, 1], 4)
-    return _words(core, Srs(sizes[0], *np.abs(sizes[1:3]), sizes[3]), rng)
+    found = srs.config(core.params, **Srs(sizes[0], *np.abs(sizes[1:3]), sizes[3])._asdict())
+    return found | edges.any_words(core, rng)
 
 
-def poses(core: Core, cfg: dict[str, int], q: np.ndarray, rng: np.random.Generator) -> Vectors:
+def poses(core: Core, arm: Srs, q: np.ndarray, rng: np.random.Generator) -> Vectors:
     """Words of the poses of joints, each on a random branch with a random swivel; tips beyond the word at its end."""
     p, end = core.params, (1 << core.params["W"] - 1) - 1
-    arm = Srs(*(cfg[f"cfg_{name}"] * 2.0 ** -(p["F"] + srs.MORE) for name in Srs._fields))
     rotation, tip = truth_srs.fk(q, arm)
     turn = rng.uniform(-np.pi, np.pi, len(q))
     turn[::4] = np.pi / 2 * rng.integers(0, 4, turn[::4].shape)
@@ -61,14 +57,15 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Poses, half of them disturbed in one way or another."""
     rng, count = np.random.default_rng(1), 600
     p = core.params
-    q = rng.uniform(-np.pi, np.pi, (count, 7))
-    quarter = rng.random(q.shape) < 0.1
-    q = np.where(quarter, np.pi / 2 * rng.integers(-2, 3, q.shape), q)
+    arm = Srs(*(cfg[f"cfg_{name}"] * 2.0 ** -(p["F"] + srs.MORE) for name in Srs._fields))
+    anywhere = rng.uniform(-np.pi, np.pi, (count, 7))
+    quarter = rng.random(anywhere.shape) < 0.1
+    q = np.where(quarter, np.pi / 2 * rng.integers(-2, 3, anywhere.shape), anywhere)
     for first, joint in ((0, 1), (1, 3), (2, 5)):  # upper arm along axis 1, arm stretched or folded, wrist straight
         some = slice(first, None, 7)
         q[some, joint] = np.pi * rng.integers(0, 2, q[some, joint].shape) + rng.normal(size=q[some, joint].shape) \
             * rng.choice([0, 0.01], q[some, joint].shape)
-    found = poses(core, cfg, q, rng)
+    found = poses(core, arm, q, rng)
     own = rng.random(count) < 0.5
     for axis in "xyz":  # another tip: out of reach, near axis 1
         other = rng.integers(-(1 << p["W"] - 1), 1 << p["W"] - 1, count) >> rng.integers(0, p["W"], count)
@@ -91,4 +88,7 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     long = {f"in_r{i + 1}{j + 1}": np.full(2, min(value * one, 2 * one - 1)) for i, row in enumerate(rows)
             for j, value in enumerate(row)}
     wide = {"in_cs": np.full(2, one), "in_ns": np.full(2, 2 * one - 1)}
-    return stimulus.joined(stimulus.joined(stimulus.joined(first, first | long), first | wide), found)
+    near = edges.Joints(3, 5, 0, arm.l2, "l1", 0, arm.l4)
+    bordered = edges.poses(core, cfg, rng, arm, near, anywhere[::3], lambda q, arm: poses(core, arm, q, rng))
+    found = stimulus.joined(stimulus.joined(stimulus.joined(first, first | long), first | wide), found)
+    return stimulus.joined(found, bordered)

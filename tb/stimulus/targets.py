@@ -8,7 +8,7 @@ from quadrance.cores import Core
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors, length
-from tb.stimulus import rational
+from tb.stimulus import edges, rational
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -20,14 +20,14 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
                (64, 50), (700, 900), (2900, 3000), *rng.integers(0, high, (3, 2), endpoint=True).tolist(),
                *rng.integers(0, half, (3, 2)).tolist()]
     pairs = [{"cfg_l1": min(l1, high), "cfg_l2": min(l2, high)} for l1, l2 in lengths]
-    return [pair | kernel_vector_solve.config(core.params, **pair) | rational.edges(core, rng) for pair in pairs]
+    return edges.joined(core, rng, [pair | kernel_vector_solve.config(core.params, **pair) for pair in pairs])
 
 
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
     pair = {f"cfg_l{i}": length(rng, core.params["W"]) for i in (1, 2)}
     derived = kernel_vector_solve.config(core.params, **pair) if core.function.startswith("ik") else {}
-    return pair | {"cfg_l3": length(rng, core.params["W"])} | derived | rational.edges(core, rng)
+    return pair | {"cfg_l3": length(rng, core.params["W"])} | derived | edges.drawn(core, rng, pair["cfg_l2"])
 
 
 def corners(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
@@ -40,4 +40,4 @@ def corners(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vector
     near = [rng.integers(-6, 7, 256) << rng.integers(0, 8, 256) for _ in axes]  # where equal links fold up
     near = [np.clip(word, -1 << core.params["W"] - 1, (1 << core.params["W"] - 1) - 1) for word in near]
     more = stimulus.joined(targets, dict(zip(axes, near)) | {"in_elbow": rng.integers(0, 2, 256)})
-    return stimulus.joined(more, rational.at_the_margin(core, cfg, rng)) if core.params.get("MARGINS") else more
+    return stimulus.joined(more, edges.targets(core, cfg, rng)) if core.params.get("MARGINS") else more

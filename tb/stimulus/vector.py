@@ -8,7 +8,7 @@ from quadrance.cores import Core, at, joints
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors, extremes, length
-from tb.stimulus import chains, rational, targets
+from tb.stimulus import chains, edges, rational, targets
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -31,15 +31,15 @@ def _wide(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     for cfg in targets.configs(narrow, rng):
         extra = [0, 0] if rng.integers(0, 2) else rng.integers(0, 1 << more, 2).tolist()
         pair = {name: (cfg[name] << more) + one for name, one in zip(("cfg_l1", "cfg_l2"), extra)}
-        found.append(pair | vector.config(core.params, **pair) | rational.edges(core, rng))
-    return found
+        found.append(pair | vector.config(core.params, **pair))
+    return edges.joined(core, rng, found)
 
 
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
     pair = {f"cfg_l{i}": length(rng, core.params["W"]) for i in (1, 2)}
     words = vector.config(core.params, **pair) if core.function.startswith("ik") else {}
-    return pair | words | rational.edges(core, rng)
+    return pair | words | edges.drawn(core, rng, pair["cfg_l2"])
 
 
 def directions(core: Core, rng: np.random.Generator) -> Vectors:
