@@ -14,8 +14,9 @@ from itertools import groupby
 from pathlib import Path
 
 import numpy as np
+from quadrance import arms
 
-from ci.report.designs import OUTSIDE, RULES
+from ci.report.designs import METRE, OUTSIDE, RULES
 from ci.report.tables import (
     FAMILIES,
     KINEMATIC,
@@ -69,14 +70,15 @@ def in_order(verdict: dict, function: str) -> list[dict]:
     return sorted(designs, key=lambda one: FAMILIES.index(one["family"]))
 
 
-def plain(verdict: dict, function: str) -> list[dict]:
-    """Those without a codec: the cores with their own words."""
-    return [design for design in in_order(verdict, function) if design["codec"] is None]
+def plain(verdict: dict, function: str, metre: bool = False) -> list[dict]:
+    """Those without a codec: the cores with their own words, on the arm of the report or on the SCARA of 1 m."""
+    return [design for design in in_order(verdict, function)
+            if design["codec"] is None and design.get("metre", False) == metre]
 
 
-def reaching(verdict: dict, function: str, target: str) -> list[Figures]:
+def reaching(verdict: dict, function: str, target: str, metre: bool = False) -> list[Figures]:
     """The figures of every core that reaches a target with its own words."""
-    return [found for design in plain(verdict, function) if (found := chosen(verdict, design, target))]
+    return [found for design in plain(verdict, function, metre) if (found := chosen(verdict, design, target))]
 
 
 # Tables
@@ -131,6 +133,15 @@ def missed_table(verdict: dict) -> Table:
                   for function in KINEMATIC for design in plain(verdict, function)
                   if not all(map(design["picks"].get, TARGETS)))
     return Table("Cores that miss a target, at any length of word", ("core", "least total LSB"), lines)
+
+
+def metre_table(verdict: dict) -> Table:
+    """Every core at every target that it reaches on the SCARA of 1 m, on ECP5."""
+    micrometres = 1000 * arms.load(METRE).mm_per_unit / 256  # of an LSB of Q7.8
+    lines = [(target, found["id"], number(found["total"] * micrometres), *_cost(found))
+             for function in KINEMATIC for target in RULES["metre"]["target"]
+             for found in reaching(verdict, function, target, metre=True)]
+    return Table("A SCARA of 1 m, on ECP5", ("at most", "core", "total µm", *COST), tuple(lines), text=2)
 
 
 def scenario_table(verdict: dict) -> Table:

@@ -22,6 +22,7 @@ from quadrance.fixed import Ints
 from tb.lib import legal
 
 SOURCE = Path(__file__).with_name("verdict.toml")
+METRE = SOURCE.with_name("metre.toml")
 RULES = tomllib.loads(SOURCE.read_text())
 
 Values = dict[str, int]  # W, F, the core's joint word and, with a codec, the word outside: {"W": 16, "F": 8, "U": 14}
@@ -30,16 +31,29 @@ OUTSIDE = "word"  # the key of the latter
 
 @dataclass(frozen=True)
 class Design:
-    """A kinematic core by name, and the codec at each of its joints; `word`: the type of the joint words outside."""
+    """A kinematic core by name, and the codec at each of its joints; `word`: the type of the joint words outside.
+
+    `metre`: on the SCARA of 1 m, with targets of its own.
+    """
 
     core: str
     word: str
     codec: str | None = None
+    metre: bool = False
 
     @property
     def id(self) -> str:
         """Readable name, unique."""
-        return self.core if self.codec is None else f"{self.core} with {self.codec}"
+        return self.core + (f" with {self.codec}" if self.codec else "") + " on 1 m" * self.metre
+
+    @property
+    def rules(self) -> dict:
+        """Fraction bits that are tried, and targets."""
+        return RULES["metre"] if self.metre else RULES
+
+    def arm(self, name: str) -> str:
+        """Name or path of the arm that it is measured on where the report is that of `name`."""
+        return str(METRE) if self.metre else name
 
 
 def word_type(core: Core) -> str:
@@ -75,6 +89,12 @@ def plain() -> list[Design]:
     """Every kinematic core of the list with its own words; of one with modes the first, which is the smallest."""
     names = dict.fromkeys(core.name for core in cores.all_cores() if core.function in JOINTS)
     return [Design(name, word_type(cores.find(name))) for name in names]
+
+
+def metre() -> list[Design]:
+    """The kinematic cores with coordinates long enough for the SCARA of 1 m."""
+    return [replace(design, metre=True) for design in plain()
+            if legal.ranges(cores.find(design.core))["W"][1] >= RULES["metre"]["least"]]
 
 
 def coded(families: tuple[str, ...] = ("vector", "table", "rational", "classic")) -> list[Design]:

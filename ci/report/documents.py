@@ -85,6 +85,10 @@ Parameters that a name leaves out are those of the first set, or fixed in `ci/re
 by its iterative cores. *Blocks counted* takes a MULT18X18 as {dsp} LUTs and an EBR as {mem}: their share of an ECP5
 LFE5U-25."""
 
+METRE_NOTE = """\
+Links of 500 mm; each core has the shortest words for a total error of 10 and of 2 µm. A core that is absent has no
+words as long."""
+
 ITSELF_NOTE = """\
 Both have tables and products, each at the tightest target that both reach (where there is none, at their first sets);
 the first figure is the spread's. Forward, the square root of a spread needs four ranges of table where a sine needs
@@ -146,6 +150,7 @@ def _verdict(report: dict) -> list[str]:
                       comparison.target_table(found), comparison.missed_table(found),
                       comparison.cyclonev_table(found)),
             "![Area against latency at equal accuracy](verdict.png)",
+            *_section("A SCARA of 1 m", METRE_NOTE, comparison.metre_table(found)),
             *_section("Tasks at equal accuracy", SCENARIO_NOTE.format(target=designs.RULES["scenario"]),
                       comparison.scenario_table(found)),
             *_section("What rational trigonometry itself changes", ITSELF_NOTE, comparison.itself_table(report))]

@@ -17,10 +17,10 @@ from ci.report.designs import OUTSIDE, RULES, Design, Values, parts, rule, total
 from tb.lib import legal
 
 
-def limits(arm: Arm) -> dict[str, float]:
+def limits(design: Design, arm: Arm) -> dict[str, float]:
     """Targets in LSB of Q7.8, by their names."""
     return {name: one["lsb"] if "lsb" in one else one["mm"] / arm.mm_per_unit * 256
-            for name, one in RULES["target"].items()}
+            for name, one in design.rules["target"].items()}
 
 
 def _lowest(error: Callable[[Values], float], values: Values, key: str, low: int, limit: float) -> Values:
@@ -106,7 +106,7 @@ def grid_of(design: Design) -> dict[str, tuple[int, int]]:
         longest = RULES["longest"][word_type(core)]
         ranges[key] = (max((one + 1 for one in wrong if one < core.params[key]), default=1),
                        min((one - 1 for one in wrong if one > core.params[key]), default=longest))
-    return {"W": ranges["W"], "F": tuple(RULES["fraction"])} | {
+    return {"W": ranges["W"], "F": tuple(design.rules["fraction"])} | {
         key: ranges[key] for key in RULES["words"] if key in ranges}
 
 
@@ -149,7 +149,7 @@ def search(design: Design, arm: Arm) -> dict:
     error, grid = _Errors(design, arm), grid_of(design)
     whole = int(np.floor(np.log2(sum(arm.links)))) + 2
     picks: dict[str, tuple | None] = {}
-    for name, limit in limits(arm).items():
+    for name, limit in limits(design, arm).items():
         found = shortest(error, error.legal, grid, whole, limit)
         while any([error.exact(one) > limit for one in found]):  # quick samples had missed the worst; now it is known
             found = shortest(error, error.legal, grid, whole, limit)
@@ -165,7 +165,7 @@ def outside(design: Design, sets: list[Values], arm: Arm) -> dict:
     sets : values that the core may have, those of its own `search`.
     """
     error, found = _Errors(design, arm), []
-    limit, low = limits(arm)[RULES["scenario"]], RULES["shortest"]
+    limit, low = limits(design, arm)[RULES["scenario"]], RULES["shortest"]
     for inside in sets:
         values = _longest(error.legal, {OUTSIDE: (low, RULES["longest"][design.word])}, inside)
         if values is None or error(values) > limit:

@@ -44,10 +44,13 @@ def source(design: Design, arm_name: str) -> str:
     models = {ROOT / "models" / "quadrance" / f"{cores.find(name).model_name.split('.')[0]}.py" for name in names}
     entries = [[*entry, designs.rule(name), legal.ranges(cores.find(name))]
                for name in names for entry in _listed((cores.RTL / "cores.toml").read_text()) if entry[3] == name]
-    rules = {key: rule for key, rule in designs.RULES.items() if key != "price"}
+    rules = {key: rule for key, rule in designs.RULES.items() if key not in ("price", "metre")}
+    if design.metre:
+        rules |= design.rules
     judges = cache.closure(CODE)
     own = [path for path in cache.closure(sorted(models)) if path not in judges]
-    return cache.digest([entries, cache.digests(own), design.word, cache.meaning(arms.path_of(arm_name)), rules])[:16]
+    arm = cache.meaning(arms.path_of(design.arm(arm_name)))
+    return cache.digest([entries, cache.digests(own), design.word, arm, rules])[:16]
 
 
 def named(name: str, params: dict[str, int]) -> str:
@@ -58,7 +61,7 @@ def named(name: str, params: dict[str, int]) -> str:
 def searched(design: Design, arm_name: str) -> dict:
     """What the report keeps of the search of a design."""
     def compute() -> dict:
-        arm = arms.load(arm_name)
+        arm = arms.load(design.arm(arm_name))
         if design.codec:
             alone = searched(replace(design, codec=None, word=designs.word_type(cores.find(design.core))), arm_name)
             sets = [pick["values"] for pick in alone["picks"].values() if pick]
@@ -79,7 +82,7 @@ def searched(design: Design, arm_name: str) -> dict:
                 "parts": [[named(one.name, one.params), count] for one, count in zip(made, copies)]}
         return {"core": core.name, "codec": design.codec, "family": core.family, "function": core.function,
                 "architecture": core.architecture, "word": design.word, "best_lsb": round(found["best"], 6),
-                "picks": picks}
+                "picks": picks} | ({"metre": True} if design.metre else {})
 
     key = source(design, arm_name)
     return cache.cached(["reach", key, judge()], compute) | {"digest": key}
@@ -88,7 +91,7 @@ def searched(design: Design, arm_name: str) -> dict:
 def confirmed(design: Design, arm_name: str, picks: dict) -> dict[str, bool]:
     """Whether every chosen set of words has the error again that the report says of it."""
     def compute() -> dict:
-        arm, chosen = arms.load(arm_name), [pick for pick in picks.values() if pick]
+        arm, chosen = arms.load(design.arm(arm_name)), [pick for pick in picks.values() if pick]
         return {"same": all(round(designs.total(design, pick["values"], arm, designs.RULES["samples"]), 6)
                             == pick["total_lsb"] for pick in chosen)}
 
@@ -116,7 +119,7 @@ def job(what: str, subject: Design | str, arm_name: str) -> object:
 
 def everything() -> list[Design]:
     """All that is searched."""
-    return [*designs.plain(), *designs.coded()]
+    return [*designs.plain(), *designs.coded(), *designs.metre()]
 
 
 def standing(arm_name: str, committed: dict | None) -> dict:

@@ -373,6 +373,16 @@ def test_tables_have_every_core_and_target(found):
     assert len(once) == len(set(once)) and "`rational_fk1-W16F8A26`" in once
 
 
+def test_the_scara_of_1_m_has_a_table_of_its_own(made, found):
+    fine = design("vector_fk1", "vector", "fk1", [("2 µm", 20, 0.05, ["v", 1])], word="vector") | {"metre": True}
+    text = [comparison.target_table(found).markdown(), comparison.missed_table(found).markdown()]
+    found["designs"]["vector_fk1 on 1 m"] = fine
+    assert comparison.metre_table(found).rows == (
+        ("2 µm", "`vector_fk1-W16F8A20`", "1.53", "139", "2", "0", "4", "50"),)
+    assert text == [comparison.target_table(found).markdown(), comparison.missed_table(found).markdown()]
+    assert "## A SCARA of 1 m" in documents.markdown(made | {"verdict": found})
+
+
 def test_the_page_has_the_verdict(made, found):
     assert "verdict at equal accuracy" not in documents.markdown(made)
     assert "verdict.png" not in figures.plots(made)

@@ -1,6 +1,7 @@
 """The search of the shortest words on made-up errors, and what is kept of one: no tool runs."""
 
 import copy
+import dataclasses
 
 import pytest
 from quadrance import accuracy, arms, cores
@@ -11,6 +12,7 @@ from ci.report.designs import Design
 from tb.lib import tools
 
 ARM = arms.load("cobra600")
+FK1 = Design("table_fk1", "angle")
 GRID = {"W": (4, 20), "F": (5, 13), "A": (4, 20), "U": (4, 18)}
 
 
@@ -75,16 +77,29 @@ def test_a_worst_sample_that_the_quick_run_misses_counts(monkeypatch):
     monkeypatch.setattr(reach, "total", total)
     monkeypatch.setattr(reach, "grid_of", lambda design: {key: GRID[key] for key in "WFA"})
     monkeypatch.setattr(reach, "parts", lambda design, values: ())
-    found = reach.search(Design("table_fk1", "angle"), ARM)
-    for target, limit in reach.limits(ARM).items():
+    found = reach.search(FK1, ARM)
+    for target, limit in reach.limits(FK1, ARM).items():
         assert found["picks"][target][1] <= limit, target
     assert reach.RULES["samples"] in calls and reach.RULES["quick"] in calls
 
 
+def test_the_scara_of_1_m_has_targets_and_a_digest_of_its_own(monkeypatch):
+    fine = dataclasses.replace(FK1, metre=True)
+    arm = arms.load(fine.arm("cobra600"))
+    assert arm.links == (500 / 7.85, 500 / 7.85)
+    assert reach.limits(fine, arm) == pytest.approx({"10 µm": 2.56 / 7.85, "2 µm": 0.512 / 7.85})
+    known = {design.core for design in designs.metre()}
+    assert {"vector_fk1", "vector_ik2", "classic_ik2"} <= known and not {"table_ik2", "rational_ik2"} & known
+    before = [search.source(one, "cobra600") for one in (FK1, fine)]
+    monkeypatch.setitem(designs.RULES["metre"], "fraction", [8, 9])
+    after = [search.source(one, "cobra600") for one in (FK1, fine)]
+    assert before[0] == after[0] and len({*before, *after}) == 3 and reach.grid_of(fine)["F"] == (8, 9)
+
+
 def test_limits_are_in_lsb_of_q7_8(monkeypatch):
-    assert {"0.1 mm", "1 LSB"} <= reach.limits(ARM).keys()
+    assert {"0.1 mm", "1 LSB"} <= reach.limits(FK1, ARM).keys()
     monkeypatch.setitem(reach.RULES, "target", {"0.1 mm": {"mm": 0.1}, "1/2 LSB": {"lsb": 0.5}})
-    assert reach.limits(ARM) == {"0.1 mm": 2.56, "1/2 LSB": 0.5}
+    assert reach.limits(FK1, ARM) == {"0.1 mm": 2.56, "1/2 LSB": 0.5}
     assert reach.RULES["samples"] == of_core.WORKSPACE, "the total of a listed set is the one of the report's row"
 
 

@@ -124,21 +124,15 @@ def test_a_word_off_by_one_is_an_error(function, joint):
     assert np.median(off) > 0 and np.all(far > off)
 
 
-METRE = """name = "Metre"
-source = "two links of 500 mm, whose reach fills the coordinate at F = W - 8"
-mm_per_unit = 7.85
-links = { l1 = 500.0, l2 = 500.0 }
-limits = { shoulder = [-170, 170], elbow = [-150, 150] }
-"""
+METRE = RTL.parent / "ci" / "report" / "metre.toml"
 LEAST = re.compile(r"^\| `(\w+)` \| (\d+), (\d+) \| (\d+), (\d+) \|$", re.M)  # of the families' pages
 
 
 @pytest.mark.parametrize(("name", *"pqrs"), [
     found for family in ("vector", "classic") for found in LEAST.findall((RTL / family / "README.md").read_text())])
-def test_least_words_for_a_metre(name, p, q, r, s, tmp_path):
+def test_least_words_for_a_metre(name, p, q, r, s):
     """The pages' words keep 10 and 2 um, a bit less of either does not: the shortest coordinate, then its joint."""
-    (tmp_path / "metre.toml").write_text(METRE)
-    arm, first = arms.load(str(tmp_path / "metre.toml")), next(one for one in cores.all_cores() if one.name == name)
+    arm, first = arms.load(str(METRE)), next(one for one in cores.all_cores() if one.name == name)
 
     def total(w: int, joint: int) -> float:
         one = cores.at(first, first.params | {"W": w, "F": w - 8, "A" if "A" in first.params else "U": joint})
