@@ -1,6 +1,6 @@
 """The paper's forward kinematics in float64: as it is printed, and with each correction.
 
-    python -m quadrance.paper_printed      writes rtl/paper/as_printed.png and prints the shares in docs/design-notes.md
+    python -m quadrance.paper_printed      writes rtl/paper/as_printed.png and prints the shares
 
 Joint words are real turn-spreads in [0, 4) (quadrant + fraction, see `truth.spread_word_to_angle`), coordinates and
 quadrances have the unit of the links and its square; arrays broadcast. Equation numbers are the paper's.
