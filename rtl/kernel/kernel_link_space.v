@@ -61,9 +61,6 @@ module kernel_link_space #(
     assign       out_end = at[2] && move && (flags[2] || flags[1]);
     assign       out_last = shown[1];
 
-    wire [K:0]          knot;
-    wire [K-T+3:0]      step;
-    wire [14:0]         offset;
     reg  [K:0]          c3, n3;
 
     // z, x and y share one adder and rotate through three registers.
@@ -113,6 +110,9 @@ module kernel_link_space #(
             localparam LOW = W + T - K - 3;  // bits of a length beyond those of a step
             reg  [W-1:0]        scale;       // the length in the clock of d, else 0
             reg  [K:0]          cosine;
+            wire [K:0]          knot;
+            wire [K-T+3:0]      step;
+            wire [14:0]         offset;
             assign {knot, step, offset} = in_chord;
             wire signed [W:0]   left = {at[4] ? {1'b0, scale[W-1:LOW]} : step, scale[LOW-1:0]};
             wire signed [K:0]   right = at[4] ? cosine : {{(K-14){1'b0}}, offset};
@@ -153,11 +153,9 @@ module kernel_link_space #(
                 COSINE = 5,  // cosine times length; one clock later the sine
                 D_C3   = 7,  // d c3; one clock later d n3; L n is in its product's register
                 NEXT1 = 3, NEXT2 = 6, NEXT3 = 9;
-            reg  [2*K-T+19:0]   chord;
-            assign {knot, step, offset} = chord;
-            reg  [K-T+20:0]     slope;
-            wire [K-T+3:0]      rise = slope[K-T+18:15];
-            reg  [K:0]          base, root, factor;
+            wire [K:0]          root;
+            kernel_root #(.K(K), .T(T)) roots (.clk(clk), .in_move(move), .in_chord(in_chord), .out_root(root));
+            reg  [K:0]          factor;
             reg  [W-1:0]        reach;
             reg  [2:0]          flags1;
             reg  [1:0]          flags2;
@@ -167,7 +165,6 @@ module kernel_link_space #(
             wire [W+K+1:0]      product1;
             wire [M+K:0]        product2;
             /* verilator lint_on UNUSEDSIGNAL */
-            wire                unused = &{1'b0, slope};
             product_parts #(.A(K+1), .B(W+1), .MULTIPLY(MULTIPLY)) along (.clk(clk), .in_move(move), .in_a(root),
                 .in_b({1'b0, reach}), .out_p(product1));
             product_parts #(.A(M), .B(K+1), .MULTIPLY(MULTIPLY)) turn (.clk(clk), .in_move(move), .in_a(d),
@@ -175,10 +172,6 @@ module kernel_link_space #(
 
             always @(posedge clk)
                 if (move) begin
-                    chord  <= in_chord;
-                    slope  <= $signed(step) * $signed({1'b0, offset});
-                    base   <= knot;
-                    root   <= base + {{(T-3){rise[K-T+3]}}, rise};
                     if (at[D_C3-1])
                         d <= product1[K-G +: M];
                     factor <= at[D_C3-1] ? c3 : n3;

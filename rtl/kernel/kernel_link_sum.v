@@ -132,14 +132,8 @@ module kernel_link_sum #(
             assign out_kept = at[READ];
             assign abscissa = at[SUM] && move;
 
-            reg  [2*K-T+19:0] chord;
-            wire [K:0]        knot;
-            wire [K-T+3:0]    step;
-            wire [14:0]       offset;
-            assign {knot, step, offset} = chord;
-            reg  [K-T+20:0]   slope;
-            wire [K-T+3:0]    rise = slope[K-T+18:15];
-            reg  [K:0]        base, root;
+            wire [K:0]        root;
+            kernel_root #(.K(K), .T(T)) roots (.clk(clk), .in_move(move), .in_chord(in_chord), .out_root(root));
 
             // The link's word goes with its roots: a link is taken every second clock
             reg  [W-1:0]      length1, length2;
@@ -149,13 +143,9 @@ module kernel_link_sum #(
             product_parts #(.A(K+1), .B(W+1), .MULTIPLY(MULTIPLY)) parts (.clk(clk), .in_move(move), .in_a(root),
                 .in_b({1'b0, length2}), .out_p(whole));
             assign            part = whole[K-G +: M];
-            wire              unused = &{1'b0, slope, whole};
+            wire              unused = &{1'b0, whole};
             always @(posedge clk) begin
                 if (move) begin
-                    chord <= in_chord;
-                    slope <= $signed(step) * $signed({1'b0, offset});
-                    base  <= knot;
-                    root  <= base + {{(T-3){rise[K-T+3]}}, rise};
                     if (at[READ]) begin
                         length1 <= length0;
                         flags1  <= {ends0, beyond0};

@@ -35,8 +35,7 @@ module kernel_vector_space #(
     output wire                out_overflow
 );
     localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits of directions, positions have one more
-    localparam V = U + 2 + G, M = W + 3 + G, P = W + D + 3 + G;  // bits of C and N, of a product, of a sum
-    localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
+    localparam M = W + 3 + G, P = W + D + 3 + G;  // bits of a product, of a sum
     localparam [P-1:0] HALF = (1 << G) + (1 << D - 1);  // half an LSB, and half the truncation of N products
     localparam [31:0] MOST = N + 1;
     // Clocks of a link: cosine; sine; ...; z; x; y
@@ -47,7 +46,6 @@ module kernel_vector_space #(
     assign in_ready = !at[1] && !at[2] && move;
     assign out_valid = at[Y];
 
-    reg  signed [V-1:0] cosine, sine;  // of the link; of the previous link until both are there
     reg  signed [M-1:0] d;
     reg  signed [U+1:0] c3, n3;
 
@@ -103,9 +101,12 @@ module kernel_vector_space #(
     generate
         if (PIPE == 0) begin : g_small
             // r1, r2 hold (c, n), then (n, c), then the length twice, as operands of both multipliers.
+            localparam V = U + 2 + G;  // bits of C and N
+            localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
             localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of them; with the zeros below
             reg         [B-1:0] r1, r2;
             reg                 minus;  // r2 is the one's complement of n with ones below it: 2^-(U+G) less than -n
+            reg  signed [V-1:0] cosine, sine;  // of the link; of the previous link until both are there
             reg         [V-1:0] next;
             /* verilator lint_off UNUSEDSIGNAL */
             wire signed [V+R-1:0] product1 = cosine * $signed({r1, {G{1'b0}}});
@@ -147,38 +148,20 @@ module kernel_vector_space #(
         end else begin : g_fast
             // Clocks of a link
             localparam
-                COSINE = 1,  // products of the cosine
-                SINE   = 2,  // products of the sine; those of the cosine are truncated
-                TURNED = 3,  // both sums; the yaw is held; one clock later L C, then L N
+                TURNED = 3,  // (C, N) is known; the yaw is held
                 D_C3   = 6;  // d c3; one clock later d n3; L N is in its product's register
-
-            // As in kernel_vector_sum: C c - N n + 1 is C c - (N n + less), each truncated
-            reg  signed [U+1:0] r1, r2;      // (c, n), then (n, c)
-            reg  signed [U+2:0] less;        // floor((N - 1) / 2^G)
-            reg         [V-1:0] kept, gone;  // C c, N n + less
-            /* verilator lint_off UNUSEDSIGNAL */
-            wire signed [V:0]     lower = {sine[V-1], sine} - 1'b1;
-            wire signed [V+U+1:0] product1, product2;
-            wire signed [V+U+1:0] shifted = product2 + {{(V-1){less[U+2]}}, less};
-            wire signed [V+W:0]   product3;
-            wire signed [M+U+1:0] product4;
-            /* verilator lint_on UNUSEDSIGNAL */
-            product_parts #(.A(V), .B(U+2), .MULTIPLY(MULTIPLY)) turn1 (.clk(clk), .in_move(move), .in_a(cosine),
-                .in_b(r1), .out_p(product1));
-            product_parts #(.A(V), .B(U+2), .MULTIPLY(MULTIPLY)) turn2 (.clk(clk), .in_move(move), .in_a(sine),
-                .in_b(r2), .out_p(product2));
-            wire [V-1:0] cut1 = product1[U +: V], cut2 = product2[U +: V];
-            wire [V-1:0] new_cosine = kept - gone;
-            wire [V-1:0] new_sine = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both truncations
-
-            reg  signed [V-1:0] factor, other;  // C, N; N, which the next chain restarts in sine
-            reg         [W-1:0] reach;
-            reg         [1:0]   flags1;         // last of the chain, beyond N links: the link of reach
-            product_parts #(.A(V), .B(W+1), .MULTIPLY(MULTIPLY)) along (.clk(clk), .in_move(move), .in_a(factor),
-                .in_b({1'b0, reach}), .out_p(product3));
+            wire signed [U+1:0] yaw_c1, yaw_n1;
+            wire        [M-1:0] along;
+            reg         [1:0]   flags1;  // last of the chain, beyond N links: the link whose length is multiplied
+            kernel_vector_link #(.W(W), .U(U), .G(G), .MULTIPLY(MULTIPLY)) link (.clk(clk), .rst(rst), .in_move(move),
+                .in_at(at[TURNED:1]), .in_c1(in_c1), .in_n1(in_n1), .in_l(length), .in_yaw(flags[2]),
+                .in_last(flags[1]), .out_c1(yaw_c1), .out_n1(yaw_n1), .out_along(along));
 
             // d is one bit longer than two multipliers take where W = 24 and N > 32
             localparam E = M < 2 * MULTIPLY ? 0 : 1;
+            /* verilator lint_off UNUSEDSIGNAL */
+            wire signed [M+U+1:0]   product4;
+            /* verilator lint_on UNUSEDSIGNAL */
             reg  signed [U+1:0]     factor3;
             wire signed [M-E+U+1:0] most;
             product_parts #(.A(M-E), .B(U+2), .MULTIPLY(MULTIPLY)) turn3 (.clk(clk), .in_move(move),
@@ -193,40 +176,21 @@ module kernel_vector_space #(
                         least <= factor3 & {(U+2){d[0]}};
             end
 
-            always @(posedge clk) begin
+            always @(posedge clk)
                 if (move) begin
-                    if (!at[SINE]) begin
-                        r1 <= at[COSINE] ? r2 : in_c1;
-                        r2 <= at[COSINE] ? r1 : in_n1;
-                    end
-                    less    <= lower[V:G];
-                    kept    <= cut1;
-                    gone    <= shifted[U +: V];
-                    factor  <= at[TURNED] ? new_cosine : other;
                     if (at[D_C3-1])
-                        d <= product3[U-1 +: M];
+                        d <= along;
                     factor3 <= at[D_C3-1] ? c3 : n3;
-                    part    <= at[D_C3] ? product3[U-1 +: M] : product4[U +: M];
-                    if (at[TURNED]) begin
-                        other  <= new_sine;
-                        reach  <= length;
+                    part    <= at[D_C3] ? along : product4[U +: M];
+                    if (at[TURNED])
                         flags1 <= flags[1:0];
-                    end
                     if (at[TURNED] && flags[2]) begin
-                        c3 <= r2;
-                        n3 <= r1;
-                    end else if (at[TURNED]) begin
-                        cosine <= new_cosine;
-                        sine   <= new_sine;
+                        c3 <= yaw_c1;
+                        n3 <= yaw_n1;
                     end
                     if (at[D_C3])
                         shown <= flags1;
                 end
-                if (rst || (at[TURNED] && move && flags[1])) begin
-                    cosine <= ONE;
-                    sine   <= {V{1'b0}};
-                end
-            end
         end
     endgenerate
 endmodule

@@ -34,8 +34,7 @@ module kernel_vector_sum #(
 );
     localparam [31:0] MOST = N;
     localparam D = $clog2(N), G = D + 3;  // bits of a count below N; guard bits
-    localparam V = U + 2 + G, M = W + 2 + G, P = W + D + 2 + G;  // bits of C and N, of a product, of a sum
-    localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
+    localparam M = W + 2 + G, P = W + D + 2 + G;  // bits of a product, of a sum
     localparam [P-1:0] HALF = (1 << G - 1) + (1 << D - 1);  // half an LSB, and half the truncation of N products
 
     wire move = !out_valid || out_ready;
@@ -101,6 +100,8 @@ module kernel_vector_sum #(
             assign abscissa = last;
 
             // r1, r2 hold (c, n), then (n, c), then the length twice, as operands of both multipliers.
+            localparam V = U + 2 + G;  // bits of C and N
+            localparam [V-1:0] ONE = {2'b01, {(U+G){1'b0}}};
             localparam B = U + 2 > W + 1 ? U + 2 : W + 1, R = B + G;  // bits of them; with the zeros below
             reg  signed [V-1:0] cosine, sine;  // of the link; of the previous link in the first two clocks
             reg         [B-1:0] r1, r2;
@@ -144,65 +145,30 @@ module kernel_vector_sum #(
         end else begin : g_fast
             // Clocks of a link; one more for its y
             localparam
-                COSINE = 1,  // products of the cosine
-                SINE   = 2,  // products of the sine; those of the cosine are truncated
-                TURNED = 3,  // both sums
+                TURNED = 3,  // its direction; two clocks later L C, then L N
                 SUM    = 6;  // x
             reg  [SUM:1] at;  // at[i]: a link is in its clock i
-            assign in_ready = !at[COSINE] && !at[SINE] && move;
+            assign in_ready = !at[1] && !at[2] && move;
             assign abscissa = at[SUM] && move;
 
-            // C c - N n without a word for -n: floor(-(N n 2^G + N) / 2^(U+G)) + 1 = -floor((N n + less) / 2^U)
-            reg  signed [V-1:0] cosine, sine;  // of the previous link
-            reg  signed [U+1:0] r1, r2;        // (c, n), then (n, c)
-            reg  signed [U+2:0] less;          // floor((N - 1) / 2^G)
-            reg         [V-1:0] kept, gone;    // C c, N n + less
-            /* verilator lint_off UNUSEDSIGNAL */
-            wire signed [V:0]     lower = {sine[V-1], sine} - 1'b1;
-            wire signed [V+U+1:0] product1, product2;
-            wire signed [V+U+1:0] shifted = product2 + {{(V-1){less[U+2]}}, less};
-            wire signed [V+W:0]   product3;
-            /* verilator lint_on UNUSEDSIGNAL */
-            product_parts #(.A(V), .B(U+2), .MULTIPLY(MULTIPLY)) turn1 (.clk(clk), .in_move(move), .in_a(cosine),
-                .in_b(r1), .out_p(product1));
-            product_parts #(.A(V), .B(U+2), .MULTIPLY(MULTIPLY)) turn2 (.clk(clk), .in_move(move), .in_a(sine),
-                .in_b(r2), .out_p(product2));
-            wire [V-1:0] cut1 = product1[U +: V], cut2 = product2[U +: V];
-            wire [V-1:0] new_cosine = kept - gone;
-            wire [V-1:0] new_sine = cut1 + cut2 + {{(V-1){1'b0}}, 1'b1};  // the 1 centres both truncations
-
-            // The third multiplier has the length of a link while the others turn the next one
-            reg  signed [V-1:0] factor, other;  // C, N; N, which the next chain restarts in sine
-            reg         [W-1:0] reach;
-            reg         [M-1:0] cut3;
-            reg         [1:0]   flags;  // ends, beyond of the link of reach
-            assign              part = cut3;
-            product_parts #(.A(V), .B(W+1), .MULTIPLY(MULTIPLY)) along (.clk(clk), .in_move(move), .in_a(factor),
-                .in_b({1'b0, reach}), .out_p(product3));
+            wire signed [U+1:0] yaw_c1, yaw_n1;  // there is none
+            wire        [M:0]   along;
+            wire                unused = &{1'b0, yaw_c1, yaw_n1, along[0]};
+            kernel_vector_link #(.W(W), .U(U), .G(G), .MULTIPLY(MULTIPLY)) link (.clk(clk), .rst(rst), .in_move(move),
+                .in_at(at[TURNED:1]), .in_c1(in_c1), .in_n1(in_n1), .in_l(length), .in_yaw(1'b0), .in_last(ends),
+                .out_c1(yaw_c1), .out_n1(yaw_n1), .out_along(along));
+            reg  [M-1:0]        cut;
+            reg  [1:0]          flags;  // ends, beyond of the link whose length is multiplied
+            assign              part = cut;
 
             always @(posedge clk) begin
                 if (move) begin
                     {out_valid, at} <= {at, accept};
-                    r1     <= at[COSINE] ? r2 : in_c1;
-                    r2     <= at[COSINE] ? r1 : in_n1;
-                    less   <= lower[V:G];
-                    kept   <= cut1;
-                    gone   <= shifted[U +: V];
-                    factor <= at[TURNED] ? new_cosine : other;
-                    cut3   <= product3[U +: M];
-                    if (at[TURNED]) begin
-                        cosine <= new_cosine;
-                        sine   <= new_sine;
-                        other  <= new_sine;
-                        reach  <= length;
-                        flags  <= {ends, beyond};
-                    end
+                    cut             <= along[M:1];
+                    if (at[TURNED])
+                        flags <= {ends, beyond};
                     if (at[SUM])
                         shown <= flags;
-                end
-                if (rst || (at[TURNED] && move && ends)) begin
-                    cosine <= ONE;
-                    sine   <= {V{1'b0}};
                 end
                 if (rst) begin
                     out_valid <= 1'b0;
