@@ -21,6 +21,7 @@ from quadrance.program.checker import Line, Program, Read, Write
 PLAYERS = ("engine_program", "schedule", "schedule_counter")  # their TABLE is played
 TABLE = re.compile(r"^[ \t]*localparam\s*\[[^\]]*\]\s*LINES\s*=\s*\{\s*\n((?:\s*/\*.*\n)+)", re.M)
 NUMBER = re.compile(r"(\w+)\s*=\s*(\d+)'([bdh])([0-9a-fA-F]+)\s*(?=[,;])")
+WAIT = re.compile(r"\{(?:(\d+) \* )?PIPE\{(\w+)\}\}")  # lines that are there for the registers of PIPE
 ALIAS = re.compile(r"localparam\s*\[[^\]]*\]\s*(\w+)\s*=\s*(\{[\w\s,]+\});")
 BASE = {"b": 2, "d": 10, "h": 16}
 
@@ -29,7 +30,7 @@ BASE = {"b": 2, "d": 10, "h": 16}
 class Played:
     """A table that an elaborated design plays: the module it stands in, the line of the instance, its words.
 
-    pipe : PIPE of the design's product_engine.
+    pipe : PIPE of the design's product_engine, or of a machine that plays a table of its own.
     """
 
     module: str
@@ -40,8 +41,9 @@ class Played:
     pipe: int = 0
 
     def text(self) -> str:
-        """What the module's file says of it: of a table for each PIPE, the one that is played."""
-        return table.branch(self.path.read_text(), self.pipe)
+        """What the module's file says of it: of a table for each PIPE, the one that is played, with its waits."""
+        return WAIT.sub(lambda wait: ", ".join([wait[2]] * int(wait[1] or 1) * self.pipe),
+                        table.branch(self.path.read_text(), self.pipe))
 
 
 def elaborated(core: Core) -> tuple[object, list]:
@@ -83,7 +85,9 @@ def played(core: Core) -> list[Played]:
         elif name.endswith("_program") and "reg " in re.sub(r"output\s+reg", "", sources[name].read_text()):
             values, bits = body.find("LINES"), body.find("out_op").type.bitWidth
             lines = values.type.bitWidth // bits
-            found.append(Played(name, sources[name], 0, name, _cut(int(values.value.value), lines, bits)))
+            own = body.find("PIPE")
+            found.append(Played(name, sources[name], 0, name, _cut(int(values.value.value), lines, bits),
+                                int(own.value.value) if own else 0))
     return found
 
 
@@ -273,9 +277,10 @@ def space(one: Played, text: str) -> list[str]:
     return checker.soundness(Program(lines, then, frozenset(given), frozenset(results), places))
 
 
-def _steps() -> dict[str, int]:
+def _steps(pipe: int) -> dict[str, int]:
     text = (RTL / "engine" / "rus" / "engine_rus_fk_steps.v").read_text()
-    return {name: int(value) for name, value in re.findall(r"([A-Z]+) = 8'd(\d+)[,;]", text)}
+    found = re.findall(r"([A-Z]+) = (?:PIPE == 0 \? )?8'd(\d+)(?: : 8'd(\d+))?[,;]", text)
+    return {name: int(piped if pipe and piped else value) for name, value, piped in found}
 
 
 def _after(line: int, i: int, j: int, jump: bool, at: dict[str, int]) -> list[tuple[int, int, int]]:
@@ -291,7 +296,7 @@ def _after(line: int, i: int, j: int, jump: bool, at: dict[str, int]) -> list[tu
         to = [at["LEG"]]
     if over["judge"]:
         to = [line + 1, at["DONE"]]
-    if line == at["NORM"] + 6:
+    if line == at["SIZE"]:
         to = [line + 1, at["SCALE"]]
     if over["norm"] and last_i:
         to = [at["SIDE"]]
@@ -312,12 +317,13 @@ def _after(line: int, i: int, j: int, jump: bool, at: dict[str, int]) -> list[tu
 
 
 def parallel(one: Played, text: str) -> list[str]:
-    """The reading of engine_rus_fk_program: four factors a line, read from the fourth line behind its writer on.
+    """The reading of engine_rus_fk_program: four factors a line, read from the fourth line behind its writer on, and
+    with PIPE from the fifth.
 
     Along every jump of engine_rus_fk_steps, for each leg i and row j. Start, link angle, legs and constants are there
     before. `t` is read by two lines of PAIR as it was before the next row's, which is on its way.
     """
-    at, numbers, source = _steps(), _numbers(text), rows(text)
+    at, numbers, source = _steps(one.pipe), _numbers(text), rows(text)
 
     def place(name: str, i: int, j: int) -> tuple[int, int, int]:
         number = numbers[name][0]
@@ -334,7 +340,7 @@ def parallel(one: Played, text: str) -> list[str]:
         lines.append(Line(row.label or f"{line + 1}", tuple(
             Read(place(name, i, j), 0, "" if name[0] in "RJK" else name, old and name == "t")
             for name in row.cells[:4]), () if row.cells[4] == "nil" else (
-                Write(place(row.cells[4], i, j), 4, "" if row.cells[4][0] in "RJK" else row.cells[4]),)))
+                Write(place(row.cells[4], i, j), 4 + one.pipe, "" if row.cells[4][0] in "RJK" else row.cells[4]),)))
         after = _after(line, i, j, row.cells[6] == "JUMP", at)
         nodes += [one for one in dict.fromkeys(after) if one not in index and one not in nodes]
         then.append(after)

@@ -67,7 +67,7 @@ def edited(old, new):
 def test_every_program_is_read_and_sound():
     assert set(CORES) == set(programs.MACHINES)
     for module in CORES:
-        for pipe in range(3 if module.startswith("vector") else 1):
+        for pipe in range(3 if module.startswith("vector") else 2 if module == "engine_rus_fk_program" else 1):
             one, text = sound(module, pipe)
             assert len(programs.rows(text)) == len(one.words) and programs.problems(one) == [], (module, pipe)
 
@@ -83,6 +83,8 @@ def test_every_program_is_read_and_sound():
     ("engine_delta_program", "|b|^2", "|b|^2 up", "read"),
     ("engine_gd_n_program", "its square", "Newton", "read"),
     ("engine_rus_fk_program", "|q|^2", "Newton", "read"),
+    ("engine_rus_fk_program/1", "|q|^2", "Newton", "read"),
+    ("engine_rus_fk_program/1", "R c x d", " {ay,  R3, az,", "line 52 '52': J3 is read while the word of line 50"),
 ])
 def test_two_lines_swapped_are_found_in_each_player(module, first, second, says):
     module, _, pipe = module.partition("/")
@@ -143,13 +145,28 @@ def test_a_program_that_nothing_describes_is_an_error():
     assert "nothing says" in programs.problems(replace(one, module="seven_program"))[0]
 
 
-def test_jumps_are_those_of_the_steps():
-    _, text = sound("engine_rus_fk_program")
+@pytest.mark.parametrize("pipe", range(2))
+def test_jumps_are_those_of_the_steps(pipe):
+    _, text = sound("engine_rus_fk_program", pipe)
     titles = {row.label.split(":")[0]: n for n, row in reversed(list(enumerate(programs.rows(text))))
               if re.match("[A-Z]{3}", row.label)}
-    assert titles == {name: line for name, line in programs._steps().items() if name != "END"} | {
+    steps = programs._steps(pipe)
+    assert titles == {name: line for name, line in steps.items() if name not in ("SIZE", "END")} | {
         "MOVE": titles["MOVE"]}
-    assert len(programs.rows(text)) == programs._steps()["END"]
+    assert len(programs.rows(text)) == steps["END"]
+
+
+def test_a_line_that_does_not_wait_for_a_register_is_found():
+    """Each single wait of PIPE in the program of engine_rus_fk, but two: behind qz it is for the next line but one, and
+    in SCALE for one behind a jump.
+    """
+    one, text = sound("engine_rus_fk_program", 1)
+    lines = text.splitlines(keepends=True)
+    waits = [n for n, line in enumerate(one.path.read_text().splitlines()) if "{PIPE{" in line]
+    texts = ["".join([*lines[:n], lines[n].replace("NOP", "", 1), lines[n + 1], "/* */ NOP,\n", *lines[n + 2:]])
+             for n in waits]
+    early = ["is on its way" in found("engine_rus_fk_program", lambda _, text=text: text, 1) for text in texts]
+    assert sum(early) == len(waits) - 2 == 16
 
 
 # Words alone, as an assembler gives them

@@ -46,7 +46,8 @@ def assembled(p: dict[str, int], robot: geometry.Robot, right: bool) -> list[fk.
 
 
 def _solved(core: Core, name: str, count: int, rng: np.random.Generator, unit: float | None = None) -> list[fk.Row]:
-    """A robot, a start near and far from each pose, then the cranks a little on, from the last pose."""
+    """A robot, a start near and far from each pose, then the cranks a little on, from the last pose; the last word that
+    a solution writes is read at once."""
     p, robot, unit, rows = core.params, geometry.load(name), unit or UNIT[name], []
     for turn, place, beta, alpha in zip(*poses(name, count, rng)):
         spread = rng.choice([0, 1, 1, 10])
@@ -55,7 +56,7 @@ def _solved(core: Core, name: str, count: int, rng: np.random.Generator, unit: f
         load = fk.loads(p, robot, unit, near, at, alpha, beta)
         rows += (rows and fk.start(p, robot, unit, near, at) + fk.link(p, beta) + fk.cranks(p, alpha)) or load
         rows += fk.solve() + fk.reads()[::3]
-        rows += fk.cranks(p, alpha + rng.normal(size=6) * 0.01) + fk.solve() + fk.reads()[1::4]
+        rows += fk.cranks(p, alpha + rng.normal(size=6) * 0.01) + [{**fk.solve()[0], "in_k": 6}] + fk.reads()[1::4]
     return rows
 
 

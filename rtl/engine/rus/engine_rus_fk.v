@@ -6,13 +6,15 @@
 // pose: w, x, y, z, position (k = 0 to 6); link angle (7, 8). Pages 1 to 6, a leg: ball joint, foot (0 to 5), azimuth
 // cos, sin (6, 7), link, crank, rod (8 to 10), crank cos, sin (11, 12). First written in order from (0, 0) on; a reset
 // forgets. Formats: words s2.(W-2); cfg_tol 2^-25, of |d|^2 - LB^2. Error of a rod: ((cfg_tol + 1) / 2 LB + 4.0 + 36.2
-// |c|) 2^-25 (bounds.rus_fk.rod). Latency 3; of a solution 183 + 675 a step + 14 each time a row is scaled; II the
-// same. Status: unreachable (word not written: nothing is done, out_word is 0), singular (a row depends on those
-// before, or a singularity lies between start and end), overflow, not converged; with not converged the start is kept.
+// |c|) 2^-25 (bounds.rus_fk.rod). Latency 3; of a solution 183 + 17 PIPE, 675 + 94 PIPE a step, 14 + 4 PIPE each time a
+// row is scaled; II the same. Status: unreachable (word not written: nothing is done, out_word is 0), singular (a row
+// depends on those before, or a singularity lies between start and end), overflow, not converged (the start is kept).
 // Source: Newton's method on the rods of engine_rus_ik. Model: engine_rus_fk.fk
 `default_nettype none
 module engine_rus_fk #(
-    parameter W = 27  // bits of a word, 18 to 27 (default 27, as inside; 18 are those of engine_rus_ik)
+    parameter W = 27,        // bits of a word, 18 to 27 (default 27, as inside; 18 are those of engine_rus_ik)
+    parameter PIPE = 0,      // registers behind the products, 0 or 1 (default 0: fewest clocks); 1: a faster clock
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -31,8 +33,9 @@ module engine_rus_fk #(
     output wire [3:0]  out_status
 );
     generate
-        if (W < 18 || W > 27) begin : g_illegal
-            engine_rus_fk_needs_W_from_18_to_27 rule ();
+        if (W < 18 || W > 27 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0)
+        begin : g_illegal
+            engine_rus_fk_needs_W_from_18_to_27_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
@@ -52,22 +55,23 @@ module engine_rus_fk #(
     wire        page_ends = k == (n == 3'd0 ? POSE : LEG) - 4'd1;
     assign      in_ready = !busy && (!out_valid || out_ready);
 
-    wire        run, adds, halt, failed, overflow, singular, over, off, negative;
+    wire        reads, adds, halt, failed, overflow, singular, over, off, negative;
     wire [7:0]  line;
     wire [2:0]  i, j, act;
     wire [1:0]  range, size;
     wire [39:0] control;
     wire [26:0] read;
-    engine_rus_fk_steps steps (.clk(clk), .rst(rst), .cfg_limit(cfg_limit), .in_clear(accept), .in_start(begins),
+    engine_rus_fk_steps #(.PIPE(PIPE)) steps (
+        .clk(clk), .rst(rst), .cfg_limit(cfg_limit), .in_clear(accept), .in_start(begins),
         .in_forget(set && {n, k} == 7'h10), .in_jump(control[2:0] == 3'd7), .in_act(act), .in_over(over), .in_off(off),
-        .in_size(size), .in_negative(negative), .out_run(run), .out_adds(adds), .out_next(line), .out_i(i), .out_j(j),
-        .out_range(range), .out_halt(halt), .out_failed(failed), .out_overflow(overflow), .out_singular(singular),
-        .out_iters(out_iters));
-    engine_rus_fk_program program_ (.clk(clk), .in_line(line), .out_op(control));
-    engine_rus_fk_products products (.clk(clk), .cfg_tol(cfg_tol), .in_op(control), .in_run(run), .in_adds(adds),
-        .in_i(i), .in_j(j), .in_range(range), .in_set(set), .in_own(no_word ? 8'h84 : {1'b0, n, k}), .in_word(word),
-        .in_fetch(answer), .out_read(read), .out_act(act), .out_over(over), .out_off(off), .out_size(size),
-        .out_negative(negative));
+        .in_size(size), .in_negative(negative), .out_reads(reads), .out_adds(adds), .out_next(line), .out_i(i),
+        .out_j(j), .out_range(range), .out_halt(halt), .out_failed(failed), .out_overflow(overflow),
+        .out_singular(singular), .out_iters(out_iters));
+    engine_rus_fk_program #(.PIPE(PIPE)) program_ (.clk(clk), .in_line(line), .out_op(control));
+    engine_rus_fk_products #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) products (
+        .clk(clk), .cfg_tol(cfg_tol), .in_op(control), .in_run(reads), .in_adds(adds), .in_i(i), .in_j(j),
+        .in_range(range), .in_set(set), .in_own(no_word ? 8'h84 : {1'b0, n, k}), .in_word(word), .in_fetch(answer),
+        .out_read(read), .out_act(act), .out_over(over), .out_off(off), .out_size(size), .out_negative(negative));
 
     generate
         if (W == 27) begin : g_whole

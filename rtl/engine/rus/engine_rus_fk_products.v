@@ -2,14 +2,17 @@
 // Sums of two products, one line a clock, on a register file of 16 pages, for engine_rus_fk_program.
 //   word = A B +- C D [+ the sum of the line before] rounded to 2^-25, written to DEST
 // A line reads in one clock, and loads operands, multiplies and adds in the next three. Its word can be read four lines
-// later.
+// later. PIPE = 1: registers in front of reading, within multiplying and in front of the flags; five lines later.
 // Formats: words s2.25; sum s4.28, it wraps, and out_over marks a word that did; products truncated to 2^-28, and of a
 // subtracted one the complement is added. in_op {A 7, B 7, C 7, D 7, DEST 7, SUB 1, KEEP 1, ACT 3}, pages by in_i and
 // in_j. in_range: low bits of the constants of a SCALE line. in_set writes in_word to address in_own; in_fetch reads
 // out_read there. out_act is that of the line that adds, and so are the other outputs. The register file is stored four
 // times, for four reads a clock. Model: engine_rus_fk.fk
 `default_nettype none
-module engine_rus_fk_products (
+module engine_rus_fk_products #(
+    parameter PIPE = 0,      // registers behind addresses, products and sums, 0 or 1 (default 0)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+) (
     input  wire        clk,
     input  wire [21:0] cfg_tol,
     input  wire [39:0] in_op,
@@ -31,31 +34,34 @@ module engine_rus_fk_products (
 );
     // Addresses
     wire [2:0]  next_j = in_j + 3'd1;
-    wire [39:0] at;
+    wire [39:0] select;
     wire        scale = in_op[2:0] == 3'd3;
     genvar i;
     generate
         for (i = 0; i < 5; i = i + 1) begin : g_place
             wire [6:0] place = in_op[5+7*i +: 7];
             wire [2:0] row = place[5] ? place[4] ? next_j : in_j : in_i;
-            assign at[8*i+4 +: 4] = {place[5] || place[6] && place[4], place[6] ? row : {3{place[4]}}};
+            assign select[8*i+4 +: 4] = {place[5] || place[6] && place[4], place[6] ? row : {3{place[4]}}};
             if (i == 1 || i == 3) begin : g_constant
-                assign at[8*i +: 4] = {place[3:2], place[1:0] | in_range & {2{scale}}};
+                assign select[8*i +: 4] = {place[3:2], place[1:0] | in_range & {2{scale}}};
             end else begin : g_word
-                assign at[8*i +: 4] = place[3:0];
+                assign select[8*i +: 4] = place[3:0];
             end
         end
     endgenerate
 
-    // State of the lines that load, multiply and add
-    reg [12:0] load, multiply, add;  // {DEST, SUB, KEEP, ACT}
+    // State of the lines that read, load, multiply and add
+    wire [44:0] read_op;  // {A, B, C, D, DEST, SUB, KEEP, ACT}
+    wire [31:0] at = read_op[44:13];
+    reg  [12:0] load, multiply, add;  // {DEST, SUB, KEEP, ACT}
+    wire [12:0] last;                 // of the line that adds next
     always @(posedge clk) begin
-        load     <= {at[7:0], in_op[4:0]};
+        load     <= read_op[12:0];
         multiply <= load;
-        add      <= multiply;
+        add      <= last;
     end
-    wire subtract = add[4], keep = add[3];
-    assign out_act = in_adds ? add[2:0] : 3'd4;
+    wire       keep = add[3];
+    wire [2:0] act = in_adds ? add[2:0] : 3'd4;
 
     // Register file, operands, products
     wire [7:0]   to = in_set ? in_own : add[12:5];
@@ -79,7 +85,7 @@ module engine_rus_fk_products (
             end
             always @(posedge clk) begin
                 if (i != 3 || in_run || in_fetch)  // a fetched word is held
-                    read <= file[i == 3 && in_fetch ? in_own : at[8*i+8 +: 8]];
+                    read <= file[i == 3 && in_fetch ? in_own : at[8*i +: 8]];
                 data <= read;
                 if (in_adds || in_set)
                     file[to] <= value;
@@ -92,21 +98,51 @@ module engine_rus_fk_products (
     endgenerate
 
     /* verilator lint_off UNUSEDSIGNAL */
-    wire signed [53:0] product1 = $signed(operand[107:81]) * $signed(operand[80:54]);
-    wire signed [53:0] product2 = $signed(operand[53:27]) * $signed(operand[26:0]);
+    wire signed [53:0] product1, product2;
     /* verilator lint_on UNUSEDSIGNAL */
     reg  [31:0] ab, cd, kept;  // kept: the sum of the line before, or half a unit of a word
-    wire [31:0] sum = ab + (cd ^ {32{subtract}}) + kept;
-    wire [25:0] fold = word[25:0] ^ {26{word[26]}};
+    wire [31:0] next, term;    // of the sum: the second product, or its complement
+    wire [31:0] sum = ab + term + kept;
+    wire [28:0] seen;          // the sum that the flags tell of
+    wire        unit;
+    wire [25:0] fold = seen[25:0] ^ {26{seen[26]}};
     assign      word = sum[29:3];
-    assign      out_over = sum[31:30] != {2{sum[29]}};
-    assign      out_off = add[1] ? fold[25:5] != 21'd0 : fold[25:22] != 4'd0 || fold[21:0] >= cfg_tol;
-    assign      out_size = sum[31:28] != 4'd0 ? 2'd0 : sum[27:26] != 2'd0 ? 2'd1 : sum[25:24] != 2'd0 ? 2'd2 : 2'd3;
-    assign      out_negative = sum[31];
+    assign      out_over = seen[28:27] != {2{seen[26]}};
+    assign      out_off = unit ? fold[25:5] != 21'd0 : fold[25:22] != 4'd0 || fold[21:0] >= cfg_tol;
+    assign      out_size = seen[28:25] != 4'd0 ? 2'd0 : seen[24:23] != 2'd0 ? 2'd1 : seen[22:21] != 2'd0 ? 2'd2 : 2'd3;
+    assign      out_negative = seen[28];
     always @(posedge clk) begin
         ab   <= product1[53:22];
-        cd   <= product2[53:22];
+        cd   <= next;
         kept <= keep ? sum : 32'd4;
     end
+    generate
+        if (PIPE == 0) begin : g_now
+            assign product1 = $signed(operand[107:81]) * $signed(operand[80:54]);
+            assign product2 = $signed(operand[53:27]) * $signed(operand[26:0]);
+            assign {read_op, last} = {select, in_op[4:0], multiply};
+            assign {next, term} = {product2[53:22], cd ^ {32{add[4]}}};
+            assign {seen, unit, out_act} = {sum[31:3], add[1], act};
+        end else begin : g_parts
+            reg [44:0] placed;
+            reg [12:0] sums;
+            reg [28:0] added;
+            reg [2:0]  acted;
+            product_parts #(.A(27), .B(27), .MULTIPLY(MULTIPLY)) part1 (.clk(clk), .in_move(1'b1),
+                .in_a(operand[107:81]), .in_b(operand[80:54]), .out_p(product1));
+            product_parts #(.A(27), .B(27), .MULTIPLY(MULTIPLY)) part2 (.clk(clk), .in_move(1'b1),
+                .in_a(operand[53:27]), .in_b(operand[26:0]), .out_p(product2));
+            wire       unused = &{1'b0, add[4]};
+            assign {read_op, last} = {placed, sums};
+            assign {next, term} = {product2[53:22] ^ {32{sums[4]}}, cd};
+            assign {seen, unit, out_act} = {added, acted[1], acted};
+            always @(posedge clk) begin
+                placed <= {select, in_op[4:0]};
+                sums   <= multiply;
+                added  <= sum[31:3];
+                acted  <= act;
+            end
+        end
+    endgenerate
 endmodule
 `default_nettype wire

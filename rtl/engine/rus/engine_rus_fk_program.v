@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Program of engine_rus_fk: out_op is line in_line, a clock later; engine_rus_fk_steps selects the next line. A line is
 // DEST = A B + C D, or with SUB or SUBK A B - C D. After KEEP or SUBK the next line continues this sum. A register is
-// kind 16 + word; kinds are named below. It may be read from the fourth line after its writer on; in section PAIR the
+// kind 16 + word; kinds are named below. It may be read from line 4 + PIPE after its writer on; in section PAIR the
 // first two lines read the old value of t. ACT: NONE; MISS and UNIT test the miss of a rod and of the quaternion's
 // length; SCALE replaces constant I4 by I4, I1 or nearly 2, by the range of |row|^2 that RANGE measured; the sign of a
 // SIDE word is one of two that tell the side of the singularities; JUMP increments j. With LOOSE, RANGE, SIDE the word
 // may overflow. Model: engine_rus_fk.fk
 `default_nettype none
-module engine_rus_fk_program (
+module engine_rus_fk_program #(
+    parameter PIPE = 0  // registers of engine_rus_fk_products, for which lines wait, 0 or 1 (default 0)
+) (
     input  wire        clk,
     input  wire [7:0]  in_line,
     output reg  [39:0] out_op
@@ -38,11 +40,12 @@ module engine_rus_fk_program (
                      JUMP = 3'd7;
     localparam [39:0] NOP = {O, O, O, O, nil, ADD, LOOSE};
     localparam [39:0] NEXT = {O, O, O, O, nil, ADD, JUMP};
-    localparam [40*192-1:0] LINES = {
+    localparam         COUNT = 192 + 25 * PIPE;  // number of lines
+    localparam [40*COUNT-1:0] LINES = {
         /* ELBOW: elbow      */ {la,  c,  link, cb, ss,   ADD,  NONE},
         /*                   */ {la,  n,  link, nb, nil, KEEP, LOOSE},
         /*                   */ {I1,  fy, O,    O,  by,  ADD,  NONE},
-        /*                   */ NOP,
+        /*                   */ NOP, {PIPE{NOP}},
         /*                   */ {I1,  fx, ss,   rx, bx,  ADD,  NONE},
         /*                   */ {I1,  fz, ss,   rz, bz,  ADD,  NONE},
         /* COPY: start       */ {gw,  I1, O,    O,  w,   ADD,  NONE},
@@ -88,34 +91,36 @@ module engine_rus_fk_program (
         /*                   */ {r31, c1, r32,  c2, nil, KEEP, LOOSE},
         /*                   */ {r33, c3, O,    O,  az,  KEEP, NONE},
         /*                   */ {pz,  I1, bz,   I1, R3,  SUB,  NONE},
+        /*                   */ {PIPE{NOP}},
         /* R c x d           */ {ax,  R2, ay,   R1, R6,  SUB,  NONE},
         /*                   */ NOP, NOP,
         /*                   */ {ay,  R3, az,   R2, R4,  SUB,  NONE},
         /*                   */ {az,  R1, ax,   R3, R5,  SUB,  NONE},
         /* miss              */ {R1,  R1, R2,   R2, nil, KEEP, LOOSE},
         /*                   */ {R3,  R3, lb,   lb, R7,  SUB,  MISS},
-        /* JUDGE             */ NOP, NOP, NOP, NOP,
+        /* JUDGE             */ NOP, NOP, NOP, NOP, {3 * PIPE{NOP}},
         /* NORM: |row|^2     */ {R1,  R1, R2,   R2, nil, KEEP, LOOSE},
         /*                   */ {R3,  R3, R4,   R4, nil, KEEP, LOOSE},
         /*                   */ {R5,  R5, R6,   R6, ss,  ADD,  RANGE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /* 1 / 2|row|        */ {P2,  ss, P1,   I1, g,   ADD,  LOOSE},
+        /*                   */ {2 * PIPE{NOP}},
         /*                   */ {ss,  I1, ss,   I1, h,   ADD,  NONE},
         /*                   */ NOP, NOP,
         /*                   */ {g,   ss, P0,   I1, g,   ADD,  NONE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /* Newton            */ {g,   g,  O,    O,  gg,  ADD,  NONE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /*                   */ {I3,  I1, gg,   h,  f,   SUB,  NONE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /*                   */ {g,   f,  O,    O,  g,   ADD,  NONE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /* Newton            */ {g,   g,  O,    O,  gg,  ADD,  NONE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /*                   */ {I3,  I1, gg,   h,  f,   SUB,  NONE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /*                   */ {g,   f,  O,    O,  g,   ADD,  NONE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /* unit row          */ {R7,  g,  R7,   g,  R7,  ADD,  NONE},
         /*                   */ {R1,  g,  R1,   g,  R1,  ADD,  NONE},
         /*                   */ {R2,  g,  R2,   g,  R2,  ADD,  NONE},
@@ -132,7 +137,7 @@ module engine_rus_fk_program (
         /* DOT: along        */ {R1,  J1, R2,   J2, nil, KEEP, LOOSE},
         /*                   */ {R3,  J3, R4,   J4, nil, KEEP, LOOSE},
         /*                   */ {R5,  J5, R6,   J6, t,   ADD,  LOOSE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /* PAIR: less that   */ {J1,  I1, t,    R1, J1,  SUB,  NONE},
         /*                   */ {J2,  I1, t,    R2, J2,  SUB,  NONE},
         /*                   */ {J3,  I1, t,    R3, J3,  SUB,  NONE},
@@ -143,7 +148,7 @@ module engine_rus_fk_program (
         /*                   */ {R5,  K5, R6,   K6, t,   ADD,  LOOSE},
         /*                   */ {J6,  I1, t,    R6, J6,  SUB,  NONE},
         /*                   */ {J7,  I1, t,    R7, J7,  SUB,  NONE},
-        /*                   */ NOP,
+        /*                   */ NOP, {PIPE{NOP}},
         /* SCALE: row        */ {R1,  I4, R1,   I4, R1,  ADD,  SCALE},
         /*                   */ {R2,  I4, R2,   I4, R2,  ADD,  SCALE},
         /*                   */ {R3,  I4, R3,   I4, R3,  ADD,  SCALE},
@@ -151,17 +156,18 @@ module engine_rus_fk_program (
         /*                   */ {R5,  I4, R5,   I4, R5,  ADD,  SCALE},
         /*                   */ {R6,  I4, R6,   I4, R6,  ADD,  SCALE},
         /*                   */ {R7,  I4, R7,   I4, R7,  ADD,  SCALE},
+        /*                   */ {PIPE{NOP}},
         /* SIDE: rows 1, 2   */ {J2,  K3, J3,   K2, e1,  SUB,  NONE},
         /*                   */ {J3,  K1, J1,   K3, e2,  SUB,  NONE},
         /*                   */ {J1,  K2, J2,   K1, e3,  SUB,  NONE},
-        /*                   */ NEXT, NOP,
+        /*                   */ NEXT, NOP, {PIPE{NOP}},
         /* and 3             */ {e1,  K1, e2,   K2, nil, KEEP, LOOSE},
         /*                   */ {e3,  K3, O,    O,  nil, ADD,  SIDE},
         /*                   */ NEXT,
         /* rows 4, 6         */ {K5,  R6, K6,   R5, e1,  SUB,  NONE},
         /*                   */ {K6,  R4, K4,   R6, e2,  SUB,  NONE},
         /*                   */ {K4,  R5, K5,   R4, e3,  SUB,  NONE},
-        /*                   */ NEXT, NOP,
+        /*                   */ NEXT, NOP, {PIPE{NOP}},
         /* and 5             */ {e1,  K4, e2,   K5, nil, KEEP, LOOSE},
         /*                   */ {e3,  K6, O,    O,  nil, ADD,  SIDE},
         /* MOVE: turn        */ {O,   O,  s4,   I4, v1,  SUB,  NONE},
@@ -178,12 +184,12 @@ module engine_rus_fk_program (
         /*                   */ {v1,  z,  v3,   x,  qy,  SUB,  NONE},
         /*                   */ {z,   I1, v3,   w,  nil, SUBK, LOOSE},
         /*                   */ {v2,  x,  v1,   y,  qz,  SUB,  NONE},
-        /*                   */ NOP, NOP,
+        /*                   */ NOP, NOP, {PIPE{NOP}},
         /* |q|^2             */ {qw,  qw, qx,   qx, nil, KEEP, LOOSE},
         /*                   */ {qy,  qy, qz,   qz, nn,  ADD,  NONE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /* Newton            */ {I3,  I1, nn,   I2, ff,  SUB,  NONE},
-        /*                   */ NOP, NOP, NOP,
+        /*                   */ NOP, NOP, NOP, {PIPE{NOP}},
         /*                   */ {qw,  ff, O,    O,  w,   ADD,  NONE},
         /*                   */ {qx,  ff, O,    O,  x,   ADD,  NONE},
         /*                   */ {qy,  ff, O,    O,  y,   ADD,  NONE},
@@ -196,12 +202,12 @@ module engine_rus_fk_program (
         /*                   */ {px,  I1, O,    O,  gpx, ADD,  NONE},
         /*                   */ {py,  I1, O,    O,  gpy, ADD,  NONE},
         /*                   */ {pz,  I1, O,    O,  gpz, ADD,  NONE},
-        /*                   */ NOP, NOP, NOP};
+        /*                   */ NOP, NOP, NOP, {2 * PIPE{NOP}}};
     reg [39:0] lines[0:255];
     integer    i;
     initial
         for (i = 0; i < 256; i = i + 1)
-            lines[i] = i < 192 ? LINES[40*(191-i) +: 40] : 40'd0;
+            lines[i] = i < COUNT ? LINES[40*(COUNT-1-i) +: 40] : 40'd0;
     always @(posedge clk)
         out_op <= lines[in_line];
 endmodule

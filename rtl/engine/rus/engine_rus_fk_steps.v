@@ -6,7 +6,9 @@
 // in_forget: the robot was changed, so its side is unknown. out_halt: last clock of a solution; the flags are valid
 // from the next one on. cfg_limit steps, and SCALINGS of a row, bound a solution. Model: engine_rus_fk.fk
 `default_nettype none
-module engine_rus_fk_steps (
+module engine_rus_fk_steps #(
+    parameter PIPE = 0  // of engine_rus_fk_program, 0 or 1 (default 0)
+) (
     input  wire       clk,
     input  wire       rst,
     input  wire [5:0] cfg_limit,
@@ -19,8 +21,8 @@ module engine_rus_fk_steps (
     input  wire       in_off,
     input  wire [1:0] in_size,
     input  wire       in_negative,
-    output reg        out_run,
-    output reg        out_adds,      // a line read three clocks ago is one to add
+    output wire       out_reads,     // a line reads
+    output reg        out_adds,      // a line adds
     output wire [7:0] out_next,      // the line for the next clock
     output reg  [2:0] out_i,
     output reg  [2:0] out_j,
@@ -31,12 +33,18 @@ module engine_rus_fk_steps (
     output reg        out_singular,
     output reg  [5:0] out_iters
 );
-    localparam [7:0] ELBOW = 8'd0, COPY = 8'd6, TURN = 8'd13, LEG = 8'd40, JUDGE = 8'd56, NORM = 8'd60, DOT = 8'd111,
-                     PAIR = 8'd117, SCALE = 8'd128, SIDE = 8'd135, DONE = 8'd182, END = 8'd192;
-    localparam [7:0] SIZE = NORM + 8'd6;  // the line of NORM in which the range of the square is known
+    localparam [7:0] ELBOW = 8'd0, COPY = PIPE == 0 ? 8'd6 : 8'd7, TURN = PIPE == 0 ? 8'd13 : 8'd14,
+                     LEG = PIPE == 0 ? 8'd40 : 8'd41, JUDGE = PIPE == 0 ? 8'd56 : 8'd58,
+                     NORM = PIPE == 0 ? 8'd60 : 8'd65, DOT = PIPE == 0 ? 8'd111 : 8'd126,
+                     PAIR = PIPE == 0 ? 8'd117 : 8'd133, SCALE = PIPE == 0 ? 8'd128 : 8'd145,
+                     SIDE = PIPE == 0 ? 8'd135 : 8'd153, DONE = PIPE == 0 ? 8'd182 : 8'd205,
+                     END = PIPE == 0 ? 8'd192 : 8'd217;
+    localparam [7:0] SIZE = PIPE == 0 ? 8'd66 : 8'd74;  // the line of NORM in which the range of the square is known
     localparam [2:0] SCALINGS = 3'd7;     // greatest number of scalings by 4: a row below 2^-15 is lost
+    reg        run;
     reg  [7:0] line;
     reg        over, off, loads, multiplies;
+    wire       last;  // the next clock's line adds
     reg        side, wanted, known;  // side of this pass, side of the robot, and whether that is known
     reg  [2:0] count;  // number of scalings of this row
     wire       over_elbow = line == COPY - 8'd1, over_leg = line == JUDGE - 8'd1, judge = line == NORM - 8'd1,
@@ -49,8 +57,8 @@ module engine_rus_fk_steps (
     wire       good = !off && !over && !crossed;
     wire       lost = size && (over || !fits && count == SCALINGS);
     wire       stop = judge && (over || !off && crossed || off && out_iters == cfg_limit);
-    wire       fails = out_run && (lost || stop);  // the solution ends without a pose
-    assign     out_halt = fails || out_run && over_done;
+    wire       fails = run && (lost || stop);  // the solution ends without a pose
+    assign     out_halt = fails || run && over_done;
 
     reg  [7:0] jump;
     always @* begin
@@ -71,7 +79,7 @@ module engine_rus_fk_steps (
             jump = NORM;
         if (over_move)
             jump = TURN;
-        if (!out_run || out_halt)
+        if (!run || out_halt)
             jump = ELBOW;
     end
     assign out_next = jump;
@@ -94,23 +102,34 @@ module engine_rus_fk_steps (
             side <= !over_norm && (side ^ in_negative);
         if (over_move && !known && out_iters == 6'd0)
             wanted <= side;
-        if (in_forget || over_done && out_run && out_iters != 6'd0)
+        if (in_forget || over_done && run && out_iters != 6'd0)
             known <= !in_forget;
         if (in_clear)
             out_iters <= 6'd0;
-        else if (out_run && over_move)
+        else if (run && over_move)
             out_iters <= out_iters + 6'd1;
         if (in_clear || fails) begin
             out_failed   <= !in_clear;
             out_overflow <= !in_clear && over;
             out_singular <= !in_clear && (size ? !over : crossed);
         end
-        // A line that reads at a reset would write after the word of the next sample, so it is dropped; earlier lines
-        // write before it
-        loads      <= out_run && !rst;
-        multiplies <= loads;
-        out_adds   <= multiplies;
-        out_run <= !rst && (in_start || out_run && !out_halt);
+        // A reset or the end drops a line that would write after the word of the next sample; earlier ones write before
+        loads      <= out_reads && !rst && !(out_halt && PIPE != 0);
+        multiplies <= loads && !(rst && PIPE != 0);
+        out_adds   <= last;
+        run        <= !rst && (in_start || run && !out_halt);
     end
+    generate
+        if (PIPE == 0) begin : g_now
+            assign {out_reads, last} = {run, multiplies};
+        end else begin : g_later
+            reg reads, sums;
+            assign {out_reads, last} = {reads, sums};
+            always @(posedge clk) begin
+                reads <= run && !rst && !out_halt;
+                sums  <= multiplies;
+            end
+        end
+    endgenerate
 endmodule
 `default_nettype wire
