@@ -96,3 +96,17 @@ def test_clocks_of_a_pass(core):
     passes, rest = np.divmod(result.latency + early, each)
     more = passes - 1 - result.outputs["out_iters"]
     assert not rest.any() and np.all(more >= 0) and np.any(more > 0)
+
+
+NEWTON = "engine_newton_3r", "engine_quaternion_dls"
+
+
+@pytest.mark.parametrize("core", [core for core in all_cores() if core.name in NEWTON], ids=lambda core: core.id)
+def test_clocks_of_a_newton_step(core):
+    """Every pass but the first is a step, and all have the same clocks."""
+    pick = np.random.default_rng(1).choice(8100, 60)
+    inputs, cfg = convergence.ENTRIES[core.name].samples(core)
+    inputs = {port: words[pick] for port, words in inputs.items()}
+    result = bulk.stream(core, inputs, cfg)
+    bulk.compare(core, inputs, cfg, result)
+    assert np.array_equal(result.latency, (16 + 7 * core.params["PIPE"]) * (result.outputs["out_iters"] + 1) + 3)

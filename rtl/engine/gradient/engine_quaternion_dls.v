@@ -7,14 +7,16 @@
 // unit 2^-(16-W) LSB; out_d1, out_d2 sA: moves of joints 1 and 2 in the last step. in_warm: start from the last answer,
 // 0 after reset.
 // Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.07 + 3.0 (L1 + L2) / 2^17 units.
-// Latency 16 a pass and 3, II the same. Passes: out_iters + 1.
+// Latency 16 + 7 PIPE a pass and 3, II the same. Passes: out_iters + 1.
 // Status: not converged (the limit was reached); with it singular, where |sin j2| < 1/16 or a link is 0.
 // Source: quaternion gradient paper, eq. 24; the step of Wampler 1986. Model: iterative.damped.solve
 `default_nettype none
 module engine_quaternion_dls #(
-    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16 (default 16)
-    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 24   // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
+    parameter W = 16,        // bits of a coordinate and of a length, 8 to 16 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 24,        // bits of a joint word, 16 to 24 (default 24, 0.006 LSB at 2^14 LSB); a full turn is 2^A
+    parameter PIPE = 0,      // registers behind the products, 0 or 1 (default 0: fewest clocks); 1: a faster clock
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire         clk,
     input  wire         rst,
@@ -45,18 +47,20 @@ module engine_quaternion_dls #(
     output wire [3:0]   out_status
 );
     generate
-        if (W < 8 || W > 16 || F < 0 || F >= W || A < 16 || A > 24) begin : g_illegal
-            engine_quaternion_dls_needs_W_from_8_to_16_and_F_below_W_and_A_from_16_to_24 rule ();
+        if (W < 8 || W > 16 || F < 0 || F >= W || A < 16 || A > 24 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18
+            || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            engine_quaternion_dls_needs_W_from_8_to_16_F_below_W_A_from_16_to_24_PIPE_0_or_1_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
     wire [A-1:0] unused_j3;
-    engine_newton_3r #(.W(W), .F(F), .A(A)) newton (.clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2),
-        .cfg_l3({W{1'b0}}), .cfg_r1(cfg_r1), .cfg_r2(cfg_r2), .cfg_lambda(cfg_lambda), .cfg_mu(cfg_mu),
-        .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_valid(in_valid), .in_ready(in_ready), .in_x(in_x), .in_y(in_y),
-        .in_phi({A{1'b0}}), .in_j1(in_j1), .in_j2(in_j2), .in_warm(in_warm), .out_valid(out_valid),
-        .out_ready(out_ready), .out_j1(out_j1), .out_j2(out_j2), .out_j3(unused_j3), .out_iters(out_iters),
-        .out_error(out_error), .out_coarse(out_coarse), .out_status(out_status));
+    engine_newton_3r #(.W(W), .F(F), .A(A), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) newton (.clk(clk), .rst(rst),
+        .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_l3({W{1'b0}}), .cfg_r1(cfg_r1), .cfg_r2(cfg_r2),
+        .cfg_lambda(cfg_lambda), .cfg_mu(cfg_mu), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_valid(in_valid),
+        .in_ready(in_ready), .in_x(in_x), .in_y(in_y), .in_phi({A{1'b0}}), .in_j1(in_j1), .in_j2(in_j2),
+        .in_warm(in_warm), .out_valid(out_valid), .out_ready(out_ready), .out_j1(out_j1), .out_j2(out_j2),
+        .out_j3(unused_j3), .out_iters(out_iters), .out_error(out_error), .out_coarse(out_coarse),
+        .out_status(out_status));
 
     // The last step: the joints after it, less those after the step before or at the start
     reg         begins;

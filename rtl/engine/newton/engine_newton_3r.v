@@ -6,14 +6,16 @@
 // cfg_mu by newton_fixed.config; cfg_tol, out_error in 1/256 unit^2, with out_coarse in unit^2, unit 2^-(16-W) LSB.
 // in_warm: start from the last answer, 0 after reset, not from in_j1, in_j2.
 // Error: a converged tip is within sqrt(out_error + 2) / 16 + 0.07 + 3.0 (L1 + L2 + L3) / 2^17 units.
-// Latency 16 a pass and 3, II the same. Passes: out_iters + 1.
+// Latency 16 + 7 PIPE a pass and 3, II the same. Passes: out_iters + 1.
 // Status: not converged (the limit was reached); with it singular, where |sin j2| < 1/16 or a link is 0.
 // Source: Newton-Raphson paper, eqs. 12, 14. Model: iterative.newton_fixed.solve
 `default_nettype none
 module engine_newton_3r #(
-    parameter W = 16,  // bits of a coordinate and of a length, 8 to 16 (default 16)
-    parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 20   // bits of a joint word, 16 to 24 (default 20, 0.1 LSB at 2^14 LSB); a full turn is 2^A
+    parameter W = 16,        // bits of a coordinate and of a length, 8 to 16 (default 16)
+    parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
+    parameter A = 20,        // bits of a joint word, 16 to 24 (default 20, 0.1 LSB at 2^14 LSB); a full turn is 2^A
+    parameter PIPE = 0,      // registers behind the products, 0 or 1 (default 0: fewest clocks); 1: a faster clock
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire         clk,
     input  wire         rst,
@@ -45,8 +47,9 @@ module engine_newton_3r #(
     output wire [3:0]   out_status
 );
     generate
-        if (W < 8 || W > 16 || F < 0 || F >= W || A < 16 || A > 24) begin : g_illegal
-            engine_newton_3r_needs_W_from_8_to_16_and_F_below_W_and_A_from_16_to_24 rule ();
+        if (W < 8 || W > 16 || F < 0 || F >= W || A < 16 || A > 24 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18
+            || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            engine_newton_3r_needs_W_from_8_to_16_F_below_W_A_from_16_to_24_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
@@ -57,7 +60,8 @@ module engine_newton_3r #(
     reg         first;  // first pass: neither a stop nor a step
     wire        accept = in_valid && in_ready;
     assign      in_ready = idle && (!out_valid || out_ready);
-    engine_newton_program program_ (.clk(clk), .rst(rst || halt), .in_start(accept), .out_idle(idle), .out_op(op));
+    engine_newton_program #(.PIPE(PIPE)) program_ (.clk(clk), .rst(rst || halt), .in_start(accept), .out_idle(idle),
+        .out_op(op));
 
     // Joints
     reg  [A-1:0] th1, th2, th12, phi;
@@ -86,10 +90,10 @@ module engine_newton_3r #(
     localparam Z = 16 - W;
     reg  [W-1:0] x, y;
     wire         fine, near;
-    engine_newton_path #(.A(A)) path (.clk(clk), .cfg_l1({cfg_l1, {Z{1'b0}}}), .cfg_l2({cfg_l2, {Z{1'b0}}}),
-        .cfg_l3({cfg_l3, {Z{1'b0}}}), .cfg_r1(cfg_r1), .cfg_r2(cfg_r2), .cfg_lambda(cfg_lambda), .cfg_mu(cfg_mu),
-        .in_op(op[19:0]), .in_chord(chord), .in_x({x, {Z{1'b0}}}), .in_y({y, {Z{1'b0}}}),
-        .out_step(step), .out_square(out_error), .out_fine(fine), .out_near(near));
+    engine_newton_path #(.A(A), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) path (.clk(clk), .cfg_l1({cfg_l1, {Z{1'b0}}}),
+        .cfg_l2({cfg_l2, {Z{1'b0}}}), .cfg_l3({cfg_l3, {Z{1'b0}}}), .cfg_r1(cfg_r1), .cfg_r2(cfg_r2),
+        .cfg_lambda(cfg_lambda), .cfg_mu(cfg_mu), .in_op(op[19:0]), .in_chord(chord), .in_x({x, {Z{1'b0}}}),
+        .in_y({y, {Z{1'b0}}}), .out_step(step), .out_square(out_error), .out_fine(fine), .out_near(near));
 
     // End of a sample
     reg  [9:0] iters;

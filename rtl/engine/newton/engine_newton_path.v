@@ -5,11 +5,13 @@
 // Formats: in_chord of angle_chord, sines s1.17; lengths u16; E in 1/64 unit: fine its lower 18 bits, coarse 1/4 unit,
 // saturated; square in 1/256 unit^2, coarse in unit^2; D^2 + mu u1.23, normalised by 4^j to [1/4, 2). All are
 // truncated. Both steps are shifted alike: left by 2 j, but only until neither exceeds a quarter turn, or right.
-// Operands are in registers: a product is complete in the clock after the line that names its factors. Error of a step:
-// bounds.iterative.newton_step. Model: iterative.newton_fixed.solve
+// Operands are in registers: a product is complete in the clock after the line that names its factors, at PIPE = 1 a
+// clock later. Error of a step: bounds.iterative.newton_step. Model: iterative.newton_fixed.solve
 `default_nettype none
 module engine_newton_path #(
-    parameter A = 20  // bits of a joint word, 16 to 24 (default 20)
+    parameter A = 20,        // bits of a joint word, 16 to 24 (default 20)
+    parameter PIPE = 0,      // registers behind products and roots, 0 or 1 (default 0: fewest clocks)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire               clk,
     input  wire [15:0]        cfg_l1,
@@ -29,25 +31,35 @@ module engine_newton_path #(
     output reg                out_near    // |sin j2| < 1/16
 );
     wire [1:0] length_op, left_op, right_op, third_op;
-    wire       one, neg, rate2, unused_again, second, unused_stop, test, det_op, sine, keep, first, tip;
-    assign {length_op, one, neg, left_op, right_op, rate2, third_op, unused_again, second, unused_stop, test, det_op,
-        sine, keep, first, tip} = in_op;
+    wire       one, neg, rate2, unused_again, second, stop, test, det_op, sine, keep, first, tip;
+    assign {length_op, one, neg, left_op, right_op, rate2, third_op, unused_again, second, stop, test, det_op, sine,
+        keep, first, tip} = in_op;
 
-    // Products
+    // Products, the later ones at PIPE = 1
     reg  signed [17:0] al, ar, bl, br;
     reg  signed [25:0] cl;
     reg  signed [20:0] cr;
-    wire signed [35:0] a = al * ar, b = bl * br;
-    wire signed [46:0] c = cl * cr;
-    wire [31:0]        sum = a[35:4] + b[35:4];
+    reg  signed [35:0] later_a, later_b;
+    wire signed [46:0] later_c;
+    wire signed [35:0] a = PIPE == 0 ? al * ar : later_a, b = PIPE == 0 ? bl * br : later_b;
+    wire signed [46:0] c = PIPE == 0 ? cl * cr : later_c;
+    generate
+        if (PIPE == 0) begin : g_now
+            assign later_c = 47'd0;  // not used
+        end else begin : g_parts
+            product_parts #(.A(26), .B(21), .MULTIPLY(MULTIPLY)) part_c (.clk(clk), .in_move(1'b1), .in_a(cl),
+                .in_b(cr), .out_p(later_c));
+        end
+    endgenerate
+    wire [31:0] sum = a[35:4] + b[35:4];
 
     // Sines and cosines
     wire [17:0] knot;
     wire [10:0] rise;
     wire [14:0] offset;
     assign {knot, rise, offset} = in_chord;
-    reg  [17:0] base, c1, s1, c12, s12;
-    wire [17:0] root = base + c[15+:18];
+    reg  [17:0] base, later_base, later_root, c1, s1, c12, s12;
+    wire [17:0] root = PIPE == 0 ? base + c[15+:18] : later_root;
     wire        close = root[17:13] == {5{root[17]}};
     wire [17:0] safe = {root[17:14], root[13] ^ (sine && close && cfg_mu[16:9] == 0), root[12:0]};
     wire [17:0] cosine = one ? c1 ^ {18{neg}} : c12;
@@ -75,20 +87,24 @@ module engine_newton_path #(
     reciprocal_pair inverse (.clk(clk), .in_q({1'b0, q}), .out_w(w), .out_slope(slope));
 
     // The last two steps
-    reg  [42:0] move0, move1;
+    reg  [42:0] made, move0, move1;  // made: of the clock before at PIPE = 1
     reg  [2:0]  shift1;
-    wire [11:0] used = move0[41:30] ^ {12{move0[42]}} | move1[41:30] ^ {12{move1[42]}};
+    wire [11:0] used = PIPE == 0 ? move0[41:30] ^ {12{move0[42]}} | move1[41:30] ^ {12{move1[42]}}
+                     : made[41:30] ^ {12{made[42]}} | move0[41:30] ^ {12{move0[42]}};
     wire [2:0]  room = used[11:9] != 0 ? 3'd0 : used[8:7] != 0 ? 3'd1 : used[6:5] != 0 ? 3'd2 : used[4:3] != 0 ? 3'd3
                      : used[2:1] != 0 ? 3'd4 : 3'd5;
     wire [2:0]  want = {1'b0, j} + {1'b0, !out_fine, 1'b0};
     wire [2:0]  shift0 = room < want ? room : want;
-    wire [2:0]  shift = second ? shift1 : shift0;
+    wire [2:0]  shift = second || PIPE == 1 ? shift1 : shift0;
     wire [A-1:0] low = shift[0] ? move1[41-A+:A] : move1[43-A+:A], mid = shift[0] ? move1[37-A+:A] : move1[39-A+:A];
     assign      out_step = shift[2] ? shift[0] ? move1[33-A+:A] : move1[35-A+:A] : shift[1] ? mid : low;
 
-    wire unused = &{1'b0, unused_again, unused_stop, a[3:0], c[46:43], c[14:0], b[3:0], used[0],
-                    move1[16:0]};
+    wire unused = &{1'b0, unused_again, a[3:0], c[46:43], c[14:0], b[3:0], used[0], move1[16:0]};
     always @(posedge clk) begin
+        later_a    <= al * ar;
+        later_b    <= bl * br;
+        later_base <= base;
+        later_root <= later_base + c[15+:18];
         base <= knot;
         al   <= left_op[1] ? left_op[0] ? minus : cosine : left_op[0] ? ex : root;
         bl   <= left_op[1] ? left_op[0] ? {2'd0, cfg_lambda} : across : left_op[0] ? ey : safe;
@@ -99,8 +115,8 @@ module engine_newton_path #(
                               : third_op[0] ? {9'd0, w} : {{15{rise[10]}}, rise};
         cr   <= third_op[1] ? third_op[0] ? {2'd0, rate} : {5'd0, rate2 ? cfg_r2 : cfg_r1}
                           : third_op[0] ? {1'b0, slope} : {6'd0, offset};
-        if (keep)
-            {c1, s1, c12, s12} <= {s1, c12, s12, root};
+        if (keep)  // at PIPE = 1 it is an operand first
+            {c1, s1, c12, s12} <= {s1, c12, s12, PIPE == 0 ? root : al};
         if (sine) begin
             minus    <= ~safe;
             out_near <= close;
@@ -114,10 +130,12 @@ module engine_newton_path #(
         seen2 <= seen1;
         if (det_op)
             det <= b[34:11] + {1'b0, cfg_mu, 6'd0};
-        rate   <= c[15+:19];
-        move0  <= c[42:0];
-        move1  <= move0;
-        shift1 <= shift0;
+        rate  <= c[15+:19];
+        made  <= c[42:0];
+        move0 <= PIPE == 0 ? c[42:0] : made;
+        move1 <= move0;
+        if (PIPE == 0 || !stop)
+            shift1 <= shift0;
         if (test)
             out_square <= sum;
     end

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program of engine_newton_3r: from the clock after in_start on a pass of 16 lines, one a clock, then the next pass,
-// until rst. out_op is a line of the table, column by column. The first column is the address in the table of sines,
-// the other 20 bits are the operations of engine_newton_path. The joints obey STOP and MOVE. Model:
+// Program of engine_newton_3r: from the clock after in_start on a pass of 16 lines, 23 at PIPE = 1, one a clock, then
+// the next pass, until rst. out_op is a line of the table, column by column. The first column is the address in the
+// table of sines, the other 20 bits are the operations of engine_newton_path. The joints obey STOP and MOVE. Model:
 // iterative.newton_fixed.solve
 `default_nettype none
-module engine_newton_program (
+module engine_newton_program #(
+    parameter PIPE = 0  // registers behind the products, 0 or 1 (default 0: fewest clocks)
+) (
     input  wire        clk,
     input  wire        rst,
     input  wire        in_start,
@@ -67,7 +69,35 @@ module engine_newton_program (
         /* rate 1    */ {SINP,  L3, MOVES,  RATE2,  NONE},
         /* rate 2    */ {SINP,  L3, MOVES,  JOINT,  NONE},
         /* steps     */ {SINP,  L3, SQUARE, JOINT,  AGAIN}};
-    schedule #(.LINES(16), .BITS(23), .TABLE(PASS)) control (.clk(clk), .rst(rst), .in_start(in_start || out_op[8]),
-        .out_idle(out_idle), .out_op(out_op));
+    // PIPE = 1: a root is there four lines after its address, a product of two or of three two lines after its factors,
+    // one that stands alone three, and both steps are shifted in a line of their own
+    localparam [23*23-1:0] PASS_1 = {
+        /* square    */ {COSP,  L3, LINK,   CHORD,  TEST},
+        /* joint 1   */ {SINP,  L3, LINK,   CHORD,  STOP},
+        /* joint 2   */ {COS1,  L3, LINK,   CHORD,  MOVE},
+        /* -         */ {SIN1,  L3, LINK,   CHORD,  NONE},
+        /* cos phi   */ {COS12, L3, LINK,   CHORD,  NONE},
+        /* sin phi   */ {SIN12, L3, LINK,   CHORD,  NONE},
+        /* wx        */ {SIN2,  L1, LINK,   CHORD,  FIRST},
+        /* wy        */ {SINP,  L1, LINK,   CHORD,  FIRST | KEEP},
+        /* L1 c1     */ {SINP,  L2, LINK,   CHORD,  TIP | KEEP},
+        /* L1 s1     */ {SINP,  L2, LINK,   CHORD,  TIP | KEEP},
+        /* L2 c12, D */ {SINP,  L3, LINK,   CHORD,  TIP | KEEP | SINE},
+        /* L2 s12; E */ {SINP,  L3, LINK,   CHORD,  TIP},
+        /* D^2       */ {SINP,  L3, ALONG2, CHORD,  DET},
+        /* -         */ {SINP,  L3, ALONG1, CHORD,  NONE},
+        /* along 12  */ {SINP,  L3, CROSS1, INVERT, NONE},
+        /* along 1   */ {SINP,  L3, CROSS2, CHORD,  NONE},
+        /* inverse   */ {SINP,  L3, LINK,   RATE1,  NONE},
+        /* across    */ {SINP,  L3, MOVES,  RATE2,  NONE},
+        /* rate 1    */ {SINP,  L3, MOVES,  CHORD,  NONE},
+        /* rate 2    */ {SINP,  L3, LINK,   JOINT,  NONE},
+        /* -         */ {SINP,  L3, LINK,   JOINT,  NONE},
+        /* step 1    */ {SINP,  L3, SQUARE, CHORD,  NONE},
+        /* step 2    */ {SINP,  L3, LINK,   CHORD,  AGAIN}};
+    localparam LINES = PIPE == 0 ? 16 : 23;
+    localparam [23*23-1:0] TABLE = PIPE == 0 ? {{23*7{1'b0}}, PASS} : PASS_1;
+    schedule #(.LINES(LINES), .BITS(23), .TABLE(TABLE[23*LINES-1:0])) control (.clk(clk), .rst(rst),
+        .in_start(in_start || out_op[8]), .out_idle(out_idle), .out_op(out_op));
 endmodule
 `default_nettype wire
