@@ -30,7 +30,7 @@ BASE = {"b": 2, "d": 10, "h": 16}
 class Played:
     """A table that an elaborated design plays: the module it stands in, the line of the instance, its words.
 
-    pipe : PIPE of the design's product_engine, or of a machine that plays a table of its own.
+    pipe : PIPE of the design's product_engine, or of the module with the table.
     """
 
     module: str
@@ -42,8 +42,10 @@ class Played:
 
     def text(self) -> str:
         """What the module's file says of it: of a table for each PIPE, the one that is played, with its waits."""
-        return WAIT.sub(lambda wait: ", ".join([wait[2]] * int(wait[1] or 1) * self.pipe),
+        text = WAIT.sub(lambda wait: ", ".join([wait[2]] * int(wait[1] or 1) * self.pipe),
                         table.branch(self.path.read_text(), self.pipe))
+        own = f" LINES_{self.pipe} = "
+        return TABLE.sub("", text).replace(own, " LINES = ") if own in text else text
 
 
 def elaborated(core: Core) -> tuple[object, list]:
@@ -83,11 +85,10 @@ def played(core: Core) -> list[Played]:
             found.append(Played(path.stem, path, compilation.sourceManager.getLineNumber(one.location), name,
                                 _cut(values, lines, bits), pipe))
         elif name.endswith("_program") and "reg " in re.sub(r"output\s+reg", "", sources[name].read_text()):
-            values, bits = body.find("LINES"), body.find("out_op").type.bitWidth
+            own = int(body.find("PIPE").value.value) if body.find("PIPE") else 0
+            values, bits = body.find(f"LINES_{own}") or body.find("LINES"), body.find("out_op").type.bitWidth
             lines = values.type.bitWidth // bits
-            own = body.find("PIPE")
-            found.append(Played(name, sources[name], 0, name, _cut(int(values.value.value), lines, bits),
-                                int(own.value.value) if own else 0))
+            found.append(Played(name, sources[name], 0, name, _cut(int(values.value.value), lines, bits), own))
     return found
 
 
@@ -253,25 +254,29 @@ def two(results: Iterable[int], pose: int, margins: bool = False) -> Callable[[P
     return read
 
 
-def _sums(text: str, at: Sequence[int], dest: int, ready: int, none: str) -> list[Line]:
-    """Lines of a machine that reads its operands in one clock and writes their sum, ready some clocks later."""
+def _sums(text: str, at: Sequence[int], dest: int, ready: int) -> list[Line]:
+    """Lines of a machine that reads its operands in one clock and writes their sum, ready some clocks later; `nil` is a
+    word that no line has to read.
+    """
     numbers = _numbers(text)
     return [Line(row.label, tuple(Read(numbers[row.cells[i]][0], 0, row.cells[i]) for i in at),
-                 (Write(numbers[row.cells[dest]][0], ready, row.cells[dest]),) if row.cells[dest] != none else ())
+                 (Write(numbers[row.cells[dest]][0], ready, row.cells[dest], needed=row.cells[dest] != "nil"),))
             for row in rows(text)]
 
 
 def space(one: Played, text: str) -> list[str]:
-    """The reading of engine_gd_n_program: eight factors a line, read from the third line behind its writer on.
+    """The reading of engine_gd_n_program: eight factors a line, read from the third line behind its writer on, with
+    PIPE from the seventh.
 
     The lines of a joint follow those that begin a pass, or another joint, and a pass may follow them. Constants, the
-    target, the words of a joint's page and J of the next joint's are there before; so is u of the pass before, whose
+    target, the words of a joint's page and of the next joint's are there before; so is u of the pass before, whose
     step is 0 in the first pass.
     """
-    numbers, lines = _numbers(text), _sums(text, range(8), 8, 3, "")
-    joint, last = 11, len(lines) - 1
+    ready, joint = ((3, 11), (7, 42))[one.pipe]
+    numbers, lines = _numbers(text), _sums(text, range(8), 8, ready)
+    last = len(lines) - 1
     places = {place: name for name, (place, bits) in numbers.items() if bits == 6}
-    given = {place for place, name in places.items() if place in (3, 4, 5, 6, 7) or name[0] in "tjlhu" or name in "cs"}
+    given = {place for place, name in places.items() if place in (3, 4, 5, 6, 7) or name[0] in "tjlhku" or name in "cs"}
     results = {place for place, name in places.items() if name[0] in "gu" or name in "cs"}
     then = [(n + 1,) for n in range(last)] + [(joint, 0)]
     return checker.soundness(Program(lines, then, frozenset(given), frozenset(results), places))

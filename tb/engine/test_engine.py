@@ -21,6 +21,25 @@ def test_chains_in_order(core):
     simulate(core, suite.simulators()[0], module="tb.engine.in_order", seed=suite.SEED)
 
 
+@pytest.mark.full
+@pytest.mark.parametrize("core", [core for core in CHAINS if core.name == "engine_quaternion_gd_n" and core.first_set],
+                         ids=lambda core: core.id)
+def test_words_written_behind_a_reset_in_a_solution_are_kept(core):
+    """Lines that are on their way write in the same clocks, and a sample goes before them."""
+    joints, pairs, cfg = chain(1, np.random.default_rng(5)), 32, {"cfg_tol": 0, "cfg_limit": 1000}
+    reads = [space.reads(1)[0] | {"in_n": 0, "in_k": k} for k in range(3)]
+
+    def columns(rows):
+        return {port.name: np.array([row[port.name] for row in rows]) for port in core.inputs}
+
+    starts = [columns(space.loads(joints, [1.0], 0.5, goal) + reads) for goal in ((0.3, -0.2, 0.1), (-0.1, 0.4, 0.2))]
+    first = {name: np.tile(np.concatenate([start[name] for start in starts]), pairs) for name in starts[0]}
+    rounds = np.stack([np.arange(2 * pairs) + 40, np.zeros(2 * pairs, int)], axis=1)
+    result = bulk.resets(core, first, columns(space.solve(1)), rounds, cfg, seed=SEED)
+    answers = np.concatenate([bulk.expected(core, start, cfg)["out_word"] for start in starts])
+    assert np.array_equal(result.outputs["out_word"], np.tile(answers, pairs))
+
+
 def _hundred(name, rows, cfg):
     """Steps and clocks of the solution among the samples of a chain of 100 joints, core and model alike."""
     core = find(name)
@@ -46,7 +65,8 @@ def test_a_hundred_joints_in_the_plane():
 
 
 @pytest.mark.slow
-def test_a_hundred_joints_in_space():
+@pytest.mark.parametrize("name, begin, joint, judged", [("N100", 11, 30, 14), ("PIPE1N100", 42, 35, 12)])
+def test_a_hundred_joints_in_space(name, begin, joint, judged):
     """Any axes and links, to 2^-15 of the unit of length on each axis."""
     n, rng = 100, np.random.default_rng(8)
     joints, theta = chain(n, rng), rng.uniform(-1, 1, n)
@@ -54,8 +74,8 @@ def test_a_hundred_joints_in_space():
     goal = kinematics(theta + rng.normal(size=n) * 0.2)[0]
     alpha = 0.8 / np.linalg.norm(kinematics(theta)[1], ord=2) ** 2
     rows = space.loads(joints, theta, alpha, goal) + space.solve(n)
-    iters, clocks = _hundred("engine_quaternion_gd_n-N100", rows, {"cfg_tol": 1024, "cfg_limit": 1000})
-    assert iters < 500 and clocks == 14 + (iters + 1) * (30 * n + 11)
+    iters, clocks = _hundred(f"engine_quaternion_gd_n-{name}", rows, {"cfg_tol": 1024, "cfg_limit": 1000})
+    assert iters < 500 and clocks == judged + (iters + 1) * (joint * n + begin)
 
 
 # The haptic circle; the clocks of a pass, which `quadrance track` and the report name

@@ -86,9 +86,11 @@ GD_N, UNITS = "engine_quaternion_gd_n", "unit_vectors"
 IF_RESET = "if (rst && i != 1) begin"
 STALLED = "waited <= out_valid && !out_ready ? waited + 9'd1 : 9'd0;"
 RESETS = {  # core, module, text, broken text; ci/test/test_formal.py has what the proof of resets says
-    "a line of before a reset reaches an answer": (GD_N, "engine_gd_n_products", "error0 && in_run", "error0"),
+    "a line of before a reset reaches an answer": (GD_N, "engine_gd_n_products", "error1 && in_run", "error1"),
+    "a line of before a reset, with PIPE": (f"{GD_N}-PIPE1", "engine_gd_n_products", "error1 && in_run", "error1"),
     "a count of words is left": (GD_N, GD_N, "if (rst)\n", "if (rst && !accept)\n"),
-    "a write is on its way": (GD_N, GD_N, "accept && !rst;", "accept;"),
+    "a write is on its way": (GD_N, GD_N, "checks && !rst;", "checks;"),
+    "a write is on its way, with PIPE": (f"{GD_N}-PIPE1", GD_N, "accept && !rst};", "accept};"),
     "a word that is written stays": ("vector_ik3", UNITS, IF_RESET, "if (rst && !in_sin[i] && i != 1) begin"),
     "the third sample sees the word of before": ("vector_ik2", UNITS, "always @(posedge clk) begin", """
             reg [U+1:0] left;

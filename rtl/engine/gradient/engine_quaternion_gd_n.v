@@ -5,13 +5,15 @@
 // out_word: word in_k of joint in_n after the operation. Joint 0: target x, y, z, step (k = 0 to 3); others: axis (0 to
 // 2), twice the link (3 to 5), c, s (6, 7). Words are first written in order from (0, 0) on; a reset forgets them.
 // Formats: words s2.25; cfg_tol in 2^-25, for each coordinate of E; the step is alpha / 512 in 1/unit^2.
-// Error: a converged tip is within bounds.iterative.space_end. Latency 3; of a solution 14 + (30 in_n + 11) a pass,
-// out_iters + 1 passes; II the same. Status: unreachable (joint in_n is not written: nothing is done, out_word is 0),
-// overflow (a link ends beyond 2 units in some coordinate), not converged (the limit was reached).
+// Error: a converged tip is within bounds.iterative.space_end. Latency 3 + PIPE; of a solution 14 + (30 in_n + 11) a
+// pass, with PIPE 12 + (35 in_n + 42), out_iters + 1 passes; II the same. Status: unreachable (joint in_n is not
+// written: nothing is done, out_word is 0), overflow (a link ends beyond 2 units in some coordinate), not converged
+// (the limit was reached).
 // Source: quaternion gradient paper, eqs. 9, 18, 31. Model: iterative.space.gd
 `default_nettype none
 module engine_quaternion_gd_n #(
-    parameter N = 8  // most joints, 1 to 126 (default 8); up to 14 cost nothing
+    parameter N = 8,    // most joints, 1 to 126 (default 8); up to 14 cost nothing
+    parameter PIPE = 0  // 0 or 1 (default 0: fewest clocks); 1: registers around multipliers, a faster clock
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -33,12 +35,12 @@ module engine_quaternion_gd_n #(
     output wire [3:0]  out_status
 );
     generate
-        if (N < 1 || N > 126) begin : g_illegal
-            engine_quaternion_gd_n_needs_N_from_1_to_126 rule ();
+        if (N < 1 || N > 126 || PIPE < 0 || PIPE > 1) begin : g_illegal
+            engine_quaternion_gd_n_needs_N_from_1_to_126_and_PIPE_0_or_1 rule ();
         end
     endgenerate
 
-    // Samples: the number of a word is checked one clock after the sample is accepted
+    // Samples: the number of a word is checked one clock after the sample is accepted, with PIPE two
     localparam P = N < 15 ? 4 : $clog2(N + 2);  // bits of a page number: registers are in 0 and 1, joint i in i + 1
     reg         busy, check, answer, run, no_word;
     reg  [1:0]  op;
@@ -48,29 +50,44 @@ module engine_quaternion_gd_n #(
     reg  [10:0] fill;  // {n, k} of the next word to write
     wire        accept = in_valid && in_ready;
     wire        solve_op = op == 2'd0, write_op = op == 2'd1;
-    wire        there = {n, k | {3{solve_op}}} < fill, next = {n, k} == fill && n <= N[7:0];
+    wire        there_now = {n, k | {3{solve_op}}} < fill, next_now = {n, k} == fill && n <= N[7:0];
+    wire        there, next, checks;
     wire        ok = (n != 8'd0 || (!k[2] && !solve_op)) && (there || (write_op && next));
     wire        begins = check && ok && solve_op;
     wire        halt;
     assign      in_ready = !busy && (!out_valid || out_ready);
 
-    // Program: line 0 begins a pass, line 11 a joint; the next line is read while this one is played
-    localparam [5:0] JOINT = 6'd11, END = 6'd40;
-    reg  [5:0]   line;
+    // Program: line 0 begins a pass, line JOINT a joint; the next line is read while this one is played
+    localparam L = PIPE == 0 ? 6 : 7;  // bits of a line's number
+    localparam [6:0] LATE = 7'd7, BEGIN = PIPE == 0 ? 7'd11 : 7'd42, FINAL = PIPE == 0 ? 7'd40 : 7'd76;
+    localparam [L-1:0] JUDGE = LATE[L-1:0], JOINT = BEGIN[L-1:0], END = FINAL[L-1:0];
+    reg  [L-1:0] line;
     reg  [P-1:0] page, behind;  // page of the joint and of the next one: joint 1 where a pass begins
-    wire         over_pass = line == JOINT - 6'd1, over_joint = line == END, last = page == n[P-1:0] + 1'b1;
-    wire [5:0]   then = !run || (over_joint && last) ? 6'd0 : over_joint ? JOINT : line + 6'd1;
+    wire         over_pass = line == JOINT - 1'b1, over_joint = line == END, last = page == n[P-1:0] + 1'b1;
+    wire [L-1:0] then = !run || (over_joint && last) ? {L{1'b0}} : over_joint ? JOINT : line + 1'b1;
     wire [55:0]  control;
-    engine_gd_n_program program_ (.clk(clk), .in_line(then), .out_op(control));
+    wire [P-1:0] opens;
+    generate
+        if (PIPE == 0) begin : g_now
+            assign {there, next, checks, opens} = {there_now, next_now, accept, behind};
+        end else begin : g_later
+            reg    found, follows, fresh;
+            assign {there, next, checks} = {found, follows, fresh};
+            assign opens = behind & {P{run}};  // a pass begins with another page than that of the last joint
+            always @(posedge clk)
+                {found, follows, fresh} <= {there_now, next_now, accept && !rst};
+        end
+    endgenerate
+    engine_gd_n_program #(.PIPE(PIPE)) program_ (.clk(clk), .in_line(then), .out_op(control));
 
     // Registers: the word of the sample is read before its answer; without one, register 7, which is 0
     wire [P+3:0] own = no_word ? {{P{1'b0}}, 4'd7} : n == 8'd0 ? {{P{1'b0}}, 1'b0, k} : {n[P-1:0] + 1'b1, 1'b0, k};
     wire         error, over, close, off;
     wire [26:0]  result;
     reg          still;
-    engine_gd_n_products #(.P(P)) products (.clk(clk), .cfg_tol(cfg_tol), .in_op(control), .in_run(run),
-        .in_still(still), .in_page(page), .in_next(behind), .in_set(check && ok && write_op), .in_own(own),
-        .in_word(word), .in_fetch(answer), .out_read(out_word), .out_word(result), .out_error(error),
+    engine_gd_n_products #(.P(P), .PIPE(PIPE)) products (.clk(clk), .cfg_tol(cfg_tol), .in_op(control), .in_run(run),
+        .in_still(still), .in_alone(last), .in_page(page), .in_next(behind), .in_set(check && ok && write_op),
+        .in_own(own), .in_word(word), .in_fetch(answer), .out_read(out_word), .out_word(result), .out_error(error),
         .out_over(over), .out_close(close), .out_off(off));
 
     // End of a solution
@@ -79,7 +96,8 @@ module engine_quaternion_gd_n #(
     reg  [2:0]  near;  // the last three coordinates are within the tolerance: those of E when the pass is over
     reg         beyond, failed, flag;
     reg         uneven;  // some c^2 + s^2 was off 1 by 2^-12 or more: E does not count
-    wire        decide = run && over_pass && !still;
+    wire        judge = PIPE == 0 ? over_pass : line == JUDGE;  // the pass before is known, no error of this one yet
+    wire        decide = run && judge && !still;
     wire        done = near == 3'd7 && !beyond && !uneven;
     assign      halt = decide && (done || iters == cfg_limit);
     assign      {out_x, out_y, out_z} = e;
@@ -98,16 +116,16 @@ module engine_quaternion_gd_n #(
             no_word <= check && !ok;
         line <= then;
         if (!run || over_joint || over_pass) begin
-            page   <= behind;
-            behind <= then == 6'd0 ? {{(P-2){1'b0}}, 2'd2} : behind + 1'b1;
+            page   <= opens;
+            behind <= then == {L{1'b0}} ? {{(P-2){1'b0}}, 2'd2} : behind + 1'b1;
         end
         still <= accept || (still && !(over_joint && last));  // no joint moves in the first pass
         if (error) begin
             e    <= {e[53:0], result};
             near <= {near[1:0], close};
         end
-        beyond  <= (beyond || (error && over)) && !(over_pass || accept);
-        uneven  <= (uneven || off) && !(over_pass || accept);
+        beyond  <= (beyond || (error && over)) && !(judge || accept);
+        uneven  <= (uneven || off) && !(judge || accept);
         if (accept) begin
             e     <= 81'd0;
             iters <= 10'd0;
@@ -118,7 +136,7 @@ module engine_quaternion_gd_n #(
         end
         if (accept || halt)
             failed <= !accept && !done;
-        check     <= accept && !rst;
+        check     <= checks && !rst;
         run       <= (begins || (run && !halt)) && !rst;
         answer    <= ((check && !begins) || halt) && !rst;
         busy      <= (accept || (busy && !answer)) && !rst;
