@@ -9,11 +9,11 @@ from importlib.util import find_spec
 import numpy as np
 import pytest
 from quadrance import accuracy, arms, bounds, classic, codecs, cordic, cores, truth
-from quadrance.accuracy import Case, of_core
+from quadrance.accuracy import Case
 from quadrance.accuracy.arm import joint_ports
 from quadrance.accuracy.cases import case_of
 from quadrance.accuracy.primitives import PRIMITIVES
-from quadrance.cores import RTL, Core, joints
+from quadrance.cores import Core, joints
 from quadrance.fixed import Ints, to_fixed
 
 PORTS = {"fk1": ("j1", "x y"), "fk2": ("j1 j2", "x y"), "fk3": ("j1 j2 j3", "x y z"),
@@ -122,24 +122,6 @@ def test_a_word_off_by_one_is_an_error(function, joint):
         off, far = ({**answer, port.name: (answer[port.name] + k) % (1 << port.width)} for k in (1, 3))
     off, far = (accuracy.errors(one, ARM, case, wrong).arithmetic for wrong in (off, far))
     assert np.median(off) > 0 and np.all(far > off)
-
-
-METRE = RTL.parent / "ci" / "report" / "metre.toml"
-LEAST = re.compile(r"^\| `(\w+)` \| (\d+), (\d+) \| (\d+), (\d+) \|$", re.M)  # of the families' pages
-
-
-@pytest.mark.parametrize(("name", *"pqrs"), [
-    found for family in ("vector", "classic") for found in LEAST.findall((RTL / family / "README.md").read_text())])
-def test_least_words_for_a_metre(name, p, q, r, s):
-    """The pages' words keep 10 and 2 um, a bit less of either does not: the shortest coordinate, then its joint."""
-    arm, first = arms.load(str(METRE)), next(one for one in cores.all_cores() if one.name == name)
-
-    def total(w: int, joint: int) -> float:
-        one = cores.at(first, first.params | {"W": w, "F": w - 8, "A" if "A" in first.params else "U": joint})
-        return 1000 * of_core.figures(one, arm)["total_mm"]
-
-    for micrometres, w, joint in ((10, int(p), int(q)), (2, int(r), int(s))):
-        assert total(w, joint) <= micrometres < min(total(w, joint - 1), total(w - 1, 24))
 
 
 @FUNCTIONS
