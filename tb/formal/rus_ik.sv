@@ -33,7 +33,7 @@ module engine_rus_ik_props #(parameter W = 18, PIPE = 0, MULTIPLY = 18) (
         .beat(\dut.poses.g_table.beat.step ), .control(\dut.poses.path.g_table.control.step ), .busy(\dut.poses.busy ),
         .at(\dut.poses.leg ), .whole(\dut.results.whole ),
         .tags({\dut.poses.path.out_tag [2], \dut.poses.path.tag4 [2], \dut.poses.path.tag3 [2],
-            \dut.poses.path.tag2 [2], \dut.poses.tag [2]}), .moved(2'd0), .moves(8'd0));
+            \dut.poses.path.tag2 [2], \dut.poses.tag [2]}), .moved(2'd0), .moves(4'd0));
 endmodule
 
 // The contract where samples overlap and results wait behind others: engine_rus_rules below.
@@ -66,7 +66,6 @@ module engine_rus_ik_angle_props #(parameter W = 18, A = 18, PIPE = 0, MULTIPLY 
     (* hierconn *) wire \dut.turned ;
     (* hierconn *) wire \dut.last_turned ;
     (* hierconn *) wire [(PIPE == 0 ? 1 : 4)-1:0] \dut.g_late.moves ;
-    (* hierconn *) wire [(PIPE == 0 ? 1 : 4)-1:0] \dut.g_late.lasts ;
     engine_rus_ik_angle #(.W(W), .A(A), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) dut (.*);
     engine_rus_rules #(.WO(6 * A + 142), .PIPE(PIPE), .LATE(PIPE == 0 ? 1 : 5)) rules (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .out_valid(out_valid), .out_ready(out_ready),
@@ -77,7 +76,7 @@ module engine_rus_ik_angle_props #(parameter W = 18, A = 18, PIPE = 0, MULTIPLY 
         .tags({\dut.poses.path.out_tag [2], \dut.poses.path.tag4 [2], \dut.poses.path.tag3 [2],
             \dut.poses.path.tag2 [2], \dut.poses.tag [2]}),
         .moved({\dut.last_turned , \dut.turned }), 
-        .moves(PIPE == 0 ? 8'd0 : {\dut.g_late.lasts , \dut.g_late.moves }));
+        .moves(PIPE == 0 ? 4'd0 : \dut.g_late.moves ));
 endmodule
 
 // What the contracts of engine_rus_ik and engine_rus_ik_angle share, and what they do not depend on: words and flags of
@@ -89,7 +88,7 @@ endmodule
 module engine_rus_rules #(parameter WO = 1, PIPE = 0, LATE = 0) (
     input clk, rst, in_valid, in_ready, out_valid, out_ready, input [WO-1:0] result,
     input [(PIPE == 0 ? 8 : 12)-1:0] beat, input [(PIPE == 0 ? 37 : 51)-1:0] control, input busy, whole,
-    input [2:0] at, input [4:0] tags, input [1:0] moved, input [7:0] moves
+    input [2:0] at, input [4:0] tags, input [1:0] moved, input [3:0] moves
 );
     localparam H = PIPE == 0 ? 8 : 12, L = PIPE == 0 ? 37 : 51;  // clocks between two legs, and of one
     localparam READ = PIPE == 0 ? 4 : 6, TAG2 = PIPE == 0 ? 10 : 16, TAG3 = PIPE == 0 ? 17 : 27,
@@ -175,7 +174,7 @@ module engine_rus_rules #(parameter WO = 1, PIPE = 0, LATE = 0) (
             always @* if (live) begin
                 assert (moves[i-1] == (age[L+i] | age[L+H+i] | age[L+2*H+i] | age[L+3*H+i] | age[L+4*H+i]
                     | age[L+5*H+i]));
-                if (moves[i-1]) assert (moves[i+3] == age[L+5*H+i]);
+                if (moves[i-1]) assert (moved[1] == age[L+5*H+i]);
             end
         end
     endgenerate

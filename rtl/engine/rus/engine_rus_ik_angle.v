@@ -58,22 +58,20 @@ module engine_rus_ik_angle #(
     // The output register of the codec is the register of leg 6
     wire [A-1:0] angle;
     reg          turned, last_turned;
-    wire         move, last_move;
+    wire         move;
     always @(posedge clk) begin
         turned      <= sine && !rst;
         last_turned <= last;
     end
     generate
         if (PIPE == 0) begin : g_late
-            wire moves = turned, lasts = last_turned;
-            assign {move, last_move} = {moves, lasts};
+            wire moves = turned;
+            assign move = moves;
         end else begin : g_late
-            reg [3:0] moves, lasts;  // while the codec's product is formed
-            assign {move, last_move} = {moves[3], lasts[3]};
-            always @(posedge clk) begin
+            reg [3:0] moves;  // while the codec's product is formed; last_turned stands as long
+            assign move = moves[3];
+            always @(posedge clk)
                 moves <= rst ? 4'd0 : {moves[2:0], turned};
-                lasts <= {lasts[2:0], last_turned};
-            end
         end
     endgenerate
     engine_rus_angle #(.A(A), .PIPE(PIPE)) codec (
@@ -81,7 +79,7 @@ module engine_rus_ik_angle #(
         .out_place(place), .out_step(step), .in_rise(rise), .out_j(angle));
     engine_rus_results #(.BITS(A)) results (
         .clk(clk), .rst(rst), .in_flags(flags), .in_root(root), .in_far(far), .in_near(near), .in_over(over),
-        .in_move(move), .in_last(last_move), .in_leg6(angle), .out_valid(out_valid), .out_ready(out_ready),
+        .in_move(move), .in_last(last_turned), .in_leg6(angle), .out_valid(out_valid), .out_ready(out_ready),
         .out_words({out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}),
         .out_s({out_s6, out_s5, out_s4, out_s3, out_s2, out_s1}), .out_far(out_far), .out_status(out_status));
 endmodule
