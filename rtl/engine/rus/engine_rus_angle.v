@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The codec of vector_to_angle for engine_rus_ik_angle. A multiplier of the leg forms its product: out_place goes into
 // the register of one operand in the clock of the vector, out_step is the other operand one clock later, and in_rise is
-// then their product.
-// Formats: in_c, in_n s2.16 in the clock of in_valid; in_take, one clock later, accepts the word; out_j angle of A bits
-// modulo a turn, rounded to nearest. The legs give unit vectors only, also after an overflow.
-// Error: 0.89 LSB at A = 18 (bounds.codec.vector_to_angle). Latency 2.
+// then their product. PIPE = 1: both go into registers together, a clock after the vector.
+// Formats: in_c, in_n s2.16 in the clock of in_valid; in_take, one clock later; in_move, in the same clock or with PIPE
+// = 1 four later, accepts the word; out_j angle of A bits modulo a turn, rounded to nearest. The legs give unit vectors
+// only, also after an overflow. Error: 0.89 LSB at A = 18 (bounds.codec.vector_to_angle). Latency 2 + 4 PIPE.
 // Source: the definition; arc sine table with linear interpolation. Model: conversion.vector_to_angle
 `default_nettype none
 module engine_rus_angle #(
-    parameter A = 18  // bits of the word, 10 to 24 (default 18)
+    parameter A = 18,   // bits of the word, 10 to 24 (default 18)
+    parameter PIPE = 0  // of engine_rus_path, 0 or 1 (default 0)
 ) (
     input  wire               clk,
     input  wire               in_valid,
     input  wire signed [17:0] in_c,
     input  wire signed [17:0] in_n,
     input  wire               in_take,
+    input  wire               in_move,
     output wire [11:0]        out_place,
     output wire [16:0]        out_step,
     input  wire [28:0]        in_rise,
@@ -39,12 +41,27 @@ module engine_rus_angle #(
 
     assign out_j = word[A+1:2];
 
-    assign out_place = sine[11:0] & {12{in_valid}};
     assign out_step = {{24-A{1'b0}}, step & {A-7{in_take}}};
+    wire [A+1:0]   start;
+    wire [A+1:0]   base = {axis[1] ^ (knot[A] && !axis[0]), axis[0] ^ knot[A], knot[A-1:0]};
+    generate
+        if (PIPE == 0) begin : g_now
+            assign {out_place, start} = {sine[11:0] & {12{in_valid}}, base};
+        end else begin : g_later
+            reg [11:0]  place;
+            reg [A+1:0] early;
+            assign {out_place, start} = {place, early};
+            always @(posedge clk) begin
+                place <= sine[11:0] & {12{in_valid}};
+                if (in_take)
+                    early <= base;
+            end
+        end
+    endgenerate
     always @(posedge clk) begin
         axis <= near;
-        if (in_take) begin
-            from <= {axis[1] ^ (knot[A] && !axis[0]), axis[0] ^ knot[A], knot[A-1:0]};
+        if (in_move) begin
+            from <= start;
             rise <= in_rise[A+4:12];
         end
     end

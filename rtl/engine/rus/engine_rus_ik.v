@@ -7,12 +7,14 @@
 // r31 = r22, r32 = -r21, r33[0] branch, p -F; (1, 0), S = 0 answers it. A leg not loaded since reset counts as
 // unreachable.
 // Error of an angle: (LB/LA dC + dG) / S + dS / sqrt(e^2 + f^2) + 1/2 LSB, dC 0.0135 LSB (bounds.engine.rus_angle).
-// Latency 79, II 48. Status: unreachable (out_far says which leg; nearest crank), singular (S below cfg_near), overflow
-// (the words of a leg are meaningless).
+// Latency 79 + 34 PIPE, II 48 + 24 PIPE. Status: unreachable (out_far says which leg; nearest crank), singular (S below
+// cfg_near), overflow (the words of a leg are meaningless).
 // Source: Sanchez-Alonso et al., RIAI 13 (2016) 247-257, (15)-(17) corrected. Model: engine_rus.ik
 `default_nettype none
 module engine_rus_ik #(
-    parameter W = 18  // bits of a position, 14 to 18 (default 18); below 18 its rounding is the greatest error
+    parameter W = 18,        // bits of a position, 14 to 18 (default 18); below 18 its rounding is the greatest error
+    parameter PIPE = 0,      // registers behind the products, 0 or 1 (default 0: fewest clocks); 1: a faster clock
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -35,8 +37,9 @@ module engine_rus_ik #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 14 || W > 18) begin : g_illegal
-            engine_rus_ik_needs_W_from_14_to_18 rule ();
+        if (W < 14 || W > 18 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0)
+        begin : g_illegal
+            engine_rus_ik_needs_W_from_14_to_18_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
     wire               free = !out_valid || out_ready;
@@ -44,7 +47,7 @@ module engine_rus_ik #(
     wire signed [17:0] c, word;
     wire [21:0]        root;
     /* verilator lint_off PINCONNECTEMPTY */
-    engine_rus_poses #(.W(W)) poses (
+    engine_rus_poses #(.W(W), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) poses (
         .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_valid(in_valid),
         .in_ready(in_ready), .in_free(free), .in_load(in_load), .in_leg(in_leg), .in_r11(in_r11), .in_r12(in_r12),
         .in_r13(in_r13), .in_r21(in_r21), .in_r22(in_r22), .in_r23(in_r23), .in_r31(in_r31), .in_r32(in_r32),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control of the legs of engine_rus_ik: a leg takes 37 clocks, and the next may begin eight clocks after it. In the
+// Control of the legs of engine_rus_ik: a leg takes 37 clocks, and the next begins eight or more after it. In the
 // clock after in_start out_x asks for row x of the pose and the first words of the leg; then out_z and out_y follow.
 // out_turn: the words that turn the joint are read next; out_last: all words have been read. out_flags marks the clock
 // in which out_root and the flags are valid: out_far (out of reach), out_none (no direction, or no answer wanted),
@@ -8,9 +8,12 @@
 // the free product out_rise.
 // Formats: in_row {r1, r2, r3, p} and in_words s18 each; out_word s2.16; out_root u18.4. Error:
 // bounds.engine.rus_angle.
-// Latency 37, II 8. Model: engine_rus.leg
+// Latency 37, II 8; with PIPE = 1 51 and 12. Model: engine_rus.leg
 `default_nettype none
-module engine_rus_leg (
+module engine_rus_leg #(
+    parameter PIPE = 0,      // registers behind products and sums, 0 or 1 (default 0)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+) (
     input  wire               clk,
     input  wire               rst,
     input  wire signed [26:0] cfg_k,
@@ -124,12 +127,72 @@ module engine_rus_leg (
         /* sine             */ {SHUT,   IDLE_C, NEXT_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  OUT_N}};
+    // The same with PIPE = 1: a product comes two clocks later
+    localparam [51*34-1:0] LEG_1 = {
+        /* row x            */ {ROW_X,  IDLE_C, IDLE_D, HALF,  NONE},
+        /* row z            */ {ROW_Z,  IDLE_C, IDLE_D, HALF,  NONE},
+        /* row y            */ {ROW_Y,  IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, PLACE, NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, PLACE, NONE},
+        /* x                */ {SHUT,   IDLE_C, IDLE_D, PLACE, X},
+        /* z; to e          */ {TURN,   LINK,   IDLE_D, HALF,  Z},
+        /* y; to h          */ {TURN,   IDLE_C, IDLE_D, HALF,  Y},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* e, f             */ {SHUT,   IDLE_C, IDLE_D, HALF,  E},
+        /* squares, of h    */ {SHUT,   HEIGHT, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, CONST, NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* their sum        */ {SHUT,   IDLE_C, IDLE_D, HALF,  Q},
+        /* to G             */ {SHUT,   GAIN,   IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* G                */ {SHUT,   IDLE_C, IDLE_D, HALF,  G},
+        /* keep e, f        */ {SHUT,   IDLE_C, IDLE_D, HALF,  KEEP},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* S^2              */ {SHUT,   IDLE_C, IDLE_D, HALF,  DISC},
+        /* radicand         */ {SHUT,   IDLE_C, IDLE_D, HALF,  OPEN},
+        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FIND},
+        /* pairs            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FINE},
+        /* slope            */ {SHUT,   IDLE_C, IDLE_D, HALF,  ROOT},
+        /* root             */ {SHUT,   IDLE_C, TABLE,  HALF,  NONE},
+        /* divisor          */ {SHUT,   IDLE_C, IDLE_D, HALF,  COPY},
+        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FIND},
+        /* pairs            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FINE},
+        /* S; slope         */ {SHUT,   IDLE_C, IDLE_D, HALF,  S | DIVISOR},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* cos              */ {COSINE, IDLE_C, IDLE_D, HALF,  NONE},
+        /* sin; reciprocal  */ {SINE,   IDLE_C, TABLE,  HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* cos; word, flags */ {SHUT,   IDLE_C, IDLE_D, HALF,  NUM | RATE},
+        /* cosine; sin      */ {SHUT,   IDLE_C, DIVIDE, HALF,  NUM},
+        /* sine             */ {SHUT,   IDLE_C, NEXT_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
+        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  OUT_C},
+        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  OUT_N}};
     wire [33:0] op;
     wire        idle;
-    schedule #(.LINES(37), .BITS(34), .TABLE(LEG)) control (
-        .clk(clk), .rst(rst), .in_start(in_start), .out_idle(idle), .out_op(op));
+    generate
+        if (PIPE == 0) begin : g_table
+            schedule #(.LINES(37), .BITS(34), .TABLE(LEG)) control (
+                .clk(clk), .rst(rst), .in_start(in_start), .out_idle(idle), .out_op(op));
+        end else begin : g_table
+            schedule #(.LINES(51), .BITS(34), .TABLE(LEG_1)) control (
+                .clk(clk), .rst(rst), .in_start(in_start), .out_idle(idle), .out_op(op));
+        end
+    endgenerate
     reg  [2:0]  tag2, tag3, tag4;
-    engine_rus_path path (
+    engine_rus_path #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) path (
         .clk(clk), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_op(op), .in_row(in_row), .in_words(in_words),
         .in_cb(in_cb), .in_nb(in_nb), .in_dead(tag4[1]), .in_place(in_place), .in_step(in_step), .out_rise(out_rise),
         .out_word(out_word), .out_root(out_root), .out_far(out_far), .out_none(out_none), .out_near(out_near),

@@ -7,7 +7,9 @@
 // Formats: in_row, in_words, in_cb, in_nb s18 each; in_sum s29.8 of the position word, in_f s18.8, in_g s19.4. Exact.
 // Latency: 1 to a gate, 1 more to an operand. Model: engine_rus.leg
 `default_nettype none
-module engine_rus_operands (
+module engine_rus_operands #(
+    parameter PIPE = 0  // of engine_rus_path, 0 or 1 (default 0)
+) (
     input  wire               clk,
     input  wire signed [26:0] cfg_k,
     input  wire [25:0]        cfg_c,
@@ -17,6 +19,7 @@ module engine_rus_operands (
     input  wire signed [17:0] in_cb,
     input  wire signed [17:0] in_nb,
     input  wire [11:0]        in_place,
+    input  wire [16:0]        in_step,
     input  wire [36:0]        in_sum,
     input  wire [25:0]        in_f,
     input  wire [22:0]        in_g,
@@ -119,23 +122,43 @@ module engine_rus_operands (
             open_z <= 26'd0;
     end
 
+    // With PIPE rows are added later than they leave their gates, and the step of an angle is a word like others
+    wire        hold, ends;  // the third row comes; dr is cleared for the step
+    wire [18:0] rest;        // place less foot
+    wire [16:0] step;
+    generate
+        if (PIPE == 0) begin : g_now
+            assign {hold, ends, rest, step} = {to_x, out_n, away, 17'd0};
+            wire unused = &{1'b0, in_step};
+        end else begin : g_later
+            reg        second, ended;
+            reg [18:0] away2;
+            assign {hold, ends, rest, step} = {second, ended, away2, in_step};
+            always @(posedge clk) begin
+                second <= y_row;
+                ended  <= out_n;
+                away2  <= away;
+            end
+        end
+    endgenerate
+
     wire [26:0] h = {length[25], length} & {27{height}};
     always @(posedge clk) begin
         out_al <= {row[71:54], 8'd0} | open_x | open_e | e_a | f_a;
         out_bl <= {row[53:36], 8'd0} | open_z | open_f | e_b | f_b;
         out_cl <= {{3{row[35] | open_cb[17]}}, row[35:18] | open_cb, 6'd0} | h | open_t | {{4{open_g[22]}}, open_g};
-        if (!y_row && !to_x) begin  // the coordinates of the joint are held for three rows
+        if (!y_row && !hold) begin  // the coordinates of the joint are held for three rows
             out_ar <= {{8{word1[17]}}, word1} | open_e | {{3{g_a[22]}}, g_a};
             out_br <= {{8{word2[17]}}, word2} | open_f | ({4'd0, open_s} ^ {26{invert}});
             out_cr <= {{7{word3[17]}}, word3, 2'd0} | h | {1'b0, open_c} | {{4{open_g[22]}}, open_g};
         end
         out_dl <= (next_d ? in_word : 27'd0) | (table_d ? {1'b0, in_w, 4'd8} : 27'd0)
             | {{3{open_nb[17]}}, open_nb, 6'd0} | {15'd0, in_place};
-        if (to_y || table_d || divide || out_n)
+        if (to_y || table_d || divide || ends)
             out_dr <= {{7{word3[17]}}, word3, 2'd0} | (table_d ? {1'b0, in_slope, 6'd0} : 27'd0)
-                | (divide ? reciprocal : 27'd0);
+                | (divide ? reciprocal : 27'd0) | {10'd0, step};
         // The 1 restores what two truncations lose
-        out_add <= with_k ? {{2{cfg_k[26]}}, cfg_k, 8'd0} : place ? {{10{away[18]}}, away, 8'd1} : 37'd1;
+        out_add <= with_k ? {{2{cfg_k[26]}}, cfg_k, 8'd0} : place ? {{10{rest[18]}}, rest, 8'd1} : 37'd1;
     end
 endmodule
 `default_nettype wire

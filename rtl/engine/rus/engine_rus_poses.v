@@ -4,10 +4,12 @@
 // out_flags. With out_sine, out_c is the cosine and out_word the sine, of leg 6 with out_last; out_none: the sine is 0.
 // in_place and in_step are the operands of the free product out_rise.
 // Formats: rotation s2.16; p sW; geometry s18; out_c, out_word s2.16; out_root u18.4. Error: bounds.engine.rus_angle.
-// Latency of leg 1: 32 to its flags, 37 to its sine; II 48. Model: engine_rus.ik
+// Latency of leg 1: 32 to its flags, 37 to its sine; II 48; with PIPE = 1 46, 51 and 72. Model: engine_rus.ik
 `default_nettype none
 module engine_rus_poses #(
-    parameter W = 18  // bits of a position, 14 to 18 (default 18)
+    parameter W = 18,        // bits of a position, 14 to 18 (default 18)
+    parameter PIPE = 0,      // registers behind products and sums, 0 or 1 (default 0)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -36,19 +38,31 @@ module engine_rus_poses #(
     output wire                out_near,
     output wire                out_over
 );
-    // A leg begins every 8 clocks and takes 37. While legs are inside, the next pose keeps the same distance
+    // A leg begins every 8 clocks and takes 37, or with PIPE = 1 every 12 and takes 51. While legs are inside, the next
+    // pose keeps the same distance
     localparam [0:0]
         WAIT  = 1'b0,
         AGAIN = 1'b1;  // the next leg begins, of this pose or of the next one
     localparam [8-1:0] EIGHT = {
         /* a leg */ {7{WAIT}},
         /* next  */ AGAIN};
-    reg        busy;  // legs are inside
+    localparam [12-1:0] TWELVE = {
+        /* a leg */ {11{WAIT}},
+        /* next  */ AGAIN};
+    reg        busy;  // legs are inside; with PIPE = 1 low for the four clocks from the end of a pose to the next read
     wire       idle, again, more;
     wire       accept = in_valid && in_ready;
     wire       next = again && more;
-    schedule #(.LINES(8), .BITS(1), .TABLE(EIGHT)) beat (
-        .clk(clk), .rst(rst), .in_start(accept || again && (busy || more)), .out_idle(idle), .out_op(again));
+    wire       start = accept || again && (busy || more);
+    generate
+        if (PIPE == 0) begin : g_table
+            schedule #(.LINES(8), .BITS(1), .TABLE(EIGHT)) beat (
+                .clk(clk), .rst(rst), .in_start(start), .out_idle(idle), .out_op(again));
+        end else begin : g_table
+            schedule #(.LINES(12), .BITS(1), .TABLE(TWELVE)) beat (
+                .clk(clk), .rst(rst), .in_start(start), .out_idle(idle), .out_op(again));
+        end
+    endgenerate
 
     // The pose; its rows are read in the order x, z, y
     reg                load, first;  // first: the three clocks in which the first leg reads all rows
@@ -70,7 +84,7 @@ module engine_rus_poses #(
     end
 
     wire               cosine, far, near, over, dead, unreached;
-    engine_rus_leg path (
+    engine_rus_leg #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) path (
         .clk(clk), .rst(rst), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_start(accept || next),
         .in_row(row), .in_words(words), .in_cb(cb), .in_nb(nb), .in_tag(tag),
         .in_place(in_place), .in_step(in_step), .out_rise(out_rise), .out_x(x_row), .out_z(z_row),
