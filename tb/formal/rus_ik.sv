@@ -93,7 +93,9 @@ module engine_rus_rules #(parameter WO = 1, PIPE = 0, LATE = 0) (
     localparam H = PIPE == 0 ? 8 : 12, L = PIPE == 0 ? 37 : 51;  // clocks between two legs, and of one
     localparam READ = PIPE == 0 ? 4 : 6, TAG2 = PIPE == 0 ? 10 : 16, TAG3 = PIPE == 0 ? 17 : 27,
         TAG4 = PIPE == 0 ? 22 : 33, TAG5 = PIPE == 0 ? 29 : 44;  // its lines that move a tag on
-    localparam N = 10 * H, END = 5 * H + L;                      // the sine of leg 6 is out
+    localparam N = 10 * H, END = 5 * H + L;             // the sine of leg 6 is out
+    localparam FREE = PIPE == 0 ? END - 1 : 5 * H + 45;  // from here on no leg keeps the beat, and it stops with the
+    localparam IDLE = PIPE == 0 ? N : 9 * H;             // last line before this
     reg  [WO-1:0] before;
     reg  live, waits, free;
     reg  [N-1:0] age;   // age[i]: a pose was taken i + 1 clocks ago
@@ -111,7 +113,8 @@ module engine_rus_rules #(parameter WO = 1, PIPE = 0, LATE = 0) (
     always @* if (!live) assume (rst);
 
     localparam [N-2:0] ONE = 1;
-    localparam [N-2:0] APART = ONE << 6 * H - 1 | ONE << 7 * H - 1 | ONE << 8 * H - 1 | ONE << 9 * H - 1;
+    localparam [N-2:0] APART = ONE << 6 * H - 1 | ONE << 7 * H - 1 | ONE << 8 * H - 1 | ONE << 9 * H - 1
+        | (PIPE == 0 ? 0 : ~(ONE << IDLE - 1) + 1);
     wire [N-1:0] clash;
     wire [L-1:0] legs;
     wire [H-1:0] beats;
@@ -120,7 +123,7 @@ module engine_rus_rules #(parameter WO = 1, PIPE = 0, LATE = 0) (
     genvar i;
     generate
         for (i = 0; i < N; i = i + 1) begin : g_age
-            // another one that is not 6, 7, 8 or 9 legs older
+            // another one that is not 6, 7, 8 or 9 legs older, or so old that the beat has stopped
             if (i < N - 1) assign clash[i] = age[i] && |(age[N-1:i+1] & ~APART);
             else           assign clash[i] = 1'b0;
         end
@@ -129,7 +132,7 @@ module engine_rus_rules #(parameter WO = 1, PIPE = 0, LATE = 0) (
         end
         for (i = 0; i < H; i = i + 1) begin : g_beat
             assign beats[i] = age[i] | age[i+H] | age[i+2*H] | age[i+3*H] | age[i+4*H] | age[i+5*H] | age[i+6*H]
-                | age[i+7*H] | age[i+8*H] | age[i+9*H];
+                | age[i+7*H] | age[i+8*H] | (age[i+9*H] && PIPE == 0);
         end
         for (i = 0; i < END + LATE; i = i + 1) begin : g_count
             assign count[i+1] = count[i] + {2'd0, age[i]};
@@ -137,16 +140,16 @@ module engine_rus_rules #(parameter WO = 1, PIPE = 0, LATE = 0) (
     endgenerate
     wire [2:0] leg = |age[READ+H:READ+1] ? 3'd1 : |age[READ+2*H:READ+H+1] ? 3'd2 : |age[READ+3*H:READ+2*H+1] ? 3'd3
         : |age[READ+4*H:READ+3*H+1] ? 3'd4 : |age[READ+5*H:READ+4*H+1] ? 3'd5 : 3'd0;
-    wire step = age[6*H-1] | age[7*H-1] | age[8*H-1] | age[9*H-1] | age[10*H-1];
+    wire step = age[6*H-1] | age[7*H-1] | age[8*H-1] | age[9*H-1] | (age[10*H-1] && PIPE == 0);
 
     always @* if (live) begin
         assert (clash == 0);
         assert (beat == beats);
         assert (control == legs);
-        // with PIPE the end of a pose clears it, and the next leg sets it again before another could begin
-        assert (busy == (|age[END-1:READ+1] && !(PIPE != 0 && |age[END+3:END])));
+        // with PIPE the flags of leg 6 clear it, and the next read of another pose, which keeps the beat, sets it again
+        assert (busy == (|age[FREE:READ+1] && !(PIPE != 0 && |age[READ+9*H:FREE+1])));
         assert (at == leg);
-        assert (in_ready == ((age == 0 || step && leg == 0 && age[6*H-2:0] == 0) && (!out_valid || out_ready)));
+        assert (in_ready == ((age[IDLE-1:0] == 0 || step && leg == 0 && age[6*H-2:0] == 0) && (!out_valid || out_ready)));
         if (|age[READ+5*H:READ+1])     assert (!tags[0]);
         if (|age[READ+6*H:READ+5*H+1]) assert (tags[0]);
         if (|age[TAG2+5*H:TAG2+1])     assert (!tags[1]);

@@ -123,17 +123,17 @@ module engine_rus_operands #(
     end
 
     // With PIPE rows are added later than they leave their gates, and the step of an angle is a word like others
-    wire        hold, ends;  // the third row comes; dr is cleared for the step
-    wire [18:0] rest;        // place less foot
+    wire        hold, ends, alone;  // the third row comes; dr is cleared for the step, or takes it alone
+    wire [18:0] rest;               // place less foot
     wire [16:0] step;
     generate
         if (PIPE == 0) begin : g_now
-            assign {hold, ends, rest, step} = {to_x, out_n, away, 17'd0};
+            assign {hold, ends, alone, rest, step} = {to_x, out_n, 1'b0, away, 17'd0};
             wire unused = &{1'b0, in_step};
         end else begin : g_later
             reg        second, ended;
             reg [18:0] away2;
-            assign {hold, ends, rest, step} = {second, ended, away2, in_step};
+            assign {hold, ends, alone, rest, step} = {second, ended, ended, away2, in_step};
             always @(posedge clk) begin
                 second <= y_row;
                 ended  <= out_n;
@@ -155,7 +155,7 @@ module engine_rus_operands #(
         out_dl <= (next_d ? in_word : 27'd0) | (table_d ? {1'b0, in_w, 4'd8} : 27'd0)
             | {{3{open_nb[17]}}, open_nb, 6'd0} | {15'd0, in_place};
         if (to_y || table_d || divide || ends)
-            out_dr <= {{7{word3[17]}}, word3, 2'd0} | (table_d ? {1'b0, in_slope, 6'd0} : 27'd0)
+            out_dr <= ({{7{word3[17]}}, word3, 2'd0} & {27{!alone}}) | (table_d ? {1'b0, in_slope, 6'd0} : 27'd0)
                 | (divide ? reciprocal : 27'd0) | {10'd0, step};
         // The 1 restores what two truncations lose
         out_add <= with_k ? {{2{cfg_k[26]}}, cfg_k, 8'd0} : place ? {{10{rest[18]}}, rest, 8'd1} : 37'd1;

@@ -49,7 +49,7 @@ module engine_rus_poses #(
     localparam [12-1:0] TWELVE = {
         /* a leg */ {11{WAIT}},
         /* next  */ AGAIN};
-    reg        busy;  // legs are inside; with PIPE = 1 low for the four clocks from the end of a pose to the next read
+    reg        busy;  // legs are inside that the next one could meet; of a pose behind them `more` keeps the beat
     wire       idle, again, more;
     wire       accept = in_valid && in_ready;
     wire       next = again && more;
@@ -115,7 +115,7 @@ module engine_rus_poses #(
         end
         if (cosine)
             out_c <= out_none ? 18'h10000 : out_word;
-        if (out_sine && out_last)
+        if ((PIPE == 0 ? out_sine : out_flags) && out_last)
             busy  <= 1'b0;
         if (read)
             busy <= 1'b1;
