@@ -412,15 +412,17 @@ def test_margin_and_slack(core):
 def test_angles_are_those_of_the_vectors(core):
     """Within 0.89 LSB and what the vector's length turns, held joints too."""
     p, rng = core.params, np.random.default_rng(9)
-    poses = importlib.import_module(f"tb.stimulus.{core.family}").poses
+    samples = importlib.import_module(f"tb.stimulus.{core.family}")
     vectors = next(one.model for one in all_cores() if one.function == core.function.removesuffix("_to_angles"))
     named = joints(core.outputs)
     for cfg in stimulus.configs(core, rng)[:2]:
         q = rng.uniform(-np.pi, np.pi, (1500, len(named)))
         q[::9, 4:6] = 0  # one of them has no direction
-        words = poses(core, cfg, q, rng)
+        lengths = (cfg.get(f"cfg_{name}", 0) * 2.0 ** -(p["F"] + six.MORE) for name in truth_srs.Srs._fields)
+        arm = truth_srs.Srs(*lengths) if core.family == "srs" else samples._arm(core, cfg)
+        words = samples.poses(core, arm, q, rng)
         if core.family == "srs":  # with the swivel of these joints
-            swivel = truth_srs.swivel(q, truth_srs.Srs(*(cfg[f"cfg_{name}"] for name in truth_srs.Srs._fields)))
+            swivel = truth_srs.swivel(q, arm)
             words |= {"in_cs": np.rint(np.cos(swivel) * 2.0 ** p["U"]).astype(int),
                       "in_ns": np.rint(np.sin(swivel) * 2.0 ** p["U"]).astype(int)}
         answer, found = core.model(p, **words, **cfg), vectors(p, **words, **cfg)
