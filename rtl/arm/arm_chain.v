@@ -56,7 +56,7 @@ module arm_chain #(
         B      = 12'h200,  // the sum is the new b
         Z      = 12'h400,  // the sum is z
         LAST   = 12'h800;  // the sum is x; y is in the clock after
-    localparam [12*7-1:0] CHAIN = {
+    localparam [12*7-1:0] TURNS = {
         /* A       */ {SUM},
         /* B       */ {SIN | SUM | SECOND | A},
         /* B waits */ {B},
@@ -64,8 +64,8 @@ module arm_chain #(
         /* z       */ {JOINT1 | SIN | SUM | SUM1 | SECOND | A},
         /* x       */ {JOINT3 | SUM | SUM3 | Z},
         /* y       */ {JOINT3 | SIN | SUM | SUM3 | LAST}};
-    // With registers: operands, two clocks later the sum of their products
-    localparam [12*13-1:0] SLOW = {
+    // PIPE = 1: operands, two clocks later the sum of their products
+    localparam [12*13-1:0] TURNS_1 = {
         /* A       */ {12'd0},
         /* B       */ {SIN},
         /* A       */ {SUM},
@@ -79,7 +79,7 @@ module arm_chain #(
         /* y       */ {JOINT3 | SIN},
         /* x       */ {SUM | SUM3},
         /* y       */ {SUM | SUM3 | LAST}};
-    localparam [12*10-1:0] APART = {  // joint 1 turns link 1 alone
+    localparam [12*10-1:0] ABSOLUTE_1 = {  // joint 1 turns link 1 alone, meanwhile
         /* A       */ {12'd0},
         /* B       */ {SIN},
         /* A, rho  */ {SUM | JOINT1},
@@ -91,7 +91,8 @@ module arm_chain #(
         /* x       */ {SUM | SUM3},
         /* y       */ {SUM | SUM3 | LAST}};
     localparam LINES = PIPE == 0 ? 7 : ABSOLUTE == 0 ? 13 : 10;
-    localparam [12*13-1:0] TABLE = PIPE == 0 ? {72'd0, CHAIN} : ABSOLUTE == 0 ? SLOW : {36'd0, APART};
+    localparam [12*13-1:0] TABLE = PIPE == 0 ? {{12*(13-7){1'b0}}, TURNS} : ABSOLUTE == 0 ? TURNS_1
+                                 : {{12*(13-10){1'b0}}, ABSOLUTE_1};
     wire   joint1, joint3, sine, offset, add, add1, add3, second, to_a, to_b, to_z, last, idle;
     wire   accept = in_valid && in_ready;
     assign in_ready = idle && (!out_valid || out_ready);
