@@ -86,8 +86,8 @@ by its iterative cores. *Blocks counted* takes a MULT18X18 as {dsp} LUTs and an 
 LFE5U-25."""
 
 METRE_NOTE = """\
-Links of 500 mm; each core has the shortest words for a total error of 10 and of 2 µm. A core that is absent has no
-words as long."""
+Links of 500 mm; each core has the shortest words for a total error of 10 and of 2 µm. A core that is absent misses the
+target at any length of word that it has."""
 
 ITSELF_NOTE = """\
 Both have tables and products, each at the tightest target that both reach (where there is none, at their first sets);

@@ -96,6 +96,22 @@ def test_the_scara_of_1_m_has_targets_and_a_digest_of_its_own(monkeypatch):
     assert before[0] == after[0] and len({*before, *after}) == 3 and reach.grid_of(fine)["F"] == (8, 9)
 
 
+@pytest.mark.full
+@pytest.mark.parametrize(("name", "target"), [
+    (row["core"], target) for row in run.committed()["verdict"]["designs"].values() if row.get("metre")
+    for target, pick in row["picks"].items() if pick])
+def test_the_words_for_1_m_keep_their_target_and_a_joint_word_a_bit_shorter_does_not(name, target):
+    """By the figures that the report has of a listed set."""
+    arm, core = arms.load(designs.METRE), cores.find(name)
+    values = run.committed()["verdict"]["designs"][f"{name} on 1 m"]["picks"][target]["values"]
+
+    def total(more):
+        return of_core.figures(cores.at(core, core.params | values | more), arm)["total_mm"]
+
+    joint = "A" if "A" in values else "U"
+    assert total({}) <= designs.RULES["metre"]["target"][target]["mm"] < total({joint: values[joint] - 1})
+
+
 def test_limits_are_in_lsb_of_q7_8(monkeypatch):
     assert {"0.1 mm", "1 LSB"} <= reach.limits(FK1, ARM).keys()
     monkeypatch.setitem(reach.RULES, "target", {"0.1 mm": {"mm": 0.1}, "1/2 LSB": {"lsb": 0.5}})
