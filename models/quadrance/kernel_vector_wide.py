@@ -1,4 +1,4 @@
-"""Bit-true model of kernel_vector_wide: `kernel_vector_solve` in the plane for words of more than 16 bits.
+"""Bit-true model of kernel_vector_wide: `kernel_vector_solve` for words of more than 16 bits.
 
 A product of its words has at most 62 bits and int64 holds it; where a shift takes bits past the 63rd, `wrap` needs none
 of them, or the result is out of range, which is found before the shift.
@@ -122,17 +122,35 @@ def unit_word(p: Params, product: Ints) -> Ints:
     return wrap((product >> 2 * form(p).fraction - 2 - p["U"]) + 1 >> 1, p["U"] + 2)
 
 
-def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints, limits: Limits = None) -> tuple[Ints, ...]:
-    """(c1, n1, c2, n2, unreachable, at the shoulder, near to singular); products with 2 fraction - 1 fraction bits.
+def _spare_pairs(f: Format, q: Ints) -> Ints:
+    """Pairs of upper bits that a q of as many pairs as a coordinate has bits can spare."""
+    return f.bits - (np.ceil(np.log2(np.maximum(q, 1) + 0.5)).astype(np.int64) + 1) // 2 - (q == 0)
 
-    Last is what `kernel_vector_solve.edges` calls near; the slack in `limits` has bits - 2 fraction bits of c2.
+
+def _shifted(f: Format, total: Ints, s: Ints) -> Ints:
+    """The word of a sum with SUM fraction bits: times 2^(2 s - 2 bits + fraction), truncated."""
+    return wrap(total << 2 * s >> 2 * f.bits - f.fraction + SUM, f.fraction + 2)
+
+
+def _reciprocal(f: Format, q: Ints, s: Ints, root: Ints) -> Ints:
+    """The word of 1/q' or of 2 / sqrt(q'), of a sum q with SUM fraction bits."""
+    return wrap(inverse_product(f, _shifted(f, q, s), root) >> f.fraction - 2, f.fraction + 2)
+
+
+def _direction_power(f: Format, s: Ints) -> Ints:
+    """The value that replaces k1 where q is the quadrance of a direction alone."""
+    return np.int64(1) << f.bits - 1 + GUARD + (s & 1)
+
+
+def _elbow(f: Format, x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints,
+           cfg_e: Ints, limits: Limits) -> tuple[Ints, ...]:
+    """(c1, n1, c2, n2, unreachable, at the shoulder, near to singular) of aligned words, x with `more` fraction bits.
+
+    Cosines and sines are products with 2 fraction - 1 fraction bits. Last is what `kernel_vector_solve.edges` calls
+    near; the slack in `limits` has bits - 2 fraction bits of c2.
     """
-    f = form(p)
-    every = np.broadcast_arrays(in_x, in_y, in_elbow, *words)
-    x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in every)
-    x, y, l1, l2 = (word << f.bits - p["W"] for word in (x, y, l1, l2))
     one, drop = 2 * f.fraction - 1, 2 * f.bits - f.fraction + SUM
-    total = turned(x << GUARD + 1, y << GUARD + 1, x, y)
+    total = turned(x << GUARD + 1 - more, y << GUARD + 1, x, y, more)
     q, gap = total >> SUM, total + (cfg_q << SUM)
     up = 2 * cfg_e - drop
     beyond = np.abs(gap + (gap < 0)) >> np.clip(f.fraction + 1 - up, 0, 63) != 0
@@ -148,18 +166,55 @@ def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints, limit
     n2 = w * (slope << f.fraction + 1 - f.slope)
     k1 = (c2 * l2 >> f.fraction - GUARD) + (l1 << GUARD)
     k2 = (n2 >> f.fraction - 1) * l2 >> f.fraction - GUARD
-    s = f.bits - (np.ceil(np.log2(np.maximum(q, 1) + 0.5)).astype(np.int64) + 1) // 2 - (q == 0)
-    inverse = inverse_product(f, wrap(total << 2 * s >> drop, f.fraction + 2), clamped)
-    power = np.int64(1) << f.bits - 1 + GUARD + (s & 1)
-    k1 = 2 * np.where(clamped, np.where(k1 < 0, -1, 1) * power, k1) + 1
+    s = _spare_pairs(f, q)
+    r = _reciprocal(f, total, s, clamped)
+    k1 = 2 * np.where(clamped, np.where(k1 < 0, -1, 1) * _direction_power(f, s), k1) + 1
     far, near = clamped, np.False_
     if limits:
-        margin, slack = ints(limits[0]) << f.bits - p["W"] + GUARD, ints(limits[1])
+        margin, slack = limits[0] << GUARD, limits[1]
         less = (product >> one + 2 - f.bits) - slack
         far = clamped & (beyond | (product >> one + 1 != 0) | (less >> f.bits - 2 > 0))
         bent = (elbow == 1) & ~clamped & (square >> f.fraction + 1 == 0)
         near = (k2 + np.where(bent, margin, -margin) < 0) != (k2 < 0)
     k2, s = 2 * k2 + 1, np.where(clamped, s >> 1, s)
-    b, a = (wrap(turned(*k, x, y) << 2 * s >> drop, f.fraction + 2) for k in ((k1, k2), (-k2, k1)))
-    r = wrap(inverse >> f.fraction - 2, f.fraction + 2)
+    b, a = (_shifted(f, turned(*k, x, y, more), s) for k in ((k1, k2), (-k2, k1)))
     return b * r, a * r, np.where(clamped, np.where(short, -1, 1) << one, product), n2, far, q == 0, near
+
+
+def _aligned(f: Format, p: Params, limits: Limits) -> Limits:
+    """Margin and slack, the margin of aligned words."""
+    return limits and (ints(limits[0]) << f.bits - p["W"], ints(limits[1]))
+
+
+def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints, limits: Limits = None) -> tuple[Ints, ...]:
+    """`_elbow` of the ports of a core in the plane; `words`: `cfg_l1`, `cfg_l2` and the rest of `config`."""
+    f = form(p)
+    x, y, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_elbow, *words))
+    x, y, l1, l2 = (word << f.bits - p["W"] for word in (x, y, l1, l2))
+    return _elbow(f, x, y, 0, elbow, l1, l2, *rest, _aligned(f, p, limits))
+
+
+def yaw(f: Format, x: Ints, y: Ints) -> tuple[Ints, Ints, Ints]:
+    """(c3, n3) of aligned words, products as in `_elbow`, and the length c3 x + n3 y, GUARD fraction bits."""
+    q = x * x + y * y
+    s = _spare_pairs(f, q)
+    power, one = 2 * _direction_power(f, s) + 1, ints(1)
+    r = _reciprocal(f, q << SUM, s, np.True_)
+    c, n = (_shifted(f, turned(*k, x, y), s >> 1) * r for k in ((power, one), (-one, power)))
+    cut = 2 * f.fraction - 3 - f.bits  # cosines keep bits + 2 fraction bits, the sum has bits + 1
+    total = turned(2 * (c >> cut) + 1, 2 * (n >> cut) + 1, x, y)
+    return c, n, total + (1 << f.bits - GUARD) >> f.bits + 1 - GUARD
+
+
+def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words: Ints,
+          limits: Limits = None) -> tuple[Ints, ...]:
+    """As `plane`, of a core in space; and the same of joint 3: (c3, n3, on its axis)."""
+    f = form(p)
+    x, y, z, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, *words))
+    x, y, z, l1, l2 = (word << f.bits - p["W"] for word in (x, y, z, l1, l2))
+    c3, n3, rho = yaw(f, x, y)
+    limits = _aligned(f, p, limits)
+    found = _elbow(f, rho, z, GUARD, elbow, l1, l2, *rest, limits)
+    if limits:
+        found = (*found[:-1], found[-1] | (rho >> GUARD < limits[0]))
+    return *found, c3, n3, (x == 0) & (y == 0)

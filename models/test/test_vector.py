@@ -378,8 +378,9 @@ def test_the_reciprocal_never_reaches_four() -> None:
 
 
 SPACE = {core.id: core.params for core in all_cores() if core.model_name == "vector.ik3"}
-SPACE_CASES = [pytest.param(p, l1 >> 16 - p["W"], l2 >> 16 - p["W"], id=f"{name}-{l1}-{l2}")
-               for name, p in SPACE.items() for l1, l2 in LINKS]
+SPACE_CASES = [pytest.param(p, *((length << p["W"]) >> 16 for length in pair), id=f"{name}-{pair[0]}-{pair[1]}")
+               for name, p in (SPACE | {"short": SHORT}).items() for pair in LINKS]
+WIDE = [{"W": 20, "F": 12, "U": 20}, {"W": 22, "F": 14, "U": 21}, {"W": 24, "F": 16, "U": 24}]
 
 
 def _answer3(p: dict[str, int], l1: int, l2: int, target: np.ndarray, elbow: object) -> dict[str, np.ndarray]:
@@ -419,21 +420,27 @@ def test_ik3_puts_the_tip_within_its_bound(p: dict[str, int], l1: int, l2: int) 
     if p["W"] == 16 and l1 + l2 <= 16384:  # 64 units of Q7.8, rounding of the six words included
         assert np.max(error[long >= 256], initial=0) <= 0.75
     assert np.all(out["out_n2"] * (1 - 2 * elbow) >= 0)
+    f, rho = kernel_vector_wide.form(p), np.hypot(*target[:2])
+    length, turned = (part * 2.0 ** p["U"] + np.sqrt(0.5)
+                      for part in bounds.vector.yaw(rho * 2.0 ** (f.bits - p["W"]), f))
     yaw = np.abs(np.hypot(out["out_c3"], out["out_n3"]) - (1 << p["U"]))
-    assert np.max(yaw, initial=0) <= 1.2
-    off = np.abs(target[0] * out["out_n3"] - target[1] * out["out_c3"]) / np.hypot(*target[:2])
-    assert np.max(off, initial=0) <= np.sqrt(0.5) + 2.0 ** (p["U"] - 19)
+    assert np.all(yaw <= length)
+    if p["W"] <= 16:
+        assert np.max(yaw, initial=0) <= 1.2
+    off = np.abs(target[0] * (out["out_n3"] / rho) - target[1] * (out["out_c3"] / rho))
+    assert np.all(off <= turned)
     assert np.all(target[0] * out["out_c3"] + target[1] * out["out_n3"] > 0)
 
 
-def test_ik3_far_and_near_are_flagged_in_space() -> None:
-    rng = np.random.default_rng(9)
-    target, elbow = rng.integers(-32768, 32768, (3, 60_000)), rng.integers(0, 2, 60_000)
-    target[:, :20_000] >>= rng.integers(1, 16, 20_000)
-    for l1, l2 in ((8192, 8192), (12000, 4384), (4384, 12000), (300, 200)):
-        q, (missed, mistaken) = (target * target).sum(axis=0), bounds.vector.reach(P, l1, l2, target)
+@pytest.mark.parametrize("p", [P, *WIDE], ids=lambda p: f"W{p['W']}")
+def test_ik3_far_and_near_are_flagged_in_space(p: dict[str, int]) -> None:
+    rng, high, more = np.random.default_rng(9), 1 << p["W"] - 1, p["W"] - 16
+    target, elbow = rng.integers(-high, high, (3, 60_000)), rng.integers(0, 2, 60_000)
+    target[:, :20_000] >>= rng.integers(1, p["W"], 20_000)
+    for l1, l2 in ((8192 << more, 8192 << more), (12000 << more, 4384 << more), (4384, 12000 << more), (300, 200)):
+        q, (missed, mistaken) = (target * target).sum(axis=0), bounds.vector.reach(p, l1, l2, target)
         far, near = (l1 + l2) ** 2, (l1 - l2) ** 2
-        flag = _answer3(P, l1, l2, target, elbow)["out_status"] & 1 > 0
+        flag = _answer3(p, l1, l2, target, elbow)["out_status"] & 1 > 0
         assert np.all(flag[(q > far + missed) | (q < near - missed)])
         assert not flag[(q < far - mistaken) & (q > near + mistaken)].any()
 
@@ -460,3 +467,19 @@ def test_rho_and_the_yaw_are_within_their_bounds() -> None:
     c3, n3, (length, turned) = b * r / 2**49, a * r / 2**49, bounds.vector.yaw(exact)
     assert np.all(np.abs(np.hypot(c3, n3) - 1) <= length)
     assert np.all(np.abs(target[0] * n3 - target[1] * c3) / exact <= turned)
+
+
+@pytest.mark.parametrize("p", WIDE, ids=lambda p: f"W{p['W']}")
+def test_rho_and_the_yaw_of_wide_words_are_within_their_bounds(p: dict[str, int]) -> None:
+    rng, high, f = np.random.default_rng(3), 1 << p["W"] - 1, kernel_vector_wide.form(p)
+    target = rng.integers(-high, high, (2, 200_000)) >> rng.integers(0, p["W"], 200_000)
+    target = target[:, (target != 0).any(axis=0)]
+    exact, unit = np.hypot(*target), 2.0 ** (f.bits - p["W"])
+    c3, n3, rho = kernel_vector_wide.yaw(f, *(target << f.bits - p["W"]))
+    assert np.all(np.abs(rho / 16 / unit - exact) <= bounds.vector.radius(p, target))
+    c3, n3, (length, turned) = *(word / 2.0 ** (2 * f.fraction - 1) for word in (c3, n3)), bounds.vector.yaw(
+        exact * unit, f)
+    assert np.all(np.abs(np.hypot(c3, n3) - 1) <= length)
+    assert np.all(np.abs(target[0] * n3 - target[1] * c3) / exact <= turned)
+    assert np.max(np.abs(np.hypot(c3, n3) - 1) / length) > 0.4  # a law that means something
+

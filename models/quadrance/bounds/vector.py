@@ -200,30 +200,51 @@ at q' = 1 (not both), its first factor 0.06; the half unit in place of k2 0.06.
 """
 
 
-def yaw(rho: ArrayLike) -> tuple[Floats, Floats]:
+def yaw(rho: ArrayLike, f: Format = FORMATS[0]) -> tuple[Floats, Floats]:
     """(c3, n3) of vector_ik3 before both are rounded: how far the length is from 1, and the direction off (rad).
 
+    Parameters
+    ----------
+    rho : float array
+        LSB of aligned words.
+
+    Notes
+    -----
     2/sqrt(q'), q' as in `inverse`: half of what the tangent loses 3/16 b^2, half a unit of the slope and of the
     first factor, the cut of the product. Both: the half unit behind 2^15 and 0, 2^-20; the cut of the products with
-    them to 1/8, two a coordinate, and of what is shifted to 2^-24, sqrt(q') >= 1/2.
+    them to 1/8, two a coordinate, and of what is shifted to 2^-24, sqrt(q') >= 1/2. Of longer words: `_moved`, whose
+    third order is 5 / 16 b^3; the slope's root is cut to 26 bits.
     """
     rho = np.maximum(floats(rho), 1)
     q = rho * rho / 4.0 ** np.ceil(np.floor(np.log2(rho * rho) + 1) / 2)
-    turned = 2**-20 + 2**-22.5 + 2**-16.5 / rho
-    return 3 * 2**-24 / q**2 + q**1.5 * 2**-18 + 2**-22 / q + 2**-24 + turned, turned
+    turned = 2.0 ** -(f.bits + 4) + 2.0 ** (2.5 - f.fraction) + 2.0 ** (-0.5 - f.bits) / rho
+    if f.coefficient:
+        b = 2.0 ** (f.segments + 1) * q - 1
+        off = _moved(f, q, 0.32 / b**3, 3 * 2.0 ** (f.coefficient - 5) / q, 2.0 ** (-2 * f.segments - f.coefficient))
+        root = 1.001 * (off / q + q**1.5 * 2.0 ** (2 - f.slope) + q**0.5 * 2.0**-26) + 2.0 ** (1 - f.fraction)
+    else:
+        root = 3 * 2**-24 / q**2 + q**1.5 * 2**-18 + 2**-22 / q + 2**-24
+    return root + turned, turned
+
+
+def _yaw(p: Params, target: ArrayLike) -> tuple[Floats, Floats]:
+    """`yaw` of targets in LSB."""
+    f = form(p)
+    return yaw(np.hypot(*floats(target)[:2]) * 2.0 ** (f.bits - p["W"]), f)
 
 
 def radius(p: Params, target: ArrayLike) -> Floats:
     """Error of rho of vector_ik3, LSB: half a unit of its 4 fraction bits, the cut of the two products to 2^-17, c3 and
-    n3 to 18 fraction bits about a half, and their length."""
-    rho = np.hypot(*floats(target)[:2]) * 2.0 ** (16 - p["W"])
-    return (1 / 32 + 2**-16 + rho * (2**0.5 * 2**-19 + yaw(rho)[0])) * 2.0 ** (p["W"] - 16)
+    n3 to 18 fraction bits about a half, and their length. With aligned words of 20 or 24 bits 2^-21, 22; 2^-25, 26."""
+    f = form(p)
+    rho, unit = np.hypot(*floats(target)[:2]), 2.0 ** (p["W"] - f.bits)
+    return (1 / 32 + 2.0**-f.bits) * unit + rho * (2**0.5 * 2.0 ** -(f.bits + 3) + _yaw(p, target)[0])
 
 
 def _seen(p: Params, target: ArrayLike) -> Floats:
-    """By how much the error of rho moves the quadrance of vector_ik3, LSB^2 of 16-bit words; its cut to 1/8 LSB^2."""
+    """By how much the error of rho moves the quadrance of vector_ik3, LSB^2 of aligned words; its cut to 1/8 LSB^2."""
     off = radius(p, target)
-    return (2 * np.hypot(*floats(target)[:2]) + off) * off * 4.0 ** (16 - p["W"]) + 1 / 8
+    return (2 * np.hypot(*floats(target)[:2]) + off) * off * 4.0 ** (form(p).bits - p["W"]) + 1 / 8
 
 
 def reach(p: Params, l1: int, l2: int, target: ArrayLike) -> tuple[Floats, Floats]:
@@ -246,7 +267,7 @@ def ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats
     rho = np.hypot(x, y)
     off, seen, long = radius(p, target), _seen(p, target), np.hypot(rho, z)
     plane = [ik2(p, l1, l2, np.maximum(long + sign * off, 0), n2, seen) for sign in (-1, 1)]
-    third = sum(yaw(rho * 2.0 ** (16 - p["W"]))) + math.sqrt(0.5) * 2.0 ** -p["U"]
+    third = sum(_yaw(p, target)) + math.sqrt(0.5) * 2.0 ** -p["U"]
     return 1.001 * np.maximum(*plane) + off + rho * third
 
 
@@ -255,7 +276,7 @@ def ik3_length(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) ->
     x, y, z = floats(target)
     rho = np.hypot(x, y)
     nearer = np.maximum(np.hypot(rho, z) - radius(p, target), 0.5)
-    third = yaw(rho * 2.0 ** (16 - p["W"]))[0] * 2.0 ** p["U"] + math.sqrt(0.5)
+    third = _yaw(p, target)[0] * 2.0 ** p["U"] + math.sqrt(0.5)
     return ik2_length(p, l1, l2, nearer, n2, _seen(p, target)) + third
 
 
@@ -265,8 +286,8 @@ def ik3_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     `NEAREST`; the yaw as in `ik3`; and (rho, z) seen from the shoulder turned by the error of rho.
     """
     target = floats(target)
-    length, rho = np.sqrt((target * target).sum(axis=0)), np.hypot(*target[:2]) * 2.0 ** (16 - p["W"])
+    length = np.sqrt((target * target).sum(axis=0))
     at = np.where(length > (l1 + l2 + abs(l1 - l2)) / 2, l1 + l2, abs(l1 - l2))
     turned = np.arcsin(np.minimum(radius(p, target) / np.maximum(length, 1e-9), 1))
-    third = sum(yaw(rho)) + math.sqrt(0.5) * 2.0 ** -p["U"]
+    third = sum(_yaw(p, target)) + math.sqrt(0.5) * 2.0 ** -p["U"]
     return NEAREST * (l1 + l2) / 2 ** p["U"] + at * third + 2 * at * np.sin(turned / 2)

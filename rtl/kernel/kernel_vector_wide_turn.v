@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operands of the first two multipliers of kernel_vector_wide, and the sum of both products:
+//   out_sum = k1 x + k2 y + in_addend, each product truncated to 2^-3
+//   in_start: k1, x are in_x and k2, y are in_y. in_rho: k1, x are in_total and k2, y are z
+//   in_power: (k1, k2) is (2^(N-1), 0), or (2^N, 0) with in_odd. in_k1: k1 is in_sum, or with in_clamp that power,
+//   signed. in_k2: k2 is in_product. in_move: k1 is k2. in_turn: (k1, k2) is (-k2, k1)
+//   out_axis, one clock after in_rho and until in_start: rho is less than in_margin
+// Formats: in_x, in_y, in_z sN.0; in_total s(N+1).4; in_sum, in_product, k1, k2 s(N+2).4; in_addend s(2N+2).0; out_sum
+// s(2N+2).3. A constant 1 below the last bit of k1 and k2 centres truncation and makes the one's complement an exact
+// negation; it is 0 where they are coordinates. out_sum is combinational in the registers; with PIPE = 1 it is a
+// register three clocks later, and in_addend belongs to the clock before its last. Error: the truncation. Latency 1 + 3
+// PIPE. Model: kernel_vector_solve.turned
+`default_nettype none
+module kernel_vector_wide_turn #(
+    parameter N = 20,        // bits of a coordinate, 20 or 24 (default 20)
+    parameter JOINTS = 2,    // joints, 2 or 3 (default 2); in_z, in_rho, in_total, in_move, in_power, in_margin: 3 only
+    parameter PIPE = 0,      // 0 or 1 (default 0); 1: registers behind partial products, products and the sum
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+) (
+    input  wire                clk,
+    input  wire                in_start,
+    input  wire signed [N-1:0] in_x,
+    input  wire signed [N-1:0] in_y,
+    input  wire signed [N-1:0] in_z,
+    input  wire                in_rho,
+    input  wire [N+4:0]        in_total,
+    input  wire                in_k1,
+    input  wire                in_k2,
+    input  wire                in_turn,
+    input  wire                in_move,
+    input  wire                in_power,
+    input  wire                in_clamp,
+    input  wire                in_odd,
+    input  wire [N+5:0]        in_sum,
+    input  wire [N+5:0]        in_product,
+    input  wire [2*N+1:0]      in_addend,
+    input  wire [N-2:0]        in_margin,
+    output wire                out_axis,
+    output wire [N+5:0]        out_k2,
+    output wire [2*N+4:0]      out_sum
+);
+    localparam SPACE = JOINTS == 3, D = SPACE ? 4 : 0;  // D: fraction bits of x
+    localparam X = SPACE ? 5 : 0;                       // bits that x has more than a coordinate
+    wire                  rho = SPACE && in_rho, move = SPACE && in_move, power = SPACE && in_power;
+    wire                  load = in_start || rho;
+    wire signed [N+4:0]   first = rho ? in_total : {in_x[N-1], in_x, 4'd0};
+    wire signed [N-1:0]   second;
+    reg         [N+5:0]   k1, k2;
+    reg                   odd;
+    reg  signed [N+X-1:0] x;
+    reg  signed [N-1:0]   y;
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire signed [2*N+6+X:0] product1;
+    wire signed [2*N+6:0]   product2;
+    /* verilator lint_on UNUSEDSIGNAL */
+    wire        [2*N+1:0]   upper = product2[2*N+6:5] + in_addend;
+    wire        [2*N+4:0]   sum = product1[2*N+6+D:2+D] + {upper, product2[4:2]};
+    generate
+        if (PIPE == 0) begin : g_now
+            assign product1 = $signed({k1, odd}) * x;
+            assign product2 = $signed({k2, odd}) * y;
+            assign out_sum = sum;
+        end else begin : g_registers
+            wire signed [2*N+6+X:0] parts1;
+            wire signed [2*N+6:0]   parts2;
+            reg  signed [2*N+6+X:0] whole1;
+            reg  signed [2*N+6:0]   whole2;
+            reg         [2*N+4:0]   total;
+            product_parts #(.A(N+7), .B(N+X), .MULTIPLY(MULTIPLY)) multiplier1 (.clk(clk), .in_move(1'b1),
+                .in_a({k1, odd}), .in_b(x), .out_p(parts1));
+            product_parts #(.A(N+7), .B(N), .MULTIPLY(MULTIPLY)) multiplier2 (.clk(clk), .in_move(1'b1),
+                .in_a({k2, odd}), .in_b(y), .out_p(parts2));
+            always @(posedge clk) begin
+                whole1 <= parts1;
+                whole2 <= parts2;
+                total  <= sum;
+            end
+            assign product1 = whole1;
+            assign product2 = whole2;
+            assign out_sum = total;
+        end
+        if (SPACE) begin : g_space
+            reg signed [N-1:0] z;
+            assign             second = rho ? z : in_y;
+            assign             out_axis = x[N+4:4] < {2'd0, in_margin};  // x is rho, not negative
+            always @(posedge clk)
+                if (in_start)
+                    z <= in_z;
+        end else begin : g_plane
+            wire   unused = &{1'b0, in_z, in_total, in_rho, in_move, in_power, in_margin};
+            assign second = in_y;
+            assign out_axis = 1'b0;
+        end
+    endgenerate
+
+    assign out_k2 = k2;
+    always @(posedge clk) begin
+        if (load) begin
+            x <= first[N+3+X-D:4-D];
+            y <= second;
+        end
+        if (load || in_k1 || power)
+            odd <= !load;
+        if (load || in_k1 || in_turn || move)
+            k1 <= load ? {first[N+4], first} : in_k1 ? in_sum : k2 ^ {(N+6){!move}};
+        if (in_k1 && in_clamp || power)
+            k1 <= {in_sum[N+5] && !power, in_sum[N+5] && !power || in_odd, !in_odd, {(N+3){1'b0}}};
+        if (load || in_k2 || in_turn)
+            k2 <= load ? {{2{second[N-1]}}, second, 4'd0} : in_k2 ? in_product : k1;
+        if (power)
+            k2 <= {(N+6){1'b0}};
+    end
+endmodule
+`default_nettype wire
