@@ -91,7 +91,7 @@ def reason(mutation: str, core: str) -> str:
     if masks and masks[index] >> mutate.bit(mutation) & 1:
         return "a bit of a line that selects nothing, or a word behind the last line (ci.programs.unread)"
     return next((one["why"] for one in KNOWN["words"] if re.search(one["memory"], name)
-                 and one["words"][0] <= index <= one["words"][1]), "")
+                 and re.search(one.get("only", ""), core) and one["words"][0] <= index <= one["words"][1]), "")
 
 
 def explained(core: str, mutation: str) -> str:

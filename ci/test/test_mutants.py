@@ -181,6 +181,8 @@ def test_words_that_are_never_read():
     for mutation in (r"memory \\kernel.path.slopes.slope [1664] bit 0", r"memory \\other.slope [1575] bit 1",
                      "mutate -mode inv -cell slopes.slope -port RD_ADDR -portbit 0"):
         assert not mutants.reason(mutation, "vector_ik2-U16")
+    divides = r"memory \\engine.datapath.g_roots.roots.reciprocal.slopes [844] bit 11"
+    assert mutants.reason(divides, "vector_rates6-PIPE2") and not mutants.reason(divides, "vector_ik6-U16")
     verdict = mutants.Verdict("vector_ik2-U16", killed=98, survivors=["memory slopes.slope[1600] bit 0", "mutate x"])
     assert verdict.alive == ["mutate x"] and verdict.rate == 98 / 99
 

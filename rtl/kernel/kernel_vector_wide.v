@@ -249,23 +249,20 @@ module kernel_vector_wide #(
             reg          loaded; // k2 is new
             reg          much;   // c2 is negative, or 2 or more
             reg  [N-3:0] above;  // its fraction
-            reg          close, away, turned, beside;  // beside the axis of joint 3
+            reg          close, away;
             wire [N+1:0] left_over = k2[N+5:4] + ({3'd0, cfg_margin} ^ {(N+2){!side}}) + {{(N+1){1'b0}}, !side};
-            assign       near = close || JOINTS == 3 && beside;
+            assign       near = close;
             assign       far = away;
             always @(posedge clk) begin
                 if (root)
                     side <= elbow && !clamped && !settled[2*F+1];
                 loaded <= |(operands & K2);
                 if (loaded)
-                    close <= left_over[N+1] != k2[N+5];
+                    close <= axis || left_over[N+1] != k2[N+5];
                 if (|(rest & COS2)) begin
                     above <= settled[2*F-2 -: N-2];
                     much  <= beyond || settled[2*F+3:2*F] != 4'd0;
                 end
-                turned <= |(operands & RHO);
-                if (turned)
-                    beside <= axis;
                 away <= clamped && (much || above >= {1'b0, cfg_slack});
             end
         end else begin : g_none

@@ -4,7 +4,7 @@
 //   in_start: k1, x are in_x and k2, y are in_y. in_rho: k1, x are in_total and k2, y are z
 //   in_power: (k1, k2) is (2^(N-1), 0), or (2^N, 0) with in_odd. in_k1: k1 is in_sum, or with in_clamp that power,
 //   signed. in_k2: k2 is in_product. in_move: k1 is k2. in_turn: (k1, k2) is (-k2, k1)
-//   out_axis, one clock after in_rho and until in_start: rho is less than in_margin
+//   out_axis, from the clock after in_rho until in_start: rho is less than in_margin
 // Formats: in_x, in_y, in_z sN.0; in_total s(N+1).4; in_sum, in_product, k1, k2 s(N+2).4; in_addend s(2N+2).0; out_sum
 // s(2N+2).3. A constant 1 below the last bit of k1 and k2 centres truncation and makes the one's complement an exact
 // negation; it is 0 where they are coordinates. out_sum is combinational in the registers; with PIPE = 1 it is a
