@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from quadrance import arith
 from quadrance.fixed import Ints, ints, wrap
 
 Params = dict[str, int]
@@ -54,6 +55,15 @@ def edge_words(p: Params, words: dict[str, int], *, cfg_l1: int, cfg_l2: int, ma
     if more and (word >> bits - 3 or (double + above) * 4.0 ** (words["cfg_e"] - p["W"]) >= 2):
         raise ValueError(f"a slack of {slack:g} is more than these links and words can say")
     return {"cfg_margin": round(margin * 2.0 ** p["F"]), "cfg_slack": word}
+
+
+def aim(x: Ints, y: Ints) -> tuple[Ints, Ints]:
+    """(x, y) / |(x, y)| of words of 16 bits, with 17 fraction bits: of kernel_vector_aim."""
+    either = (x ^ x >> 63) | (y ^ y >> 63)
+    spare = 15 - np.ceil(np.log2(either + 1)).astype(np.int64)
+    x, y = x << spare, y << spare
+    root = arith.reciprocal_root((x * x >> 12) + (y * y >> 12) + 1)
+    return x * root >> 17, y * root >> 17
 
 
 @cache

@@ -142,6 +142,20 @@ def _direction_power(f: Format, s: Ints) -> Ints:
     return np.int64(1) << f.bits - 1 + GUARD + (s & 1)
 
 
+def aim(f: Format, x: Ints, y: Ints) -> tuple[Ints, Ints]:
+    """(x, y) / |(x, y)| of aligned words, products with 2 fraction - 1 fraction bits.
+
+    Both are brought to [1/2, 1], and halved where the sum of their squares is 1 or more.
+    """
+    used = (x ^ x >> 63) | (y ^ y >> 63)
+    spare = f.bits - 1 - np.ceil(np.log2(used + 1)).astype(np.int64)
+    x, y = (word << spare + f.fraction - f.bits for word in (x, y))
+    q = (x * x >> f.fraction - 2) + (y * y >> f.fraction - 2) + 1
+    over = ints(q >> f.fraction != 0)
+    r = wrap(inverse_product(f, q >> 2 * over, np.True_) >> f.fraction - 2, f.fraction + 2)
+    return (x >> over) * r, (y >> over) * r
+
+
 def _elbow(f: Format, x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints,
            cfg_e: Ints, limits: Limits) -> tuple[Ints, ...]:
     """(c1, n1, c2, n2, unreachable, at the shoulder, near to singular) of aligned words, x with `more` fraction bits.

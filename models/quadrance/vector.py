@@ -6,7 +6,7 @@ from types import ModuleType
 
 import numpy as np
 
-from quadrance import arith, kernel_vector_solve, kernel_vector_wide
+from quadrance import kernel_vector_solve, kernel_vector_wide
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 from quadrance.kernel_vector_wide import form, unit_word
 
@@ -72,14 +72,13 @@ def fk3(p: Params, *, in_c1: Ints, in_n1: Ints, in_c2: Ints, in_n2: Ints, in_c3:
 
 def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     """``(x, y) / sqrt(x^2 + y^2)``, each coordinate nearest (ties upward); the last vector where x = y = 0."""
-    x, y = (ints(word) << 16 - p["W"] for word in np.broadcast_arrays(in_x, in_y))
+    f = form(p)
+    x, y = (ints(word) << f.bits - p["W"] for word in np.broadcast_arrays(in_x, in_y))
     zero = (x == 0) & (y == 0)
-    either = (x ^ x >> 63) | (y ^ y >> 63)
-    spare = 15 - np.ceil(np.log2(either + 1)).astype(np.int64)
-    x, y = x << spare, y << spare
-    half = 1 << 16 - p["U"]
-    root = arith.reciprocal_root((x * x >> 12) + (y * y >> 12) + 1)
-    c, n = ((part * root >> 17) + half >> 17 - p["U"] for part in (x, y))
+    if f.bits == 16:
+        c, n = (word + (1 << 16 - p["U"]) >> 17 - p["U"] for word in kernel_vector_solve.aim(x, y))
+    else:
+        c, n = (unit_word(p, word) for word in kernel_vector_wide.aim(f, x, y))
     return {"out_c1": hold_last(c, ~zero, 1 << p["U"]), "out_n1": hold_last(n, ~zero), "out_status": 2 * ints(zero)}
 
 

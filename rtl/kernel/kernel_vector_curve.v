@@ -11,6 +11,7 @@
 `default_nettype none
 module kernel_vector_curve #(
     parameter N = 20,                // bits of the kernel's coordinate, 20 or 24 (default 20)
+    parameter ROOTS = 1,             // 0: 2/sqrt(q) alone, of in_inverse with in_clamped; 1 (default): all three
     parameter PIPE = 0,              // 0 or 1 (default 0); 1: three registers, behind memory, square and its product
     parameter V = N == 24 ? 30 : 26  // bits of v, of one value (default 26)
 ) (
@@ -73,14 +74,17 @@ module kernel_vector_curve #(
     endfunction
     // One constant for each range: Icarus copies the whole constant for every entry
     localparam [COUNT*(C+SLOPE)-1:0] RANGE0 = curve(0), RANGE1 = curve(1), RANGE2 = curve(2), RANGE3 = curve(3);
-    reg [C+SLOPE-1:0] memory[0:4*COUNT-1];
+    localparam        WORDS = ROOTS ? 4 * COUNT : COUNT;
+    reg [C+SLOPE-1:0] memory[0:WORDS-1];
     integer           a;
     initial
         for (a = 0; a < COUNT; a = a + 1) begin
-            memory[a]           = RANGE0[(C+SLOPE)*a +: C+SLOPE];
-            memory[COUNT+a]     = RANGE1[(C+SLOPE)*a +: C+SLOPE];
-            memory[2*COUNT+a]   = RANGE2[(C+SLOPE)*a +: C+SLOPE];
-            memory[3*COUNT+a]   = RANGE3[(C+SLOPE)*a +: C+SLOPE];
+            if (ROOTS) begin
+                memory[a]         = RANGE0[(C+SLOPE)*a +: C+SLOPE];
+                memory[COUNT+a]   = RANGE1[(C+SLOPE)*a +: C+SLOPE];
+                memory[2*COUNT+a] = RANGE2[(C+SLOPE)*a +: C+SLOPE];
+            end
+            memory[WORDS-COUNT+a] = RANGE3[(C+SLOPE)*a +: C+SLOPE];
         end
 
     // w, but for its last two bits: a constant 1 follows factor
@@ -93,9 +97,13 @@ module kernel_vector_curve #(
     reg  [V-2:0] factor;
     reg          negative, root, none;
     reg  [C+SLOPE-1:0] found;
+    localparam         ADDRESS = ROOTS ? SEGMENTS + 2 : SEGMENTS;
+    /* verilator lint_off UNUSEDSIGNAL */
+    wire [SEGMENTS+1:0] address = in_read ? {1'b1, in_clamped, factor[V-3 -: SEGMENTS]} : {fold, e[V-1:TOP]};
+    /* verilator lint_on UNUSEDSIGNAL */
     always @(posedge clk) begin
         if (in_root || in_read)
-            found <= memory[in_read ? {1'b1, in_clamped, factor[V-3 -: SEGMENTS]} : {fold, e[V-1:TOP]}];
+            found <= memory[address[ADDRESS-1:0]];
         if (in_root || in_inverse) begin
             factor   <= in_inverse ? inverse_w : {(V-1){in_elbow}} ^ root_w;
             negative <= in_root && in_elbow;
