@@ -12,6 +12,7 @@ import numpy as np
 from quadrance import bounds, codecs
 from quadrance.cores import Core, joints
 from quadrance.fixed import Ints
+from quadrance.kernel_vector_wide import form
 from quadrance.truth import Floats
 
 
@@ -201,7 +202,8 @@ class Vector(Claim):
 
     def direction(self, r: Floats) -> Floats:
         """The direction before both words are rounded is exact; of a rounded vector, sqrt(1/2) 2^-U and its length."""
-        return np.arcsin(np.sqrt(0.5) * 2.0 ** -self.p["U"] / (1 - 2 * bounds.vector.length())) + 1e-9 + 0 * r
+        length = bounds.vector.length(form(self.p))
+        return np.arcsin(np.sqrt(0.5) * 2.0 ** -self.p["U"] / (1 - 2 * length)) + 1e-9 + 0 * r
 
     def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
         """Always where the quadrance is out by more than `vector_reach`; two joints: never in reach."""

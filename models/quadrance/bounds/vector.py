@@ -51,12 +51,16 @@ def _parts(p: Params, joints: int, l1: float, l2: float) -> tuple[float, float]:
     return 0.5 if joints == 1 else chain(joints, 1 + off), 1.01 * lengths * off
 
 
-def length() -> float:
+def length(f: Format = FORMATS[0]) -> float:
     """How far the length of (c1, n1) of vector_ik1 is from 1 before both are rounded; its direction is exact.
 
     The tangent, balanced: 3 / 16 b^2 at segment b = 2 a + 1; half a unit of its slope; the cut of the root to 2^-18;
-    the squares' cut, one unit of 2^-18 in q either way. The greatest sum is 0.95 * 2^-16, at q = 2.
+    the squares' cut, one unit of 2^-18 in q either way. The greatest sum is 0.95 * 2^-16, at q = 2. Of longer words:
+    `_reciprocal_root`; the squares' cut and that of a quarter of q, a unit each, where q is 1/4.
     """
+    if f.coefficient:
+        q = np.linspace(0.25, 1, 1 << 12)
+        return float(np.max(_reciprocal_root(q, f))) + 2.0 ** (2 - f.fraction)
     b = np.arange(257, 2050, 2.0)
     q, slope = b / 2**10, 2.0**32 / b**1.5
     return float(np.max(3 / (16 * b * b) + 0.5 / slope + 2.0**-19 * np.sqrt(q) + 2.0**-19 / q))
@@ -200,6 +204,14 @@ at q' = 1 (not both), its first factor 0.06; the half unit in place of k2 0.06.
 """
 
 
+def _reciprocal_root(q: Floats, f: Format) -> Floats:
+    """Relative error of 2/sqrt(q) of kernel_vector_curve, q from 1/4 to 1: `_moved`, whose third order is 5 / 16 b^3;
+    half a unit of the slope, the root in it, which is cut to 26 bits; the cut of the product."""
+    b = 2.0 ** (f.segments + 1) * q - 1
+    off = _moved(f, q, 0.32 / b**3, 3 * 2.0 ** (f.coefficient - 5) / q, 2.0 ** (-2 * f.segments - f.coefficient))
+    return 1.001 * (off / q + q**1.5 * 2.0 ** (2 - f.slope) + q**0.5 * 2.0**-26) + 2.0 ** (1 - f.fraction)
+
+
 def yaw(rho: ArrayLike, f: Format = FORMATS[0]) -> tuple[Floats, Floats]:
     """(c3, n3) of vector_ik3 before both are rounded: how far the length is from 1, and the direction off (rad).
 
@@ -212,16 +224,14 @@ def yaw(rho: ArrayLike, f: Format = FORMATS[0]) -> tuple[Floats, Floats]:
     -----
     2/sqrt(q'), q' as in `inverse`: half of what the tangent loses 3/16 b^2, half a unit of the slope and of the
     first factor, the cut of the product. Both: the half unit behind 2^15 and 0, 2^-20; the cut of the products with
-    them to 1/8, two a coordinate, and of what is shifted to 2^-24, sqrt(q') >= 1/2. Of longer words: `_moved`, whose
-    third order is 5 / 16 b^3; the slope's root is cut to 26 bits.
+    them to 1/8, two a coordinate, and of what is shifted to 2^-24, sqrt(q') >= 1/2. Of longer words:
+    `_reciprocal_root`.
     """
     rho = np.maximum(floats(rho), 1)
     q = rho * rho / 4.0 ** np.ceil(np.floor(np.log2(rho * rho) + 1) / 2)
     turned = 2.0 ** -(f.bits + 4) + 2.0 ** (2.5 - f.fraction) + 2.0 ** (-0.5 - f.bits) / rho
     if f.coefficient:
-        b = 2.0 ** (f.segments + 1) * q - 1
-        off = _moved(f, q, 0.32 / b**3, 3 * 2.0 ** (f.coefficient - 5) / q, 2.0 ** (-2 * f.segments - f.coefficient))
-        root = 1.001 * (off / q + q**1.5 * 2.0 ** (2 - f.slope) + q**0.5 * 2.0**-26) + 2.0 ** (1 - f.fraction)
+        root = _reciprocal_root(q, f)
     else:
         root = 3 * 2**-24 / q**2 + q**1.5 * 2**-18 + 2**-22 / q + 2**-24
     return root + turned, turned
