@@ -272,11 +272,14 @@ def stale(verdicts: dict[str, Verdict], every: list[Core], count: int = MUTANTS)
     return {core.id for core in every if core.id in verdicts and verdicts[core.id].digest != digest(core, count)}
 
 
-def survived(verdict: Verdict) -> list[str]:
-    """Lines about the survivors of a core that count: how many there are of each argument, and those without one."""
-    found = Counter(explained(verdict.core, one) or "**no argument** (`mutants.json`)" for one in verdict.alive)
-    return [f"- `{verdict.core}` {verdict.rate:.1%}",
-            *(f"  - {f'{count} × ' if count > 1 else ''}{why}" for why, count in found.items())]
+def survived(verdicts: list[Verdict]) -> list[str]:
+    """A line for each argument: how many survivors that count it has, in which cores; those without one."""
+    found: dict[str, Counter[str]] = {}
+    for verdict in verdicts:
+        for one in verdict.alive:
+            why = explained(verdict.core, one) or "**no argument** (`mutants.json`)"
+            found.setdefault(why, Counter())[verdict.core] += 1
+    return [f"- {sum(cores.values())} in {', '.join(together(list(cores)))}: {why}" for why, cores in found.items()]
 
 
 def together(ids: list[str]) -> list[str]:
@@ -310,8 +313,7 @@ def section(committed: list[Verdict], every: list[Core], old: set[str]) -> list[
     else:
         lines += ["No verdict follows from the sources of today."]
     if count["alive"]:
-        lines += ["", "Cores below 100 %, and why a survivor changes nothing:", "",
-                  *(line for v in verdicts if v.alive for line in survived(v))]
+        lines += ["", "Survivors, and why they change nothing:", "", *survived(verdicts)]
     changed = sum(one.cocotb != cocotb() for one in verdicts)
     lines += ["", f"The cocotb bench has changed since {changed} of these verdicts."] if changed else []
     out = [core.id for core in every if core.id in old or core.id not in {one.core for one in committed}]

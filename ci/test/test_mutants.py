@@ -279,7 +279,7 @@ def test_the_section_says_which_verdicts_are_stale_and_does_not_count_them(monke
     assert old == {two.id}
     text = "\n".join(mutants.section([*verdicts.values()], [one, two, three], old))
     assert "1 of 3 cores: 99 killed by the bulk run, 0 by" in text and "1 survived.\n99.00% of those that" in text
-    assert f"- `{one.id}` 99.0%\n  - **no argument** (`mutants.json`)" in text
+    assert f"- 1 in {one.id}: **no argument** (`mutants.json`)" in text
     assert f"Never broken, or changed since and left out above: {two.id}, {three.id}." in text
     assert "mutate y" not in text and mutants.together(["a-1", "b-2", "a-3"]) == ["a-1/3", "b-2"]
     text = "\n".join(mutants.section([*verdicts.values()], [one, two], {one.id, two.id}))
@@ -293,7 +293,7 @@ def test_survivors_of_one_argument_are_one_line_and_the_killed_none(monkeypatch)
     text = "\n".join(mutants.section([whole, some], [find("isqrt_comb"), find("skid_buffer")], set()))
     assert "187 killed by the bulk run, 2 by the cocotb bench alone, 1 in the long run alone; 5 proved equal" in text
     assert "3 survived.\n98.45% of those that differ are killed; in 1 cores all of them are." in text
-    assert "- `skid_buffer-W16` 97.0%\n  - 2 × why\n  - **no argument** (`mutants.json`)" in text
+    assert "- 2 in skid_buffer-W16: why\n- 1 in skid_buffer-W16: **no argument** (`mutants.json`)" in text
     assert "isqrt" not in text and "b1" not in text and "Never broken" not in text
 
 
