@@ -382,7 +382,7 @@ def test_two_lines_of_a_loop_swapped_are_found(tmp_path):
 
 
 def test_a_result_at_another_clock_is_found(tmp_path):
-    said = broken("vector_ik1", "vector_ik1", [
+    said = broken("vector_ik1", "kernel_vector_aim", [
         ("/* x root  */ {COS | LEFT | SECOND}", "/* x root  */ {SIN}"),
         ("/* y root  */ {SIN}", "/* y root  */ {COS | LEFT | SECOND}")], tmp_path)
     assert "sample 1 takes 7 clocks, cores.toml says 8" in said
