@@ -388,7 +388,7 @@ def test_every_listed_set_has_a_whole_bulk_run(tmp_path, monkeypatch):
     """Here, or in `make test`; a bug that only resets or a random word of the bulk run shows is found."""
     asked = {name for name in cover.wanted(cover.cores())}
     assert {(core.name, core.set_id) for core in all_cores() if not legal.daily(core)} <= asked
-    core = find("vector_ik1-W12U10")
+    core = find("vector_fk1-W12U10")
     assert not legal.daily(core) and cover.verdict(core.name, core.set_id, core.params) == ""
     broken = dataclasses.replace(core, sources=_broken_at(core.name, "1'b1", tmp_path).sources)
     monkeypatch.setattr(cover, "listed", lambda name: {core.set_id: broken})
