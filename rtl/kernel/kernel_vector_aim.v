@@ -57,7 +57,7 @@ module kernel_vector_aim #(
         /* root    */ {ROOT | LEFT},
         /* x root  */ {LEFT | SECOND},
         /* y root  */ {9'd0},
-        /* c      */ {COS},
+        /* c       */ {COS},
         /* n       */ {SIN}};
     wire   to_left, to_right, second, add, read, to_slope, root, cosine, sine, idle;
     wire   accept = in_valid && in_ready;
@@ -72,7 +72,6 @@ module kernel_vector_aim #(
         end
     endgenerate
 
-    // The last step of the shift is in the selectors of left and right.
     wire [14:0] used = (in_x[14:0] ^ in_x[15:1]) | (in_y[14:0] ^ in_y[15:1]);
     reg  [15:0] x, y;
     // Redundant sign bits by groups of four: the first group with a used bit, and the first used bit in it
@@ -80,7 +79,7 @@ module kernel_vector_aim #(
     wire [1:0]  group = {!some3 && !some2, !some3 && (some2 || !some1)};
     wire [3:1]  bits = group[1] ? (group[0] ? used[2:0] : used[6:4]) : (group[0] ? used[10:8] : used[14:12]);
     wire [3:0]  spare = {group, !bits[3] && !bits[2], !bits[3] && (bits[2] || !bits[1])};
-    reg  [3:0]  k;
+    reg  [3:0]  k;     // the shift; its last step is in the selectors of left and right
     reg  [1:0]  pick;  // operand right: 0 or 1 the coordinate shifted by that much, 2 the slope, 3 the root
     reg         zero;
     wire [15:0] first = k[1] ? (second ? y << 2 : x << 2) : (second ? y : x);
@@ -99,7 +98,7 @@ module kernel_vector_aim #(
     wire signed [43:0] product, settled;
     /* verilator lint_on UNUSEDSIGNAL */
     wire [19:0] slope, factor;
-    localparam [19:0] HALF = 1 << 16 - U;  // rounds c and n1; q starts with 1, for two truncated squares
+    localparam [19:0] HALF = 1 << 16 - U;  // rounds c and n; q starts with 1, for two truncated squares
     wire [19:0] start = U < 16 && to_right ? 20'd1 : HALF;
     reg  [19:0] sum;
     wire [19:0] total = settled[41:22] + sum;
