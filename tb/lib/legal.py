@@ -31,7 +31,9 @@ UNLIMITED = 150  # no rule has a number as large
 FAR = 64  # the most that a parameter is moved to make another one legal
 GAP = 9  # from one legal value of a parameter to the next: MULTIPLY is 18 or 27
 KINDS = ("MODE", "PIPE")  # of building a core: each value has a first set, and sets of its own
-MOST = 24  # sets of a cover list with switches of its own; a third for a further PIPE whose registers follow no width
+# Sets of a cover list with switches of its own: enough for each length of a word to 24 bits.
+# A further PIPE whose registers follow no width has a third of them.
+MOST = 36
 
 
 def _python(text: str) -> str:
