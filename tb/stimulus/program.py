@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 from quadrance.cores import RTL, Core
 from quadrance.kinematics_engine import ENDS, INFO, LINE, LOAD, READ, RUN, SEAL, WRITE
-from quadrance.program import assembler, image, product_engine
+from quadrance.program import assembler, image, parser, product_engine
 
 from tb.lib.stimulus import Vectors
 
 Command = image.Command
+UNIT = """# The direction of a point
+in coordinate x y
+out vector c n
+c, n = unit (x, y)
+"""
 
 
 def sealed(lines: list[int], version: int) -> dict:
@@ -110,7 +117,19 @@ def real(core: Core, rng: np.random.Generator) -> list[Command]:
     return commands
 
 
+def segments(core: Core) -> list[Command]:
+    """A program that divides by a length: a point for each segment of the table, two for each leading bit."""
+    one = image.image(assembler.assemble(parser.parse(UNIT, Path("unit.kin")), core.params["PIPE"]))
+    commands = image.load(one)
+    q = np.minimum((np.arange(128, 1025) + 0.5) / 512, 2)  # the sums of the squares
+    x, y = np.sqrt(np.where(q < 1, q, q / 2)), -np.sqrt(np.where(q < 1, 0, q / 2))
+    points = (np.stack([x, y], -1) * 2**25).astype(int).tolist()
+    for x, y in [*points, *((1 << i, 0) for i in range(26)), *((0, 1 << i) for i in range(26))]:
+        commands += [*image.inputs(one, 1, {"in_x": x, "in_y": y}), image.run(one, 1), *image.outputs(one, 1)]
+    return commands
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Commands in an order that means something; status bits come with random lines."""
     rng = np.random.default_rng(1)
-    return image.columns([*real(core, rng), *wrong(core, rng), *fuzz(core, rng, 24)])
+    return image.columns([*real(core, rng), *wrong(core, rng), *fuzz(core, rng, 24), *segments(core)])
