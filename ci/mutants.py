@@ -272,14 +272,11 @@ def stale(verdicts: dict[str, Verdict], every: list[Core], count: int = MUTANTS)
     return {core.id for core in every if core.id in verdicts and verdicts[core.id].digest != digest(core, count)}
 
 
-def survived(verdicts: list[Verdict]) -> list[str]:
-    """A line for each argument: how many survivors that count it has, in which cores; those without one."""
-    found: dict[str, Counter[str]] = {}
-    for verdict in verdicts:
-        for one in verdict.alive:
-            why = explained(verdict.core, one) or "**no argument** (`mutants.json`)"
-            found.setdefault(why, Counter())[verdict.core] += 1
-    return [f"- {sum(cores.values())} in {', '.join(together(list(cores)))}: {why}" for why, cores in found.items()]
+def survived(verdicts: list[Verdict]) -> str:
+    """Where the arguments of the survivors that count stand, and the cores with some that have none."""
+    without = Counter(verdict.core for verdict in verdicts for _ in unexplained(verdict))
+    left = f"none yet for {without.total()}, in {', '.join(together(list(without)))}" if without else "each has one"
+    return f"Arguments why a survivor changes nothing stand in `ci/survivors.toml`: {left}."
 
 
 def together(ids: list[str]) -> list[str]:
@@ -292,7 +289,7 @@ def together(ids: list[str]) -> list[str]:
 
 
 def section(committed: list[Verdict], every: list[Core], old: set[str]) -> list[str]:
-    """What is committed: counts, and the survivors with what is argued of them.
+    """What is committed: counts, and whether each survivor has its argument.
 
     It names the cores of `every` that have no verdict, and those whose verdict is `old` and counts for nothing.
     """
@@ -313,7 +310,7 @@ def section(committed: list[Verdict], every: list[Core], old: set[str]) -> list[
     else:
         lines += ["No verdict follows from the sources of today."]
     if count["alive"]:
-        lines += ["", "Survivors, and why they change nothing:", "", *survived(verdicts)]
+        lines += ["", survived(verdicts)]
     changed = sum(one.cocotb != cocotb() for one in verdicts)
     lines += ["", f"The cocotb bench has changed since {changed} of these verdicts."] if changed else []
     out = [core.id for core in every if core.id in old or core.id not in {one.core for one in committed}]

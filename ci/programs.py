@@ -115,12 +115,21 @@ def _idle(word: int, roots: bool, margins: bool) -> int:
     return idle
 
 
+def _waiting(words: Sequence[int], pipe: int) -> list[bool]:
+    """Of each line, whether nobody takes its word: register 0 has it, and no line near enough has LAST."""
+    lines = [product_engine.fields(word) for word in words]
+    return [not (at["dest"] or at["act"] or at["keep"])
+            and all(near["from"] != product_engine.LAST for near in lines[number + 1:number + 2 + pipe])
+            for number, at in enumerate(lines)]
+
+
 @cache
 def unread(core: Core) -> dict[str, tuple[int, ...]]:
     """For the memory of each program that product_engine plays, by its path in the core: bits that nothing reads.
 
     Behind the last line the words are 0. The first of them are read while the last line is computed: what they compute
-    goes to register 0, which no line reads. The others are never read.
+    goes to register 0, which no line reads. So does the word of a line that waits: without a DEST, an act or KEEP, and
+    none of the next lines takes it as LAST. The others behind the last line are never read.
     """
     _compilation, instances = elaborated(core)  # it owns them
     found = {}
@@ -132,8 +141,9 @@ def unread(core: Core) -> dict[str, tuple[int, ...]]:
                                       ("LINES", "BITS", "DRAIN", "TABLE"))
         roots, margins = (int(engine.find(key).value.value) for key in ("ROOTS", "MARGINS"))
         wide = bits == product_engine.BITS
-        masks = [_idle(word if wide else product_engine.widened(word), bool(roots), bool(margins))
-                 for word in _cut(table_, lines, bits)]
+        words = [word if wide else product_engine.widened(word) for word in _cut(table_, lines, bits)]
+        masks = [_fields((46, 18), (16, 15)) if waits else _idle(word, bool(roots), bool(margins))
+                 for word, waits in zip(words, _waiting(words, int(engine.find("PIPE").value.value)))]
         masks += [_fields((46, 18), (16, 15))] * drain
         masks = [mask if wide else mask >> 17 << 6 for mask in masks]
         masks += [(1 << bits) - 1] * ((1 << (lines + drain - 1).bit_length()) - len(masks))
