@@ -12,11 +12,17 @@ from quadrance.program import assembler, image, parser, product_engine
 from tb.lib.stimulus import Vectors
 
 Command = image.Command
-UNIT = """# The direction of a point
-in coordinate x y
+UNIT = """# The direction of a point, held where it has none, and another point seen from there
+in coordinate x y u v
 out vector c n
-c, n = unit (x, y)
+out coordinate a b
+norm x y <= 1.42
+norm u v <= 0.7
+c, n = unit (x, y) hold
+a = u*c + v*n
+b = v*c - u*n
 """
+REGISTERS = (0, 1, 2, 4, 8, 16, 32, 63)  # of wild lines, and their ports
 
 
 def sealed(lines: list[int], version: int) -> dict:
@@ -39,21 +45,22 @@ def wild(rng: np.random.Generator, count: int) -> list[int]:
             continue
         by, single = rng.random() < 0.6, rng.random() < 0.6
         align = 0 if not single else int(rng.integers(0, 3))
-        word = int(rng.integers(0, 4)) << 6 | int(rng.integers(0, 8))
-        word = word << 7 | (64 | int(rng.choice(factors)) if by else int(rng.integers(0, 8)))
-        word = word << 12 | int(rng.integers(0, 8)) << 6 | int(rng.integers(0, 8))
+        a, b, c, d, dest = rng.choice(REGISTERS, 5).tolist()
+        word = int(rng.integers(0, 4)) << 6 | a
+        word = word << 7 | (64 | int(rng.choice(factors)) if by else b)
+        word = word << 12 | c << 6 | d
         word = word << 2 | (0 if single else int(rng.integers(2, 4)))
         word = word << 1 | int(rng.random() < 0.15)
         word = word << 2 | align
-        word = word << 6 | int(rng.integers(0, 8))
+        word = word << 6 | dest
         found.append(word << 9 | int(rng.choice(acts)))
     return found
 
 
-def words(rng: np.random.Generator, context: int, count: int) -> list[Command]:
-    """Any words at the ports, also short ones and 0."""
-    values = rng.integers(-(1 << 26), 1 << 26, count) >> rng.choice([0, 0, 1, 3, 12, 27], count)
-    return [(WRITE, context, at, int(value) & (1 << 27) - 1) for at, value in enumerate(values)]
+def words(rng: np.random.Generator, context: int) -> list[Command]:
+    """Any words at the ports of wild lines, also short ones and 0."""
+    values = rng.integers(-(1 << 26), 1 << 26, 8) >> rng.choice([0, 0, 1, 3, 12, 27], 8)
+    return [(WRITE, context, at, int(value) & (1 << 27) - 1) for at, value in zip(REGISTERS, values)]
 
 
 def fuzz(core: Core, rng: np.random.Generator, programs: int) -> list[Command]:
@@ -64,9 +71,9 @@ def fuzz(core: Core, rng: np.random.Generator, programs: int) -> list[Command]:
         at = int(rng.integers(0, 1 << core.params["N"]))
         commands += image.load(one, at)
         for context in rng.permutation(contexts)[:2].tolist() * 2:
-            commands += words(rng, context, 8)
+            commands += words(rng, context)
             commands.append((RUN, context, at, int(rng.integers(0, 16))))
-            commands += [(READ, context, register, 0) for register in range(8)]
+            commands += [(READ, context, register, 0) for register in rng.permutation(REGISTERS).tolist()]
     return commands
 
 
@@ -88,13 +95,13 @@ def wrong(core: Core, rng: np.random.Generator) -> list[Command]:
     found += [*whole, (SEAL, 0, 20, header), look, *whole, (RUN, 1, 21, 0), (RUN, 2 % core.params["CONTEXTS"], 20, 0)]
     found += [*whole, *image.load(two, 23), play, (RUN, 1, 23, 0), look]  # the second lies in the first one's lines
     for start in (end - 2, end - 4):  # around the end of memory
-        found += [*image.load(two, start), *words(rng, 0, 8), (RUN, 0, start, 0), (INFO, 0, start, 0)]
-        found += [(READ, 0, register, 0) for register in range(8)]
+        found += [*image.load(two, start), *words(rng, 0), (RUN, 0, start, 0), (INFO, 0, start, 0)]
+        found += [(READ, 0, register, 0) for register in REGISTERS]
     return found + [(7, 0, 0, ENDS), (LOAD, 0, 3, 0), (SEAL, 0, 3, 0), (RUN, 0, 3, 0)]
 
 
 def real(core: Core, rng: np.random.Generator) -> list[Command]:
-    """Programs of six axes that fit: first runs without a direction in every context, then an arm each, in turn."""
+    """Programs of six axes that fit: runs that never had a direction in every context, then arms, in turn."""
     names = [name for name, bits in (("vector_fk6", 6), ("vector_ik6", 8), ("vector_ur_ik", 10))
              if core.params["N"] >= bits]
     at, commands, images = 0, [], []
@@ -105,31 +112,39 @@ def real(core: Core, rng: np.random.Generator) -> list[Command]:
         at += len(one["lines"]) + 1
     for context in range(core.params["CONTEXTS"]):
         none = {port["name"]: 0 for port in one["inputs"] if "word" not in port}
-        commands += [*image.inputs(one, context, none), image.run(one, context), *image.outputs(one, context)]
-    for turn in range(4):
+        commands += [*image.inputs(one, context, none), image.run(one, context, forget=True),
+                     *image.outputs(one, context)]
+    for turn in range(12):
         for one in images:
             context = int(rng.integers(0, core.params["CONTEXTS"]))
-            size = 0.05 if turn == 2 else 0.5
+            size = 0.05 if turn % 4 == 2 else 0.5
             values = {port["name"]: int(rng.integers(-1, 2) * rng.uniform(0, size) * 2**25) for port in one["inputs"]
                       if "word" not in port}
-            commands += [*image.inputs(one, context, values), image.run(one, context, turn, turn == 3),
+            commands += [*image.inputs(one, context, values), image.run(one, context, turn % 8, turn % 4 == 3),
                          *image.outputs(one, context)]
     return commands
 
 
-def segments(core: Core) -> list[Command]:
-    """A program that divides by a length: a point for each segment of the table, two for each leading bit."""
+def segments(core: Core, rng: np.random.Generator) -> list[Command]:
+    """A program that divides by a length: a point for each segment of the table, some between them without a direction;
+    two for each leading bit."""
     one = image.image(assembler.assemble(parser.parse(UNIT, Path("unit.kin")), core.params["PIPE"]))
     commands = image.load(one)
     q = np.minimum((np.arange(128, 1025) + 0.5) / 512, 2)  # the sums of the squares
     x, y = np.sqrt(np.where(q < 1, q, q / 2)), -np.sqrt(np.where(q < 1, 0, q / 2))
-    points = (np.stack([x, y], -1) * 2**25).astype(int).tolist()
-    for x, y in [*points, *((1 << i, 0) for i in range(26)), *((0, 1 << i) for i in range(26))]:
-        commands += [*image.inputs(one, 1, {"in_x": x, "in_y": y}), image.run(one, 1), *image.outputs(one, 1)]
+    points = np.insert((np.stack([x, y], -1) * 2**25).astype(int), range(0, x.size, 16), 0, axis=0)
+    points = [*points.tolist(), *(at for i in range(26) for at in ((1 << i, 0), (0, 1 << i)))]
+    for x, y in points:
+        u, v = rng.integers(-(1 << 24), 1 << 24, 2)
+        words = {"in_x": x, "in_y": y, "in_u": u, "in_v": v}
+        commands += [*image.inputs(one, 1, words), image.run(one, 1), *image.outputs(one, 1)[2:]]
+        if x == y:  # a start behind a reset, where every register is 0
+            commands += [(READ, 1, register, 0) for register in rng.permutation(REGISTERS).tolist()]
     return commands
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Commands in an order that means something; status bits come with random lines."""
     rng = np.random.default_rng(1)
-    return image.columns([*real(core, rng), *wrong(core, rng), *fuzz(core, rng, 24), *segments(core)])
+    return image.columns([*fuzz(core, rng, 6), *real(core, rng), *wrong(core, rng), *fuzz(core, rng, 18),
+                          *segments(core, rng)])
