@@ -56,7 +56,7 @@ class Before:
 
 SETTINGS = {
     "arm_fk3": Before({"chain.over_before": "at to_z it is (over || over_before) && over: the old bit has no effect"}),
-    "table_ik1": Before({"codec": "a sample at the origin holds the joint of the one before"}),
+    "table_ik1": Before({"g_narrow.codec": "a sample at the origin holds the joint of the one before"}),
     "engine_quaternion_gd_plane": Before(ports={"in_op": 0, "in_n": 3}, registers={"loaded": 3}),  # it solves
 }
 

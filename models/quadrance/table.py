@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from functools import cache
+from types import ModuleType
 
 import numpy as np
 
-from quadrance import codecs, kernel_vector_solve
+from quadrance import codec_wide, codecs, kernel_vector_solve, kernel_vector_wide
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
+from quadrance.kernel_vector_wide import form
+from quadrance.vector import config
+
+# config: words of the inverse cores beside the lengths
+__all__ = ["config", "fk1", "fk2", "fk3", "ik1", "ik2", "ik3", "ik3r"]
 
 Params = dict[str, int]
 
@@ -71,8 +77,16 @@ def _reciprocal_slopes() -> Ints:
 
 def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     """``j1 = atan2(y, x)``, nearest; at the origin the last angle stays (0 before there was one)."""
-    x, y = (ints(word) << 16 - p["W"] for word in np.broadcast_arrays(in_x, in_y))
-    zero, bits = (x == 0) & (y == 0), [np.ceil(np.log2((word ^ word >> 63) + 1)) for word in (x, y)]
+    f = form(p)
+    x, y = (ints(word) << f.bits - p["W"] for word in np.broadcast_arrays(in_x, in_y))
+    zero = (x == 0) & (y == 0)
+    word = _short(p, x, y) if f.bits == 16 else _angle(p, *kernel_vector_wide.aim(f, x, y))
+    return {"out_j1": hold_last(word, ~zero), "out_status": 2 * ints(zero)}
+
+
+def _short(p: Params, x: Ints, y: Ints) -> Ints:
+    """The direction of aligned words of 16 bits, by a tangent."""
+    bits = [np.ceil(np.log2((word ^ word >> 63) + 1)) for word in (x, y)]
     k = 15 - np.maximum(*bits).astype(np.int64)
     x_long = np.where(k < 15, bits[0] == 15 - k, x == -1)  # of 0 and -1 the latter is longer
     long, short = (np.where(pick, x, y) << k for pick in (x_long, ~x_long))
@@ -80,25 +94,32 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     factor = wrap(short * (long ^ 0x7F) >> 11, 20)
     tangent = wrap(factor * np.where(x_long, slope, -slope) >> 16, 20)
     axis = np.where(x_long, 2 * (x < 0), 1 + 2 * (y < 0))
-    word = codecs.angle_about_axis(p["A"], axis, tangent)
-    return {"out_j1": hold_last(word, ~zero), "out_status": 2 * ints(zero)}
+    return codecs.angle_about_axis(p["A"], axis, tangent)
 
 
-def config(p: Params, *, cfg_l1: int, cfg_l2: int, margin: float = 0.0, slack: float = 0.0) -> dict[str, int]:
-    """Words of the inverse cores beside the lengths; margin and slack in coordinate units."""
-    words = kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
-    return words | kernel_vector_solve.edge_words(p, words, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack)
+def fraction(p: Params) -> int:
+    """Fraction bits of cosine and sine, of which the inverse cores take the arc sine."""
+    return 20 if form(p).bits == 16 else form(p).bits + 2
 
 
 def _angle(p: Params, c: Ints, n: Ints) -> Ints:
-    """The word of a joint of kernel_vector_solve, cosine and sine with 49 fraction bits."""
-    return codecs.angle_of_vector(p["A"], c >> 29, n >> 29)
+    """The word of a joint of the kernel, of products for cosine and sine."""
+    cut = 2 * form(p).fraction - 1 - fraction(p)
+    c, n = c >> cut, n >> cut
+    if form(p).bits == 16:
+        return codecs.angle_of_vector(p["A"], c, n)
+    return codec_wide.angle_of_vector(p["A"], c, n, fraction(p))
+
+
+def _kernel(p: Params) -> ModuleType:
+    """The kernel of these coordinates."""
+    return kernel_vector_solve if form(p).bits == 16 else kernel_vector_wide
 
 
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
         cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    c1, n1, c2, n2, clamped, zero, near = kernel_vector_solve.plane(
+    c1, n1, c2, n2, clamped, zero, near = _kernel(p).plane(
         p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
         limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {"out_j1": hold_last(_angle(p, c1, n1), ~zero), "out_j2": _angle(p, c2, n2),
@@ -108,7 +129,7 @@ def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
         cfg_r: Ints, cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joint 3 has the direction of (x, y); then `ik2` on (rho, z)."""
-    c1, n1, c2, n2, clamped, zero, near, c3, n3, on_axis = kernel_vector_solve.space(
+    c1, n1, c2, n2, clamped, zero, near, c3, n3, on_axis = _kernel(p).space(
         p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
         limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {"out_j1": hold_last(_angle(p, c1, n1), ~zero), "out_j2": _angle(p, c2, n2),

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from quadrance import bounds, codecs, cores, table, truth
+from quadrance import bounds, codec_wide, codecs, cores, table, truth
 
 LISTED = {core.id: core for core in cores.all_cores() if core.family == "table"}
 FINE = {"W": 18, "F": 8, "A": 20}
@@ -144,6 +144,19 @@ def test_ik1_error_of_every_short_point(p):
     assert _cell_error(p["A"], x[~zero], y[~zero], answer["out_j1"][~zero]).max() <= bounds.table.direction(p)
 
 
+@pytest.mark.parametrize(("w", "a"), [(17, 10), (17, 24), (20, 18), (20, 22), (20, 24), (23, 24), (24, 22), (24, 24)])
+def test_ik1_error_of_long_words(w, a):
+    """Of all lengths, half of them short or next to an axis."""
+    p, rng, high = {"W": w, "F": 8, "A": a}, np.random.default_rng(a), 1 << w - 1
+    angle, size = rng.uniform(-np.pi, np.pi, 300_000), np.exp(rng.uniform(0, np.log(1.4 * high), 300_000))
+    x, y = (np.clip(np.round(size * f(angle)), -high, high - 1).astype(np.int64) for f in (np.cos, np.sin))
+    x[::4], y[1::4] = rng.integers(-9, 10, (2, 75_000))
+    keep = (x != 0) | (y != 0)
+    x, y = x[keep], y[keep]
+    found, law = _cell_error(a, x, y, table.ik1(p, in_x=x, in_y=y)["out_j1"]).max(), bounds.table.direction(p)
+    assert 0.25 * law < found <= law
+
+
 def test_ik1_error_where_the_tangent_is_longest():
     """M one bit longer than its half, m all of it: the tangent comes next to -2 and 2 and may not go beyond."""
     edge = np.append(np.arange(32700, 32768), -32768)
@@ -182,45 +195,65 @@ LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (16000, 300), (300, 16000), 
          (16384, 16384), (30000, 2000)]
 
 
+def _angle_of_vector(a: int, c: np.ndarray, n: np.ndarray, fraction: int) -> np.ndarray:
+    """The codec behind the kernel whose words have these fraction bits."""
+    return codecs.angle_of_vector(a, c, n) if fraction == 20 else codec_wide.angle_of_vector(a, c, n, fraction)
+
+
+@pytest.mark.parametrize("fraction", [20, 22, 26])
 @pytest.mark.parametrize("a", [10, 11, 14, 18, 21, 24])
-def test_the_angle_of_a_vector(a):
+def test_the_angle_of_a_vector(a, fraction):
     rng = np.random.default_rng(a)
     theta = rng.uniform(0, truth.TURN, 300_000)
     near = rng.choice([-1, 1], 100_000) * 2.0 ** rng.uniform(-22, 0, 100_000)
     theta[::3] = np.pi / 2 * rng.integers(0, 4, 100_000) + near
     theta[1::3] = rng.choice([1, -1], 100_000) * np.arccos(rng.choice([1, -1], 100_000) * 0.75) \
         + rng.normal(size=100_000) * 1e-5
-    c, n = (np.floor(part * 2**20).astype(np.int64) for part in truth.unit(theta))
-    error = np.abs(truth.difference(codecs.angle_of_vector(a, c, n) * truth.TURN / 2**a, theta)) - np.pi / 2**a
-    assert 0.6 * bounds.codec.angle_of_vector(a) < error.max() <= bounds.codec.angle_of_vector(a)
+    c, n = (np.floor(part * 2.0**fraction).astype(np.int64) for part in truth.unit(theta))
+    word, law = _angle_of_vector(a, c, n, fraction), bounds.codec.angle_of_vector(a, fraction=fraction)
+    error = np.abs(truth.difference(word * truth.TURN / 2**a, theta)) - np.pi / 2**a
+    assert 0.55 * law < error.max() <= law
 
 
+@pytest.mark.parametrize("fraction", [20, 22])
 @pytest.mark.parametrize("a", [10, 18, 24])
-def test_the_angle_of_a_vector_follows_every_cosine(a):
+def test_the_angle_of_a_vector_follows_every_cosine(a, fraction):
     """All of m, from one end to the other and on to the sine: the angle falls, by no more than a unit beside it."""
-    c = np.arange(-1 << 20, (1 << 20) + 1)
-    n = np.floor(np.sqrt((1 << 40) - c.astype(float) ** 2)).astype(np.int64)
-    word = codecs.angle_of_vector(a, c, n).astype(np.int64)
-    exact = np.arccos(c / 2**20) * 2**a / truth.TURN
-    inside = np.abs(c) < 1 << 20
-    assert np.all(np.abs(word - exact)[inside] <= 0.5 + bounds.codec.angle_of_vector(a) * 2**a / truth.TURN + (
-        2.0 ** (a - 20) / truth.TURN * 1.6))
-    small = np.abs(c) < 3 << 18
-    assert np.all(np.diff(word[small]) <= (1 if a > 20 else 0))
+    one = 1 << fraction
+    c = np.arange(-one, one + 1)
+    n = np.floor(np.sqrt(float(one) ** 2 - c.astype(float) ** 2)).astype(np.int64)
+    word = _angle_of_vector(a, c, n, fraction).astype(np.int64)
+    exact = np.arccos(c / one) * 2**a / truth.TURN
+    inside, law = np.abs(c) < one, bounds.codec.angle_of_vector(a, fraction=fraction)
+    assert np.all(np.abs(word - exact)[inside] <= 0.5 + (law + 1.6 / one) * 2**a / truth.TURN)
+    small = np.abs(c) < 3 * one // 4
+    assert np.all(np.diff(word[small]) <= (1 if a > 20 or fraction > 20 else 0))
+
+
+def test_the_angle_of_a_long_vector_is_that_of_every_segment():
+    """At both ends of every segment and of every step of its slope, m with 26 fraction bits."""
+    steps = np.arange(-192 << 8, 192 << 8) << 10
+    c = np.concatenate([steps, steps + 1, steps - 1, steps + 511])
+    n = np.rint(np.sqrt(2.0**52 - c.astype(float) ** 2)).astype(np.int64)
+    for sign in (1, -1):
+        word = _angle_of_vector(24, c, sign * n, 26)
+        off = truth.difference(word * truth.TURN / 2**24, np.arctan2(sign * n, c))
+        assert np.abs(off).max() <= np.pi / 2**24 + bounds.codec.angle_of_vector(24, fraction=26)
 
 
 @pytest.mark.parametrize("joints", [2, 3])
-@pytest.mark.parametrize("a", [18, 24])
+@pytest.mark.parametrize(("w", "a"), [(16, 18), (16, 24), (18, 24), (20, 22), (22, 24), (24, 24)])
 @pytest.mark.parametrize(("l1", "l2"), LINKS)
-def test_inverse_puts_the_tip_within_its_bound(l1, l2, a, joints):
-    p, rng, count = {"W": 16, "F": 8, "A": a}, np.random.default_rng(l1 + a), 40_000
+def test_inverse_puts_the_tip_within_its_bound(l1, l2, w, a, joints):
+    p, rng, count = {"W": w, "F": 8, "A": a}, np.random.default_rng(l1 + a + w - 16), 40_000 if w == 16 else 10_000
+    l1, l2 = l1 << w - 16, l2 << w - 16
     way = rng.normal(size=(joints, count))
     radius = rng.uniform(abs(l1 - l2), l1 + l2, count)
     near = rng.exponential(4, count // 4)
     radius[::4] = np.where(rng.random(near.size) < 0.5, abs(l1 - l2) + near, l1 + l2 - near)
     target = np.rint(way / np.linalg.norm(way, axis=0) * radius).astype(np.int64)
     q = (target * target).sum(axis=0)
-    keep = (q <= (l1 + l2) ** 2) & (q >= (l1 - l2) ** 2) & (np.abs(target) < 32768).all(axis=0) & (q > 0) \
+    keep = (q <= (l1 + l2) ** 2) & (q >= (l1 - l2) ** 2) & (np.abs(target) < 1 << w - 1).all(axis=0) & (q > 0) \
         & (target[:2] != 0).any(axis=0)
     target, q, elbow = target[:, keep], q[keep], rng.integers(0, 2, count)[keep]
     solve, forward = (table.ik2, truth.fk2) if joints == 2 else (table.ik3, truth.fk3)
@@ -232,10 +265,26 @@ def test_inverse_puts_the_tip_within_its_bound(l1, l2, a, joints):
     law = bounds.table.ik2(p, l1, l2, np.sqrt(q), n2) if joints == 2 else bounds.table.ik3(p, l1, l2, target, n2)
     answered = out["out_status"] == 0
     assert answered.mean() > 0.95 and np.all((error <= law)[answered])
-    if l1 + l2 <= 16384 and a == 24:  # 64 units of Q7.8; of the words half a step is 0.002 LSB
+    if w == 16 and l1 + l2 <= 16384 and a == 24:  # 64 units of Q7.8; of the words half a step is 0.002 LSB
         assert np.max(error[q >= 256**2], initial=0) <= 0.3
     bend = truth.difference(theta[1], 0 * theta[1])
     assert np.all((bend * (1 - 2 * elbow) >= -truth.TURN / 2 ** min(a, 21)) | (np.abs(np.abs(bend) - np.pi) < 1e-6))
+
+
+def test_the_laws_of_long_words_are_those_of_the_page():
+    """Links that take a reach of a quarter of the word, from a quarter of it on; all pitches of the plane."""
+    half, pitch = np.meshgrid(np.linspace(0, np.arccos(0.25), 400), np.linspace(0, np.pi / 2, 60))
+    n2, worst = np.abs(np.sin(2 * half.ravel())), []
+    for w in (20, 22):
+        p, length = {"W": w, "F": 8, "A": 24}, 1 << w - 3
+        away = 2 * length * np.cos(half.ravel())
+        target = np.stack([away * np.cos(pitch.ravel()), 0 * away, away * np.sin(pitch.ravel())])
+        worst += [bounds.table.ik2(p, length, length, away, n2).max(),
+                  bounds.table.ik3(p, length, length, target, n2).max()]
+    two, two_longer, three, three_longer = np.round([worst[0], worst[2], worst[1], worst[3]], 2)
+    page = (cores.RTL / "table" / "README.md").read_text()
+    assert f"bound of table_ik2 is {two} LSB at W = 20 and {two_longer} at W = 22" in page
+    assert f"that of table_ik3 {three} and {three_longer}." in page
 
 
 def test_inverse_is_straight_or_folded_out_of_reach():

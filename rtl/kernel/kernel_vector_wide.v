@@ -5,15 +5,16 @@
 // Out of reach c2 = +-1, n2 = 0 and (c1, n1) = +-p / |p|, with 2 / sqrt(q) for 1/q and a power of two for k.
 // Formats: in_* sN.0; cfg_* by kernel_vector_wide.config; out_word s4.(N+2), in clocks of out_cos[i] the cosine and of
 // out_sin[i] the sine of joint i + 1, half a unit of U bits added; out_flat: c2 is 1, or -1 with out_negative;
-// out_none, until two clocks after the sine: joints 1 and 3 have no direction. Error of the tip: bounds.vector.ik2,
-// .ik3. Latency, II: 10 + 15 PIPE, 19 + 25 PIPE. Status: unreachable by more than cfg_slack, 2^(2-N) of c2 (nearest
-// point), singular (within cfg_margin of a stretched or folded arm or of the axis of joint 3, or x = y = 0).
+// out_none, until LAG clocks after the sine: joints 1 and 3 have no direction. Error of the tip: bounds.vector.ik2,
+// .ik3. Latency, II: 10 + 15 PIPE, 19 + 25 PIPE; + LAG. Status: unreachable by more than cfg_slack, 2^(2-N) of c2
+// (nearest point), singular (within cfg_margin of a stretched or folded arm or of the axis of joint 3, or x = y = 0).
 // Source: rational trigonometry paper, eqs. 18-23, 32-40. Models: kernel_vector_wide.plane, .space
 `default_nettype none
 module kernel_vector_wide #(
     parameter N = 20,                // bits of a coordinate, 20 or 24 (default 20)
     parameter JOINTS = 2,            // joints, 2 or 3 (default 2): in the plane, where in_z is not used, or in space
-    parameter U = 20,                // fraction bits of a rounded word, 8 to N (default 20)
+    parameter U = 20,                // fraction bits of a rounded word, 8 to N (default 20); above N: not rounded
+    parameter LAG = 0,               // clocks of the codec after the last word, 0 or 3 + 3 PIPE (default 0)
     parameter PIPE = 0,              // 0 or 1 (default 0: fewest clocks); 1: registers behind products and tables
     parameter MULTIPLY = 18,         // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
     parameter MARGINS = 0,           // 0 or 1 (default 0); 1: cfg_margin and cfg_slack are used
@@ -68,24 +69,25 @@ module kernel_vector_wide #(
         NONE    = 2'b00,          // nothing
         HALF    = 2'b01,          // the half that rounds a word
         LENGTH  = 2'b10;          // L1
-    localparam [14:0]             // the rest
-        OTHER   = 15'h0000,       // nothing
-        BYTES   = 15'h0001,       // bytes that q can spare
-        PAIRS   = 15'h0002,       // pairs of bits that q can spare
-        GAP     = 15'h0004,       // sign and range of q - Q1 - Q2
-        ROOT    = 15'h0008,       // read n2
-        READ    = 15'h0010,       // read 1/q'
-        INVERSE = 15'h0020,       // first factor of 1/q'
-        COS2    = 15'h0040,       // the product is c2
-        SIN2    = 15'h0080,       // the product is n2
-        HALVE   = 15'h0100,       // not q is shifted but its root: out of reach, and for joint 3
-        COS1    = 15'h0200,       // the product is c1
-        SIN1    = 15'h0400,       // the product is n1; the words are valid in the next clock
-        FIRST   = 15'h0800,       // the next sum is the gap
-        COS3    = 15'h1000,       // the product is c3
-        SIN3    = 15'h2000,       // the product is n3
-        NEAREST = 15'h4000;       // half a unit is added to the next sum, rho
-    localparam OP = 28;           // bits of a line
+    localparam [15:0]             // the rest
+        OTHER   = 16'h0000,       // nothing
+        BYTES   = 16'h0001,       // bytes that q can spare
+        PAIRS   = 16'h0002,       // pairs of bits that q can spare
+        GAP     = 16'h0004,       // sign and range of q - Q1 - Q2
+        ROOT    = 16'h0008,       // read n2
+        READ    = 16'h0010,       // read 1/q'
+        INVERSE = 16'h0020,       // first factor of 1/q'
+        COS2    = 16'h0040,       // the product is c2
+        SIN2    = 16'h0080,       // the product is n2
+        HALVE   = 16'h0100,       // not q is shifted but its root: out of reach, and for joint 3
+        COS1    = 16'h0200,       // the product is c1
+        SIN1    = 16'h0400,       // the product is n1
+        FIRST   = 16'h0800,       // the next sum is the gap
+        COS3    = 16'h1000,       // the product is c3
+        SIN3    = 16'h2000,       // the product is n3
+        NEAREST = 16'h4000,       // half a unit is added to the next sum, rho
+        LAST    = 16'h8000;       // of the last line: the words are valid in the next clock
+    localparam OP = 29;           // bits of a line
     //                       operands  left     right   addend  rest
     localparam [9*OP-1:0] YAW = {
         /* x^2 + y^2   */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},
@@ -158,31 +160,35 @@ module kernel_vector_wide #(
     wire [5:0]    operands;
     wire [2:0]    right_from;
     wire [1:0]    left_from, addend;
-    wire [14:0]   rest;
+    wire [15:0]   rest;
     assign        {operands, left_from, right_from, addend, rest} = op;
     wire          idle;
     wire          accept = in_valid && in_ready;
     generate
         if (JOINTS == 2 && PIPE == 0) begin : g_plane
-            schedule #(.LINES(9), .BITS(OP), .TABLE(SOLVE)) control (
+            localparam [(9+LAG)*OP-1:0] LINES = {SOLVE, {LAG{WAIT}}} | {{((9+LAG)*OP-16){1'b0}}, LAST};
+            schedule #(.LINES(9+LAG), .BITS(OP), .TABLE(LINES)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
         if (JOINTS == 2 && PIPE == 1) begin : g_plane_1
-            schedule #(.LINES(24), .BITS(OP), .TABLE(SOLVE_1)) control (
+            localparam [(24+LAG)*OP-1:0] LINES = {SOLVE_1, {LAG{WAIT}}} | {{((24+LAG)*OP-16){1'b0}}, LAST};
+            schedule #(.LINES(24+LAG), .BITS(OP), .TABLE(LINES)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
         if (JOINTS == 3 && PIPE == 0) begin : g_space
-            schedule #(.LINES(18), .BITS(OP), .TABLE({YAW, SOLVE})) control (
+            localparam [(18+LAG)*OP-1:0] LINES = {YAW, SOLVE, {LAG{WAIT}}} | {{((18+LAG)*OP-16){1'b0}}, LAST};
+            schedule #(.LINES(18+LAG), .BITS(OP), .TABLE(LINES)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
         if (JOINTS == 3 && PIPE == 1) begin : g_space_1
-            schedule #(.LINES(43), .BITS(OP), .TABLE({YAW_1, SOLVE_1})) control (
+            localparam [(43+LAG)*OP-1:0] LINES = {YAW_1, SOLVE_1, {LAG{WAIT}}} | {{((43+LAG)*OP-16){1'b0}}, LAST};
+            schedule #(.LINES(43+LAG), .BITS(OP), .TABLE(LINES)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
     endgenerate
     assign        in_ready = idle && (!out_valid || out_ready);
     always @(posedge clk)
-        out_valid <= !rst && (|(rest & SIN1) || (out_valid && !out_ready));
+        out_valid <= !rst && (|(rest & LAST) || (out_valid && !out_ready));
 
     // The addend of the first multipliers is 0 but in two sums: cfg_q turns q into the gap, NEAREST rounds rho
     reg                  elbow, clamped, zero, zero3, beyond, short, half;
@@ -223,7 +229,7 @@ module kernel_vector_wide #(
 
     // The third multiplier: 1.0 is 2^F in left, 2^(F+1) in right (2^(F-1) in words from SLOPE), 2^(2F-1) in a product
     // of the two. Its addend is a register that is 0 where nothing is added.
-    localparam [N+5:0]  ROUND = {{(N+5){1'b0}}, 1'b1} << N + 1 - U;
+    localparam [N+5:0]  ROUND = U > N ? {(N+6){1'b0}} : {{(N+5){1'b0}}, 1'b1} << N + 1 - U;
     assign              result = settled[2*F+2:2*F-3-N] + ({2'd0, l1, 4'd0} | (half ? ROUND : {(N+6){1'b0}}));
     wire                outside = beyond || settled[2*F+3:2*F-1] != {5{settled[2*F+3]}};
     wire                root = |(rest & ROOT), first = JOINTS == 2 && PIPE == 0 ? accept : |(rest & FIRST);

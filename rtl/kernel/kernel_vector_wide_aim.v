@@ -2,14 +2,16 @@
 // kernel_vector_aim for words of more than 16 bits: (c, n) = (x, y) / |(x, y)|, by one multiplier.
 //   q = x^2 + y^2 of x and y without their common redundant sign bits; c = x / sqrt(q), n = y / sqrt(q). Where q is 1
 //   or more, a quarter of it is looked up, and x and y are halved
-// Formats: in_x, in_y sN.0; out_c, out_n s2.U, rounded to nearest (ties upward).
+// Formats: in_x, in_y sN.0; out_c, out_n s2.U, rounded to nearest (ties upward). For a codec, with U above N: out_word
+// s4.(N+2), in the clock of out_cos the cosine, of out_sin the sine; not with out_none.
 // Error: the direction is exact, the length that of bounds.vector.length, before both are rounded. Latency, II: 9 + 8
-// PIPE. Status: singular (x = y = 0: the last vector is held, (1, 0) after a reset).
+// PIPE + LAG. Status: singular (x = y = 0: the last vector is held, (1, 0) after a reset).
 // Source: rational trigonometry paper, eq. 9, which loses the quadrant. Model: kernel_vector_wide.aim
 `default_nettype none
 module kernel_vector_wide_aim #(
     parameter N = 20,                // bits of a coordinate, 20 or 24 (default 20)
-    parameter U = 20,                // fraction bits of cosine and sine, 4 to N (default 20)
+    parameter U = 20,                // fraction bits of cosine and sine, 4 to N (default 20); N + 2: not rounded
+    parameter LAG = 0,               // clocks of the codec after the last word, 0 or 3 + 3 PIPE (default 0)
     parameter PIPE = 0,              // 0 or 1 (default 0: fewest clocks); 1: registers behind products and tables
     parameter MULTIPLY = 18,         // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
     parameter F = N == 24 ? 29 : 25  // fraction bits of q and of an operand, of one value (default 25)
@@ -24,23 +26,28 @@ module kernel_vector_wide_aim #(
     input  wire                out_ready,
     output reg  signed [U+1:0] out_c,
     output reg  signed [U+1:0] out_n,
+    output wire                out_cos,
+    output wire                out_sin,
+    output wire [N+5:0]        out_word,
+    output wire                out_none,
     output wire [3:0]          out_status
 );
     // Schedule, a clock a line
-    localparam [10:0]
-        REST    = 11'h000,  // nothing
-        LEFT    = 11'h001,  // a coordinate without its redundant sign bits
-        RIGHT   = 11'h002,  // the same
-        SECOND  = 11'h004,  // that coordinate is y, not x
-        ADD     = 11'h008,  // a square; in other lines sum becomes the half that rounds a result
-        UNIT    = 11'h010,  // sum becomes what q starts with
-        INVERSE = 11'h020,  // q, and the first factor of its reciprocal root
-        READ    = 11'h040,  // read the slope
-        FACTOR  = 11'h080,  // both factors
-        ROOT    = 11'h100,  // 2 / sqrt(q)
-        COS     = 11'h200,  // the cosine goes out
-        SIN     = 11'h400;  // the sine goes out
-    localparam [8*11-1:0] AIM = {
+    localparam [11:0]
+        REST    = 12'h000,  // nothing
+        LEFT    = 12'h001,  // a coordinate without its redundant sign bits
+        RIGHT   = 12'h002,  // the same
+        SECOND  = 12'h004,  // that coordinate is y, not x
+        ADD     = 12'h008,  // a square; in other lines sum becomes the half that rounds a result
+        UNIT    = 12'h010,  // sum becomes what q starts with
+        INVERSE = 12'h020,  // q, and the first factor of its reciprocal root
+        READ    = 12'h040,  // read the slope
+        FACTOR  = 12'h080,  // both factors
+        ROOT    = 12'h100,  // 2 / sqrt(q)
+        COS     = 12'h200,  // the cosine goes out
+        SIN     = 12'h400,  // the sine goes out
+        LAST    = 12'h800;  // of the last line: the words are valid in the next clock
+    localparam [8*12-1:0] AIM = {
         /* x       */ {LEFT | RIGHT | UNIT},
         /* x x     */ {ADD | LEFT | RIGHT | SECOND},
         /* y y     */ {INVERSE},
@@ -50,7 +57,7 @@ module kernel_vector_wide_aim #(
         /* x root  */ {COS | LEFT | SECOND},
         /* y root  */ {SIN}};
     // PIPE = 1: a line computes partial products, the next one the product, the third adds it
-    localparam [16*11-1:0] AIM_1 = {
+    localparam [16*12-1:0] AIM_1 = {
         /* x       */ {LEFT | RIGHT},
         /* x x     */ {LEFT | RIGHT | SECOND},
         /* y y     */ {UNIT},
@@ -66,16 +73,18 @@ module kernel_vector_wide_aim #(
         /* y root  */ {REST},
         /* c       */ {COS},
         /* n       */ {SIN}};
-    wire [10:0] op;
+    wire [11:0] op;
     wire        idle;
     wire        accept = in_valid && in_ready;
     assign      in_ready = idle && (!out_valid || out_ready);
     generate
         if (PIPE == 0) begin : g_aim
-            schedule #(.LINES(8), .BITS(11), .TABLE(AIM)) control (
+            localparam [(8+LAG)*12-1:0] LINES = {AIM, {LAG{REST}}} | {{((7+LAG)*12){1'b0}}, LAST};
+            schedule #(.LINES(8+LAG), .BITS(12), .TABLE(LINES)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end else begin : g_aim_1
-            schedule #(.LINES(16), .BITS(11), .TABLE(AIM_1)) control (
+            localparam [(16+LAG)*12-1:0] LINES = {AIM_1, {LAG{REST}}} | {{((15+LAG)*12){1'b0}}, LAST};
+            schedule #(.LINES(16+LAG), .BITS(12), .TABLE(LINES)) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
     endgenerate
@@ -112,7 +121,7 @@ module kernel_vector_wide_aim #(
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [2*F+3:0] product, settled;
     /* verilator lint_on UNUSEDSIGNAL */
-    localparam [F+2:0]    HALF = {{(F+2){1'b0}}, 1'b1} << F - U;
+    localparam [F+2:0]    HALF = U > N ? {(F+3){1'b0}} : {{(F+2){1'b0}}, 1'b1} << F - U;
     reg         [F+2:0]   sum;
     wire        [F+2:0]   total = settled[2*F:F-2] + sum;
     wire        [F+1:0]   q = PIPE == 0 ? total[F+1:0] : sum[F+1:0];
@@ -136,6 +145,9 @@ module kernel_vector_wide_aim #(
         end
     endgenerate
     assign out_status = {2'd0, zero, 1'b0};
+    assign {out_cos, out_sin} = {|(op & COS), |(op & SIN)};
+    assign out_word = {{2{total[F+2]}}, total[F+2:F-1-N]};
+    assign out_none = zero;
 
     always @(posedge clk) begin
         if (accept) begin
@@ -155,7 +167,7 @@ module kernel_vector_wide_aim #(
             out_c <= total[F+2:F+1-U];
         if (|(op & SIN) && !zero)
             out_n <= total[F+2:F+1-U];
-        out_valid <= |(op & SIN) || (out_valid && !out_ready);
+        out_valid <= |(op & LAST) || (out_valid && !out_ready);
         if (rst) begin
             out_c     <= {2'b01, {U{1'b0}}};
             out_n     <= {(U+2){1'b0}};

@@ -41,9 +41,12 @@ module vector_ik1 #(
                 .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y),
                 .out_valid(out_valid), .out_ready(out_ready), .out_c(out_c1), .out_n(out_n1), .out_status(out_status));
         end else begin : g_wide
+            /* verilator lint_off PINCONNECTEMPTY */
             kernel_vector_wide_aim #(.N(N), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
                 .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y),
-                .out_valid(out_valid), .out_ready(out_ready), .out_c(out_c1), .out_n(out_n1), .out_status(out_status));
+                .out_valid(out_valid), .out_ready(out_ready), .out_c(out_c1), .out_n(out_n1), .out_cos(), .out_sin(),
+                .out_word(), .out_none(), .out_status(out_status));
+            /* verilator lint_on PINCONNECTEMPTY */
         end
     endgenerate
 endmodule

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import ModuleType
 
 import numpy as np
 from quadrance import codecs, truth
@@ -11,7 +12,12 @@ from quadrance.fixed import wrap
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
-from tb.stimulus import chains, targets
+from tb.stimulus import chains, targets, vector
+
+
+def _inverse(core: Core) -> ModuleType:
+    """Where the configurations of an inverse core are; only some cores take long words."""
+    return vector if core.params["W"] > 16 else targets
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -22,7 +28,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
         high = (1 << core.params["W"]) - 1
         last = (high >> 3, 1, 0, high, *rng.integers(0, high >> 1, 4).tolist())
         more = [{"cfg_l3": length} if core.function == "ik3r" else {} for length in last]
-        return [cfg | more[i % len(more)] for i, cfg in enumerate(targets.configs(core, rng))]
+        return [cfg | more[i % len(more)] for i, cfg in enumerate(_inverse(core).configs(core, rng))]
     high = (1 << core.params["W"]) - 1
     half = high >> 2
     part = 5 * (high >> 3)  # alone it saturates an axis, not every direction
@@ -35,7 +41,7 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
 
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
-    return targets.draw(core, rng)
+    return _inverse(core).draw(core, rng)
 
 
 def _words(core: Core, rng: np.random.Generator) -> dict[str, np.ndarray]:

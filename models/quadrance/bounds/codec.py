@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import codecs, conversion, truth
+from quadrance import codec_wide, codecs, conversion, truth
 from quadrance.fixed import ints
 from quadrance.truth import Floats, floats
 
@@ -170,16 +171,30 @@ def vector_normalise(length: ArrayLike) -> Floats:
     return 0.5 + np.abs(1 - y * y) / 4 + y / 16
 
 
-def angle_of_vector(a: int, length: ArrayLike = 0.0) -> Floats:
-    """Angle (rad) by which `codecs.angle_of_vector` is off before rounding to a word, `length` what the vector's length
-    is off 1.
+@cache
+def _arcsine(fraction: int) -> float:
+    """Greatest error of the segments of the arc sine, rad: at 17 places of each where |m| <= 3/4, of a parabola at both
+    ends of every step of its slope."""
+    t = codec_wide.AHEAD.get(fraction, 5)
+    i, steps = np.arange(-192, 192)[:, None] + 256, np.arange(1 << t - 1)
+    place = np.append(steps, steps + 1) / steps.size
+    if fraction in codec_wide.AHEAD:
+        knots, bends = codec_wide.segments(40, fraction)
+        ahead = (steps.size - 0.5 - np.append(steps, steps)) / steps.size
+        moved = np.where(i < 256, -1, 1) * bends[i] * 2.0**14 * ahead
+    else:
+        knots, moved = codecs.arcsine_knots(40), 0 * place
+    slope = knots[i + 1] - knots[i] - moved
+    arc = (knots[i] + slope * place) * 2 * math.pi / 2.0**40
+    return float(np.abs(arc - np.arcsin((i - 256 + place) / 256)).max())
 
-    The greatest error of the chords, each taken at 17 places where |m| <= 3/4, half a sag of 2^-18 at most; the last
-    bit of m about a half, 2^-21, times the slope 1.52; knot and rise, each truncated by less than a unit of 2^-(a + 3)
-    turn: half a unit either way, for their sum is whole. The arc sine takes the length for 1: tan <= 1.14 times it.
+
+def angle_of_vector(a: int, length: ArrayLike = 0.0, fraction: int = 20) -> Floats:
+    """Angle (rad) by which angle_of_vector is off before rounding to a word, `length` what the vector's is off 1.
+
+    The segments, half a sag of 2^-18 at most of straight ones; the last bit of m about a half, 2^-(fraction + 1), times
+    the slope 1.52; knot and rise, each truncated by less than a unit of 2^-(a + 3) turn: half a unit either way, for
+    their sum is whole; as much for the slope of a parabola. The arc sine takes the length for 1: tan <= 1.14 times it.
     """
-    i = np.arange(-192, 192)[:, None]
-    knots, place = codecs.arcsine_knots(40), np.linspace(0, 1, 17)
-    arc = (knots[i + 256] + (knots[i + 257] - knots[i + 256]) * place) * 2 * math.pi / 2.0**40
-    sag = float(np.abs(arc - np.arcsin((i + place) / 256)).max())
-    return sag + 1.52 * 2**-21 + math.pi / 2.0 ** (a + 3) + 1.14 * floats(length)
+    cut = math.pi / 2.0 ** (a + 3) * (2 if fraction in codec_wide.AHEAD else 1)
+    return _arcsine(fraction) + 1.52 * 2.0 ** -(fraction + 1) + cut + 1.14 * floats(length)

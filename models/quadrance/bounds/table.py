@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from quadrance import table as model
 from quadrance.bounds import codec, vector
+from quadrance.kernel_vector_wide import form
 from quadrance.truth import Floats, floats
 
 Params = dict[str, int]
@@ -41,8 +42,17 @@ def direction(p: Params) -> float:
       2^-19 s: together at most 1.25 * 2^-17, at either end of s;
     * half the sag of a chord of the arc tangent, 0.65 * 2^-18; the cut of its place, 2^-18;
     * rounding of a knot and the cut of the rise, a unit of 2^-(A+2) turn either way.
+
+    With W above 16 that of the arc sine, of a vector within `vector.length`, which is rounded to whole bits.
     """
+    if (f := form(p)).bits > 16:
+        return float(codec.angle_of_vector(p["A"], vector.length(f), model.fraction(p)))
     return 2.0**-18 * (1 + 2.5 + 0.65 + 1) + 2 * math.pi / 2.0 ** (p["A"] + 2)
+
+
+def _word(p: Params, length: ArrayLike = 0.0) -> Floats:
+    """How far (rad) the word of a joint of table_ik2 and table_ik3 is from its vector, whose length is so far off 1."""
+    return codec.angle_of_vector(p["A"], length, model.fraction(p)) + math.pi / 2 ** p["A"]
 
 
 def ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
@@ -59,9 +69,10 @@ def ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
 
 def _coded(p: Params, l2: int, rho: ArrayLike, n2: ArrayLike, length: Floats) -> Floats:
     """What the lengths of (c1, n1) and (c2, n2), their angles and the rounding of these move the tip."""
-    rho, elbow = floats(rho), vector.root(floats(n2) ** 2) / 2 + 2**-24
+    f = form(p)
+    rho, elbow = floats(rho), vector.root(floats(n2) ** 2, f) / 2 + 2.0 ** (1 - f.fraction)
     near = np.minimum((1 + 1.14) * length * rho, 4 * (rho + 1))  # next to the shoulder joint 1 moves it no more
-    turned = codec.angle_of_vector(p["A"]) + math.pi / 2 ** p["A"]
+    turned = _word(p)
     return near + turned * (rho + l2) + (1 + 1.14) * elbow * l2
 
 
@@ -70,7 +81,7 @@ def ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats
     fine, rho = p | {"U": 40}, np.hypot(*floats(target)[:2])
     distance = np.sqrt((floats(target) ** 2).sum(axis=0))
     length = vector.ik3_length(fine, l1, l2, target, n2) * 2.0 ** -fine["U"]
-    yaw = codec.angle_of_vector(p["A"], vector.yaw(rho * 2.0 ** (16 - p["W"]))[0]) + math.pi / 2 ** p["A"]
+    yaw = _word(p, vector.yaw(rho * 2.0 ** (form(p).bits - p["W"]), form(p))[0])
     return vector.ik3(fine, l1, l2, target, n2) + _coded(p, l2, distance, n2, length) + yaw * rho
 
 
@@ -88,11 +99,11 @@ def ik3r(p: Params, l1: int, l2: int, l3: int, rho: ArrayLike, n2: ArrayLike) ->
 def nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     """Tip of table_ik2 and table_ik3 at the answered words from the nearest point of a target out of reach.
 
-    `vector.NEAREST`, whose lengths, two words of 2^-16, turn a joint once more; codec and half a word of each joint.
+    `vector.NEAREST` of words as long as the kernel's, whose lengths, two such words, turn a joint once more; codec and
+    half a word of each joint.
     """
-    joints, reach = len(target), l1 + l2
-    turned = codec.angle_of_vector(p["A"]) + math.pi / 2 ** p["A"]
-    words = (2 * reach / 2**16 + turned * reach) * joints
+    joints, reach, bits = len(target), l1 + l2, form(p).bits
+    words = (2 * reach / 2**bits + _word(p) * reach) * joints
     if joints == 2:
-        return vector.NEAREST * reach / 2**16 + words + 0 * floats(target[0])
-    return vector.ik3_nearest(p | {"U": 16}, l1, l2, target) + words
+        return vector.NEAREST * reach / 2**bits + words + 0 * floats(target[0])
+    return vector.ik3_nearest(p | {"U": bits}, l1, l2, target) + words
