@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Codec of binary angles after kernel_vector_solve: the cosine, then the sine of a joint make its word.
 //   out_j = axis +- arcsin(m), m the cosine where that is in [-3/4, 3/4), else the sine; 512 segments of the arc sine.
-//   With I above 20, after kernel_vector_wide, the slope of a segment falls or rises in it: the segment is a parabola
+//   With I above 20, after kernel_vector_wide, a coefficient changes the slope along a segment, which is a parabola
 // Formats: in_cos, in_sin have a bit a joint: in_word s4.I is its cosine, its sine. in_flat: c2 is 1, or -1 with
 // in_negative. in_none: joints 1 and 3 hold their words. out_j: angles of A bits modulo a turn, rounded to nearest,
 // joint 1 lowest. Reset sets joints 1 and 3 to 0. Joint 2 is not reset: every sample writes it.

@@ -164,7 +164,7 @@ module kernel_vector_wide #(
     assign        {operands, left_from, right_from, addend, rest} = op;
     wire          idle;
     wire          accept = in_valid && in_ready;
-    generate
+    generate  // LAG lines wait for the codec; LAST is added to the last line, whichever that is
         if (JOINTS == 2 && PIPE == 0) begin : g_plane
             localparam [(9+LAG)*OP-1:0] LINES = {SOLVE, {LAG{WAIT}}} | {{((9+LAG)*OP-16){1'b0}}, LAST};
             schedule #(.LINES(9+LAG), .BITS(OP), .TABLE(LINES)) control (

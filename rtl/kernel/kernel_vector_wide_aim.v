@@ -2,8 +2,9 @@
 // kernel_vector_aim for words of more than 16 bits: (c, n) = (x, y) / |(x, y)|, by one multiplier.
 //   q = x^2 + y^2 of x and y without their common redundant sign bits; c = x / sqrt(q), n = y / sqrt(q). Where q is 1
 //   or more, a quarter of it is looked up, and x and y are halved
-// Formats: in_x, in_y sN.0; out_c, out_n s2.U, rounded to nearest (ties upward). For a codec, with U above N: out_word
-// s4.(N+2), in the clock of out_cos the cosine, of out_sin the sine; not with out_none.
+// Formats: in_x, in_y sN.0; out_c, out_n s2.U, rounded to nearest (ties upward). A codec takes out_word s4.(N+2), with
+// U above N: it is the cosine in the clock of out_cos, the sine in that of out_sin. With out_none, at x = y = 0, the
+// codec holds its word.
 // Error: the direction is exact, the length that of bounds.vector.length, before both are rounded. Latency, II: 9 + 8
 // PIPE + LAG. Status: singular (x = y = 0: the last vector is held, (1, 0) after a reset).
 // Source: rational trigonometry paper, eq. 9, which loses the quadrant. Model: kernel_vector_wide.aim
@@ -77,7 +78,7 @@ module kernel_vector_wide_aim #(
     wire        idle;
     wire        accept = in_valid && in_ready;
     assign      in_ready = idle && (!out_valid || out_ready);
-    generate
+    generate  // LAG lines wait for the codec; LAST is added to the last line, whichever that is
         if (PIPE == 0) begin : g_aim
             localparam [(8+LAG)*12-1:0] LINES = {AIM, {LAG{REST}}} | {{((7+LAG)*12){1'b0}}, LAST};
             schedule #(.LINES(8+LAG), .BITS(12), .TABLE(LINES)) control (

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inverse kinematics of one joint: the direction of (x, y) as a binary angle; no length is needed.
-//   j1 = axis + arctan(m / M), M the coordinate that is longer in bits, m the other one. With W above 16 the unit
-//   vector of (x, y), and its arc sine
+//   j1 = axis + arctan(m / M), M the coordinate that is longer in bits, m the other one; with W above 16 it is the arc
+//   sine of the unit vector of (x, y), as in table_ik2
 // Formats: in_x, in_y s(W-F).F; out_j1 angle of A bits modulo a turn, rounded to nearest.
 // Error: the direction is within 0.421 * 2^-14 rad of those that round to the word at A = 18, 0.324 * 2^-14 at A = 24;
 // bounds.table.direction for W above 16. Latency and II: 4 + 4 PIPE, 12 + 11 PIPE with W above 16.
 // Status: singular (x = y = 0: the last word is held, 0 after a reset).
-// Source: the definition; tables of 1/M and of the arc tangent, or as table_ik2. Model: table.ik1
+// Source: the definition; tables of 1/M and of the arc tangent. Model: table.ik1
 `default_nettype none
 module table_ik1 #(
     parameter W = 16,        // bits of a coordinate, 4 to 24 (default 16)
