@@ -125,10 +125,33 @@ def real(core: Core, rng: np.random.Generator) -> list[Command]:
     return commands
 
 
+def unit(core: Core) -> dict:
+    """The image of a program that divides by a length."""
+    return image.image(assembler.assemble(parser.parse(UNIT, Path("unit.kin")), core.params["PIPE"]))
+
+
+def filled(core: Core, rng: np.random.Generator) -> list[Command]:
+    """A program that copies ports to registers, in every context: they hold something when a reset comes."""
+    lines = [(1 << 6 | at) << 39 | (64 | 32) << 32 | at << 9 for at in REGISTERS[1:]]  # PORT times PLUS
+    commands = image.load(sealed(lines, 3), 30)
+    for context in range(core.params["CONTEXTS"]):
+        commands += [(WRITE, context, at, int(rng.integers(1 << 25, 1 << 26))) for at in REGISTERS]
+        commands += [(RUN, context, 30, 0), *((READ, context, at, 0) for at in REGISTERS)]
+    return commands
+
+
+def first(core: Core, rng: np.random.Generator) -> list[Command]:
+    """The first run of each context, without a direction: what other contexts have run is none of its own."""
+    one = unit(core)
+    commands, words = image.load(one), {"in_x": 0, "in_y": 0, "in_u": 1 << 24, "in_v": 1 << 23}
+    for context in rng.permutation(core.params["CONTEXTS"]).tolist():
+        commands += [*image.inputs(one, context, words), image.run(one, context), *image.outputs(one, context)]
+    return commands
+
+
 def segments(core: Core, rng: np.random.Generator) -> list[Command]:
-    """A program that divides by a length: a point for each segment of the table, some between them without a direction;
-    two for each leading bit."""
-    one = image.image(assembler.assemble(parser.parse(UNIT, Path("unit.kin")), core.params["PIPE"]))
+    """A point for each segment of the table, some between them without a direction; two for each leading bit."""
+    one = unit(core)
     commands = image.load(one)
     q = np.minimum((np.arange(128, 1025) + 0.5) / 512, 2)  # the sums of the squares
     x, y = np.sqrt(np.where(q < 1, q, q / 2)), -np.sqrt(np.where(q < 1, 0, q / 2))
@@ -137,14 +160,16 @@ def segments(core: Core, rng: np.random.Generator) -> list[Command]:
     for x, y in points:
         u, v = rng.integers(-(1 << 24), 1 << 24, 2)
         words = {"in_x": x, "in_y": y, "in_u": u, "in_v": v}
-        commands += [*image.inputs(one, 1, words), image.run(one, 1), *image.outputs(one, 1)[2:]]
-        if x == y:  # a start behind a reset, where every register is 0
-            commands += [(READ, 1, register, 0) for register in rng.permutation(REGISTERS).tolist()]
+        commands += [*image.inputs(one, 1, words), image.run(one, 1)]
+        if x == y:  # a start behind a reset, where every register of any context is 0
+            commands += [(READ, int(rng.integers(0, core.params["CONTEXTS"])), register, 0)
+                         for register in rng.permutation(REGISTERS).tolist()]
+        commands += image.outputs(one, 1)[2:]
     return commands
 
 
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Commands in an order that means something; status bits come with random lines."""
     rng = np.random.default_rng(1)
-    return image.columns([*fuzz(core, rng, 6), *real(core, rng), *wrong(core, rng), *fuzz(core, rng, 18),
-                          *segments(core, rng)])
+    return image.columns([*first(core, rng), *filled(core, rng), *fuzz(core, rng, 6), *real(core, rng),
+                          *wrong(core, rng), *fuzz(core, rng, 18), *segments(core, rng)])
