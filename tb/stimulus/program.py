@@ -131,8 +131,13 @@ def unit(core: Core) -> dict:
 
 
 def filled(core: Core, rng: np.random.Generator) -> list[Command]:
-    """A program that copies ports to registers, in every context: they hold something when a reset comes."""
-    lines = [(1 << 6 | at) << 39 | (64 | 32) << 32 | at << 9 for at in REGISTERS[1:]]  # PORT times PLUS
+    """A program that copies ports to registers, in every context: they hold something when a reset comes. Then a sum
+    of two is beyond the word, and the next one is not: that is unreachable all the same."""
+    def copied(at: int) -> int:
+        return (1 << 6 | at) << 39 | (64 | 32) << 32  # PORT times PLUS
+
+    lines = [copied(at) | at << 9 for at in REGISTERS[1:]]
+    lines += [copied(1) | 1 << 17, *(copied(at) | product_engine.FAR for at in (2, 4))]  # the first with KEEP
     commands = image.load(sealed(lines, 3), 30)
     for context in range(core.params["CONTEXTS"]):
         commands += [(WRITE, context, at, int(rng.integers(1 << 25, 1 << 26))) for at in REGISTERS]
