@@ -10,15 +10,13 @@ from quadrance.cordic import OVERFLOW, SINGULAR, aim, angle, turn
 from quadrance.fixed import Ints, hold_last, ints, isqrt, saturate, wrap
 
 GUARD = 4  # fraction bits below a coordinate LSB
-ROUND = 14  # half an LSB, and 6 units for what rounds down
 UNREACHABLE = 1
 AIM_GUARD = 3
 SOLVE_GUARD = 4  # of two and three joints back
 SOLVE_ANGLE_GUARD = 6
 CHAIN_GUARD = 5  # of two and three rotations
-CHAIN_ROUND = 13, 6  # units that two rotations in the plane round down on the average, and those of the third
 GROWTH = 0x69648523  # 1.646760 * 2^30: what the vectoring lengthens rho by, and so z before they meet
-YAW_FACTORS = ((2, 0), (5, 1), (9, 0), (10, 0), (16, 0))  # 1 +- 2^-n, together 1.2145060 = 2 * 0.6072530
+YAW_FACTORS = ((2, 0), (5, 1), (9, 0), (10, 0), (16, 0), (23, 1))  # 1 +- 2^-n, together 1.21450587 = 2 * 0.60725293
 SHRINK = math.prod((1 + 4.0**-i) ** -0.5 for i in range(40))  # 0.607252935: what all micro-rotations lengthen, undone
 
 
@@ -42,6 +40,21 @@ def config(p: dict[str, int], *, cfg_l1: int, cfg_l2: int = 0) -> dict[str, int]
             "cfg_f": ((cfg_l2 - cfg_l1) << p["W"] + 2) // max(cfg_l1 + cfg_l2, 1)}
 
 
+def rounding(width: int) -> int:
+    """Of classic_fk1: half an LSB, and the units that a rotation rounds down on the average; more of them above 16."""
+    return 14 + 3 * max(width - 16, 0) // 8
+
+
+def chain_rounding(width: int) -> tuple[int, int]:
+    """Units that two rotations in the plane round down on the average, and those of the third."""
+    return 13 + 3 * max(width - 16, 0) // 4, 6 + max(width - 15, 0) // 3
+
+
+def yaw_factors(width: int) -> tuple[tuple[int, int], ...]:
+    """(shift, minus) of the factors 1 +- 2^-shift that remove the gain of the third rotation."""
+    return YAW_FACTORS if width > 16 else YAW_FACTORS[:5]
+
+
 def fk1(p: dict[str, int], *, in_j1, cfg_c1) -> dict[str, Ints]:
     """``x = L1 cos j1, y = L1 sin j1``: from the middle of the quadrant; error: `bounds.classic_fk1`."""
     width, turn_bits = p["W"], p["A"]
@@ -49,7 +62,7 @@ def fk1(p: dict[str, int], *, in_j1, cfg_c1) -> dict[str, Ints]:
     top, next_bit = in_j1 >> turn_bits - 1 & 1, in_j1 >> turn_bits - 2 & 1
     x, y = cfg_c1 ^ -(top ^ next_bit), cfg_c1 ^ -top
     z = wrap(in_j1 + (1 << turn_bits - 3), turn_bits - 2) << width + 5 - turn_bits
-    x, y = turn(width, x, y, z + 2, ROUND)
+    x, y = turn(width, x, y, z + 2, rounding(width))
     (out_x, over_x), (out_y, over_y) = (saturate(v >> GUARD, width) for v in (x, y))
     return {"out_x": out_x, "out_y": out_y, "out_status": OVERFLOW * (over_x | over_y)}
 
@@ -75,12 +88,12 @@ def _chain(p: dict[str, int], joints: tuple[Ints, ...], s1: Ints, s2: Ints) -> t
     sx, sy = _signs(quarter1)
     z = (wrap(j1 + eighth, turn_bits - 2) << up) + 2
     x, y = turn(width, x + (s1 ^ sx), y + (s1 ^ sy), z, 0)
-    half, (plane, yaw) = 1 << CHAIN_GUARD - 1, CHAIN_ROUND
+    half, (plane, yaw) = 1 << CHAIN_GUARD - 1, chain_rounding(width)
     height = saturate(y + plane + half >> CHAIN_GUARD, width)
     if len(joints) == 2:
         return saturate(x + plane + half >> CHAIN_GUARD, width), height
     rho = x + plane >> 1
-    for shift, minus in YAW_FACTORS:
+    for shift, minus in yaw_factors(width):
         rho = rho + (rho >> shift ^ -minus)
     sx, sy = _signs(joints[2] >> turn_bits - 2)
     x, y = turn(width, rho ^ sx, rho ^ sy, (wrap(joints[2] + eighth, turn_bits - 2) << up) + 2, yaw + half)

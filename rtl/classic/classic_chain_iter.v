@@ -2,16 +2,17 @@
 // This engine chains rotations on one CORDIC: L2 exp(j j2), plus L1, times exp(j j1); with three joints the real part
 // times exp(j j3). It has no handshake.
 // A rotation is that of cordic_turn_iter: C micro-rotations i = 1 .. C, then T digits of the residual angle. Quarter
-// turns are signs of the start words, which also contain the gain of the plane. Five factors remove that of the third
-// rotation; rho lies on the diagonal then, so the crosswise shifter serves them.
+// turns are signs of the start words, which also contain the gain of the plane. Five factors, six above W = 16, remove
+// that of the third rotation; rho lies on the diagonal then, so the crosswise shifter serves them.
 // Formats: in_s1, in_s2, out_x and out_y have 5 guard bits. With out_lifted out_y is the height.
 // Error of a coordinate at W = A = 16, rounded: 2 LSB with two joints, 2.9 with three, up to L1 + L2 = 2^(W-2).
-// The result is valid from the clock after out_done on, 2 (C+T) + 3 or 3 (C+T) + 13 clocks after in_start.
+// The result is valid from the clock after out_done on, 2 (C+T) + 3 or 3 (C+T) + 13 clocks after in_start, one
+// more with six factors.
 // Model: classic.fk2, classic.fk3
 `default_nettype none
 module classic_chain_iter #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 16 (default 16)
-    parameter A      = 16,  // bits of an angle, a turn is 2^A, 5 to W + 3 (default 16)
+    parameter W      = 16,  // bits of a coordinate, 8 to 24 (default 16)
+    parameter A      = 16,  // bits of an angle, a turn is 2^A, 5 to W + 3 and to 24 (default 16)
     parameter JOINTS = 2    // 2 (default): in the plane, in_j3 is not used; 3: in space
 ) (
     input  wire                clk,
@@ -31,6 +32,10 @@ module classic_chain_iter #(
     localparam D = W + 7;
     localparam C = (W + 1) / 2;
     localparam T = (W - C + 1) / 2 + 1;
+    localparam FACTORS = W > 16 ? 6 : 5;
+    localparam [5:0] HALF_LSB = 16;
+    localparam [31:0] IN_XY = W > 16 ? 13 + 3 * (W - 16) / 4 : 13;  // mean of what the shifts round down in the plane
+    localparam [31:0] YAW = W > 15 ? 6 + (W - 15) / 3 : 6;          // and in the third rotation
 
     // Schedule, a clock a line
     localparam [7:0]            // what is done
@@ -42,22 +47,24 @@ module classic_chain_iter #(
         LESS   = 8'b00010000,   // SUM with the one's complement
         HALVE  = 8'b00100000,   // x = xf = 0, y = yf = rho / 2
         FRESH  = 8'b01000000,   // SUM to xf and yf; x = y = 0
+        LAST   = 8'b01010000,   // FRESH with the one's complement
         LIFT   = 8'b10000001;   // y leaves as the height, y = 0; the joint's angle
-    localparam [5:0]            // what is added: the other word, shifted in the code of cordic_term, or one of four
-        STEP   = 6'b000000,     // shifted by the step of the loop
-        BY_0   = 6'b000000,     // shifted by 0
-        BY_1   = 6'b000001,     // by 1
-        BY_2   = 6'b000010,     // by 2
-        BY_5   = 6'b000110,     // by 5
-        BY_9   = 6'b010000,     // by 9
-        BY_10  = 6'b010001,     // by 10
-        BY_16  = 6'b011001,     // by 16
-        LINK_1 = 6'b000011,     // in_s1
-        LINK_2 = 6'b001111,     // in_s2
-        HALF   = 6'b100011,     // half an LSB, and the mean of what the shifts round down
-        HALF_3 = 6'b110011;     // the same of the third rotation
-    localparam BITS = 14;
-    localparam IN_PLANE = 2 * (C + T) + 3, IN_SPACE = C + T + 10;
+    localparam [6:0]            // what is added: the other word, shifted in the code of cordic_term, or one of four
+        STEP   = 7'b0000000,    // shifted by the step of the loop
+        BY_0   = 7'b0000000,    // shifted by 0
+        BY_1   = 7'b0000001,    // by 1
+        BY_2   = 7'b0000010,    // by 2
+        BY_5   = 7'b0000110,    // by 5
+        BY_9   = 7'b0010000,    // by 9
+        BY_10  = 7'b0010001,    // by 10
+        BY_16  = 7'b0011001,    // by 16
+        BY_23  = 7'b0100110,    // by 23
+        LINK_1 = 7'b0000011,    // in_s1
+        LINK_2 = 7'b0001111,    // in_s2
+        HALF   = 7'b1000011,    // half an LSB, and the mean of what the shifts round down
+        HALF_3 = 7'b1010011;    // the same of the third rotation
+    localparam BITS = 15;
+    localparam IN_PLANE = 2 * (C + T) + 3, IN_SPACE = C + T + 5 + FACTORS;
     //                             done   word
     localparam [BITS*IN_PLANE-1:0] PLANE = {
         /* L2 to its quadrant */ {START, LINK_2},
@@ -67,6 +74,11 @@ module classic_chain_iter #(
         /* turn by j1         */ {C{MICRO, STEP}},
         /* its digits         */ {T{DIGIT, STEP}},
         /* round              */ {SUM,   HALF}};
+    localparam [2*BITS-1:0] SIXTEEN = FACTORS == 6 ? {
+        /* times 1 + 2^-16    */ {SUM,   BY_16},
+        /* times 1 - 2^-23    */ {LAST,  BY_23}} : {
+        /* not a line         */ {SUM,   BY_0},
+        /* times 1 + 2^-16    */ {FRESH, BY_16}};
     localparam [BITS*IN_SPACE-1:0] SPACE = {
         /* height             */ {LIFT,  BY_0},
         /* y = rho / 2        */ {HALVE, BY_1},
@@ -75,7 +87,7 @@ module classic_chain_iter #(
         /* times 31/32        */ {LESS,  BY_5},
         /* times 1 + 2^-9     */ {SUM,   BY_9},
         /* times 1 + 2^-10    */ {SUM,   BY_10},
-        /* times 1 + 2^-16    */ {FRESH, BY_16},
+        /* the last factors   */ SIXTEEN[BITS*(FACTORS-4)-1:0],
         /* to its quadrant    */ {SIGNS, BY_0},
         /* turn by j3         */ {C{MICRO, STEP}},
         /* its digits         */ {T{DIGIT, STEP}},
@@ -92,15 +104,21 @@ module classic_chain_iter #(
                 .rst(rst), .in_start(in_start), .out_idle(idle), .out_last(out_done), .out_ahead(ahead), .out_op(op));
         end
     endgenerate
-    wire lift = op[13], fresh = op[12], halve = op[11], digit = op[8], turning = op[7], load = op[6];
-    wire first = op[5:0] == LINK_2;
-    wire unused = &{1'b0, op, ahead};
+    wire       lift, fresh, halve, less, signs, digit, turning, load;
+    wire       ahead_lift, ahead_fresh, ahead_halve, ahead_less, ahead_signs, ahead_digit, ahead_turns, ahead_load;
+    wire [6:0] adds, ahead_adds;
+    localparam [BITS-1:0] USED = W > 16 ? ~15'd0 : ~15'd32;  // up to 16 bits no shift is above 17
+    assign {lift, fresh, halve, less, signs, digit, turning, load, adds} = op & USED;
+    assign {ahead_lift, ahead_fresh, ahead_halve, ahead_less, ahead_signs, ahead_digit, ahead_turns, ahead_load,
+        ahead_adds} = ahead & USED;
+    wire first = adds == LINK_2;
+    wire unused = &{1'b0, less, signs, ahead_fresh, ahead_halve, ahead_load};
     assign out_busy = !idle;
     assign out_lifted = lift;
 
     // angle
     reg  [A-1:0] now, then, yaw;
-    reg  [2:0]   word;
+    reg  [3:0]   word;
     wire         minus, two, one;
     cordic_residual #(.W(W)) residual (.clk(clk), .in_load(load),
         .in_z({{2{now[A-3] ^ !first}}, now[A-4:0], {(W+3-A){1'b0}}, 2'b10}),
@@ -110,25 +128,26 @@ module classic_chain_iter #(
         else if (load) {now, then} <= {then, yaw};
 
     // prepared one clock ahead: shift, word and sign of the next line, from the step of its loop and the digit of z
-    reg  [3:0] step;
-    reg  [4:0] shift;
+    reg  [4:0] step;
+    reg  [5:0] shift;
     reg        move, minus_x, minus_y;
     reg signed [D-1:0] plain_x, plain_y;
-    wire       plain = ahead[1:0] == 2'd3, third = ahead[4];  // HALF_3: rho is not rounded, so it needs no half LSB
-    wire [W+4:0] link = ahead[2] ? in_s2 : in_s1;
-    wire [4:0] round_x = third ? 5'd22 : JOINTS == 3 ? 5'd13 : 5'd29, round_y = third ? 5'd22 : 5'd29;
-    wire [4:0] by_step;
-    wire       ahead_turns = ahead[7], ahead_digit = ahead[8], ahead_signs = ahead[9], ahead_less = ahead[10];
+    wire       plain = ahead_adds[1:0] == 2'd3, third = ahead_adds[4];
+    wire [W+4:0] link = ahead_adds[2] ? in_s2 : in_s1;
+    // rho is not rounded yet, so x needs no half LSB in the plane
+    wire [5:0] round_x = third ? YAW[5:0] + HALF_LSB : JOINTS == 3 ? IN_XY[5:0] : IN_XY[5:0] + HALF_LSB;
+    wire [5:0] round_y = third ? YAW[5:0] + HALF_LSB : IN_XY[5:0] + HALF_LSB;
+    wire [5:0] by_step;
     wire [1:0] quarter = in_start ? in_j1[A-1:A-2] + in_j2[A-1:A-2] + {1'b0, in_j2[A-3]} : now[A-1:A-2];
     cordic_step #(.W(W)) steps (.in_turn(ahead_turns), .in_step(step), .in_two(ahead_digit && two),
         .out_shift(by_step));
     always @(posedge clk) begin
-        step    <= ahead_turns ? step + 4'd1 : 4'd0;
-        shift   <= plain ? 5'd3 : ahead[4:0] | by_step;
-        plain_x <= ahead[5] ? {{(D-5){1'b0}}, round_x} : {2'b00, link};
-        plain_y <= ahead[5] ? {{(D-5){1'b0}}, round_y} : {2'b00, link};
-        word    <= ahead_digit ? {1'b0, two, one} : step[2:0];
-        move    <= !ahead[13] && (!ahead_digit || two || one);
+        step    <= ahead_turns ? step + 5'd1 : 5'd0;
+        shift   <= plain ? 6'd3 : ahead_adds[5:0] | by_step;
+        plain_x <= ahead_adds[6] ? {{(D-6){1'b0}}, round_x} : {2'b00, link};
+        plain_y <= ahead_adds[6] ? {{(D-6){1'b0}}, round_y} : {2'b00, link};
+        word    <= ahead_digit ? {2'b00, two, one} : step[3:0];
+        move    <= !ahead_lift && (!ahead_digit || two || one);
         minus_x <= ahead_signs ? quarter[1] ^ quarter[0] : ahead_less;
         minus_y <= ahead_signs ? quarter[1] : ahead_less;
     end

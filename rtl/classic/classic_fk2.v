@@ -4,15 +4,15 @@
 // (classic_chain_iter), MODE 1, the paper's parallel CORDIC, a rotation a clock (classic_chain_comb).
 // Formats: in_j1, in_j2 uA, 2^A to the turn; out_x, out_y s(W-F).F, nearest, saturated;
 //   cfg_s1 = floor(L1 * 0.607252935 * 2^5), cfg_s2 = floor(L2 * 0.521499916 * 2^5), L1, L2 u(W-F).F.
-// Error: at most 2 LSB each up to L1 + L2 = 2^(W-2).
+// Error: at most 2 LSB each up to L1 + L2 = 2^(W-2), 2.42 above W = 16 (bounds.classic.chain).
 // Latency and II: 30 at W = 16 in MODE 0, 2 in MODE 1.
 // Status: overflow. Paper: the parallel CORDIC of its tables III and IV. Model: classic.fk2
 `default_nettype none
 module classic_fk2 #(
     parameter MODE = 0,  // 0: iterative, 1: combinational between its registers (default 0)
-    parameter W    = 16, // bits of a coordinate, 8 to 16 (default 16)
+    parameter W    = 16, // bits of a coordinate, 8 to 24 (default 16)
     parameter F    = 8,  // fraction bits of a coordinate, 0 to W - 1 (default 8: Q7.8, the paper's word)
-    parameter A    = 16  // bits of an angle, 5 to W + 3, 2^A to the turn (default 16, as sharp as the coordinates)
+    parameter A    = 16  // bits of an angle, 5 to W + 3 and to 24, 2^A to the turn (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -42,8 +42,9 @@ module classic_fk2 #(
         out_valid <= !rst && (done || (out_valid && !out_ready));
 
     generate
-        if (MODE < 0 || MODE > 1 || W < 8 || W > 16 || F < 0 || F >= W || A < 5 || A > W + 3) begin : g_illegal
-            classic_fk2_needs_MODE_0_or_1_and_W_from_8_to_16_and_F_below_W_and_A_from_5_to_W_plus_3 rule ();
+        if (MODE < 0 || MODE > 1 || W < 8 || W > 24 || F < 0 || F >= W || A < 5 || A > W + 3 ||
+            A > 24) begin : g_illegal
+            classic_fk2_needs_MODE_0_or_1_and_W_from_8_to_24_and_F_below_W_and_A_from_5_to_W_plus_3_and_to_24 rule ();
         end
         if (MODE == 0) begin : g_iterative
             classic_chain_iter #(.W(W), .A(A), .JOINTS(2)) chain (.clk(clk), .rst(rst), .in_start(start),

@@ -6,7 +6,7 @@
 module cordic_angle #(
     parameter I = 0,  // first micro-rotation, 0 to 31 (default 0)
     parameter N = 1,  // angles that are summed, 1 to 6 (default 1: a constant)
-    parameter Z = 21  // bits of the sum, a turn is 2^Z, 8 to 32 (default 21 = A + 5 at A = 16)
+    parameter Z = 21  // bits of the sum, a turn is 2^Z, 8 to 40 (default 21 = A + 5 at A = 16)
 ) (
     input  wire [N-1:0] in_minus,
     output wire [Z-1:0] out_sum
@@ -27,12 +27,12 @@ module cordic_angle #(
     endfunction
     function [(Z<<N)-1:0] table_of_sums(input integer entries);
         integer c, k;
-        reg [31:0] term;
+        reg [39:0] term;
         begin
             table_of_sums = {(Z<<N){1'b0}};
             for (c = 0; c < entries; c = c + 1)
                 for (k = 0; k < N; k = k + 1) begin
-                    term = angle(I + k) >> 32 - Z + I + k;
+                    term = {8'd0, angle(I + k)} >> 32 - Z + I + k;
                     if (((c >> N - 1 - k) & 1) != 0) term = ~term;
                     table_of_sums[Z*c +: Z] = table_of_sums[Z*c +: Z] + term[Z-1:0];
                 end

@@ -5,7 +5,7 @@
 // The bits are those of cordic_turn_iter. Model: cordic.turn
 `default_nettype none
 module cordic_rotation #(
-    parameter I    = 1,   // number of the micro-rotation, 1 to 8 (default 1)
+    parameter I    = 1,   // number of the micro-rotation, 1 to 12 (default 1)
     parameter D    = 22,  // bits of the vector, guard bits included (default 22 = W + 6 at W = 16)
     parameter Z    = 20,  // bits of the residual angle (default 20 = W + 4 at W = 16)
     parameter LAST = 0    // 1: the last one, whose w' is y' whatever the sign of z'; 0 (default): another

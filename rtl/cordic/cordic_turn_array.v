@@ -6,7 +6,7 @@
 // Format: in_z is s(W+4).(W+5) turns, |z| <= 1/8. The vector grows by 1.16443. Model: cordic.turn
 `default_nettype none
 module cordic_turn_array #(
-    parameter W       = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter W       = 16,  // bits of a coordinate, 8 to 24 (default 16)
     parameter D       = 22,  // bits of the vector, guard bits included, W + 5 or more (default 22 = W + 6)
     parameter [7:0] R = 24,  // constant added last, in guard units (default 24: half an LSB and the mean of the shifts)
     parameter CLOCKED = 1    // 1 (default): a register after every stage; 0: combinational

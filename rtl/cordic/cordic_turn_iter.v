@@ -11,7 +11,7 @@
 // handshake. Model: cordic.turn
 `default_nettype none
 module cordic_turn_iter #(
-    parameter W       = 16,  // bits of a coordinate, 8 to 16 (default 16)
+    parameter W       = 16,  // bits of a coordinate, 8 to 24; with GAIN to 16 (default 16)
     parameter D       = 22,  // bits of the vector, guard bits included, W + 5 or more (default 22 = W + 6)
     parameter GAIN    = 1,   // 1 (default): removes the gain first; 0: leaves it, for a start vector that contains it
     parameter [7:0] R = 24   // constant added last, in guard units (default 24: half an LSB and the mean of the shifts)
@@ -37,27 +37,27 @@ module cordic_turn_iter #(
     localparam STEPS = N + C + T + 1;
 
     // the shift of a step as digits in base 3, {9s, 3s, 1s}; a 3 in the last digit selects the constant R
-    function [4:0] shift_digits(input integer step, input integer two);
+    function [5:0] shift_digits(input integer step, input integer two);
         integer shift;
         begin
             if (step < N) shift = step < 3 ? 3 * step : step == 3 ? 11 : step == 4 ? 13 : 16;
             else if (step < N + C) shift = step - N + 1;
             else shift = C + 1 + 2 * (step - N - C) - two;
             shift = step >= N + C + T ? 3 : 16 * (shift / 9) + 4 * (shift % 9 / 3) + shift % 3;
-            shift_digits = shift[4:0];
+            shift_digits = shift[5:0];
         end
     endfunction
-    function [319:0] all_shifts(input integer count);
+    function [383:0] all_shifts(input integer count);
         integer i;
         for (i = 0; i < count; i = i + 1)
-            all_shifts[5*i +: 5] = shift_digits(i % 32, i / 32);
+            all_shifts[6*i +: 6] = shift_digits(i % 32, i / 32);
     endfunction
-    localparam [319:0] SHIFTS = all_shifts(64);
+    localparam [383:0] SHIFTS = all_shifts(64);
 
     // control: the signals of a step are prepared in the clock before it
     (* fsm_encoding = "none" *) reg [4:0] next;
-    (* fsm_encoding = "none" *) reg [4:0] shift;
-    (* fsm_encoding = "none" *) reg [2:0] word;  // in_word of cordic_residual
+    (* fsm_encoding = "none" *) reg [5:0] shift;
+    (* fsm_encoding = "none" *) reg [3:0] word;  // in_word of cordic_residual
     reg                 turning, tail, less, move, thaw, minus_x, minus_y;
     wire                minus, two, one;
     cordic_residual #(.W(W)) residual (.clk(clk), .in_load(in_start), .in_z(in_z), .in_turn(turning),
@@ -67,8 +67,8 @@ module cordic_turn_iter #(
     assign out_done = out_busy && at == STEPS;
     always @(posedge clk) begin
         next  <= !rst && (in_start || (out_busy && !out_done)) ? next + 5'd1 : 5'd0;
-        shift <= SHIFTS[5 * {26'd0, to_tail && two, next} +: 5];
-        word  <= to_tail ? {1'b0, two, one} : next[2:0] - N[2:0];
+        shift <= SHIFTS[6 * {26'd0, to_tail && two, next} +: 6] & {W > 16, 5'd31};  // up to 16 bits none is above 17
+        word  <= to_tail ? {2'b00, two, one} : next[3:0] - N[3:0];
         turning <= at >= N && at < N + C + T;
         tail  <= to_tail;
         less  <= GAIN && at > 0 && at < 5;

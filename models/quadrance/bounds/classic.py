@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,18 +17,29 @@ Params = dict[str, int]
 
 
 def fk1(p: Params, l1: float) -> float:
-    """Distance of the tip of classic_fk1, and so a coordinate; at every W and A 1.6 up to L1 = 2^(W-2), 2.01 at most.
+    """Distance of the tip of classic_fk1, and so a coordinate.
+
+    At every A 1.6 up to L1 = 2^(W-2) and 2.01 at any length for W up to 16; 1.89 and 2.31 above.
 
     Half an LSB of rounding in both coordinates; for each angle word the relative error of its rotation, of L1, and what
     rounds down off the constant that makes up for its mean, in any direction: the start word, shifts and complements,
     times the micro-rotations that follow.
     """
-    theta, rest, rows = cordic.micro_rotations(p)
-    mean = -0.5 * (1 + 1j) * (rest.sum(axis=0) + rows)
-    spread = math.sqrt(0.5) * (np.abs(rest).sum(axis=0) + rows)
-    off = np.abs(rest[0] * math.sqrt(2) * model.SHRINK / np.exp(1j * theta) - 1)
-    units = spread + np.abs(mean + (model.ROUND - 8) * (1 + 1j))
+    off, units = _one(p["W"], p["A"])
     return float(math.sqrt(0.5) + np.max(off * l1 + units / 2**model.GUARD))
+
+
+@lru_cache(2)
+def _one(width: int, turn_bits: int) -> tuple[Floats, Floats]:
+    """Of classic_fk1 at every residual angle: relative error and units of the rounding."""
+    parts = []
+    for theta, rest, rows in cordic.micro_rotations({"W": width, "A": turn_bits}):
+        mean = -0.5 * (1 + 1j) * (rest.sum(axis=0) + rows)
+        spread = math.sqrt(0.5) * (np.abs(rest).sum(axis=0) + rows)
+        off = np.abs(rest[0] * math.sqrt(2) * model.SHRINK / np.exp(1j * theta) - 1)
+        parts.append((off, spread + np.abs(mean + (model.rounding(width) - 8) * (1 + 1j))))
+    off, units = map(np.concatenate, zip(*parts))
+    return off, units
 
 
 def ik1(p: Params, l1: float) -> float:
@@ -37,18 +49,22 @@ def ik1(p: Params, l1: float) -> float:
     return (fixed - 0.5) / turn * l1 + slope / turn
 
 
-def _rotation(p: Params, factors: int = 0) -> tuple[float, Floats, float]:
+@lru_cache(4)
+def _rotation(width: int, turn_bits: int, factors: int = 0) -> tuple[float, Floats, Floats, float]:
     """Of `cordic.turn` from a start word, over every residual angle: relative error, mean and spread of the rounding.
 
     A start word, `factors` shifts of it, every micro-rotation and every digit leave x and y 0 to 1 unit low, times what
-    still follows: the mean of that (complex, in units) and the most it may be off its mean in any direction.
+    still follows: the mean of that (complex, in units) and the most it may be off its mean in any direction. The signs
+    of the quadrant may turn what the factors leave, in x or y; the third is how much a unit there is in the end.
     """
-    theta, rest, rows = cordic.micro_rotations(p)
-    sources = rest[[0] * (1 + factors) + list(range(1, len(rest)))]
-    mean = -0.5 * (1 + 1j) * (sources.sum(axis=0) + rows)
-    spread = math.sqrt(0.5) * float(np.max(np.abs(sources).sum(axis=0) + rows))
-    true = np.exp(1j * theta) / (math.sqrt(2) * model.SHRINK)
-    return np.abs(rest[0] / true - 1).max(), mean, spread
+    parts = []
+    for theta, rest, rows in cordic.micro_rotations({"W": width, "A": turn_bits}):
+        sources = rest[[0] * (1 + factors) + list(range(1, len(rest)))]
+        true = np.exp(1j * theta) / (math.sqrt(2) * model.SHRINK)
+        parts.append((np.abs(rest[0] / true - 1).max(), -0.5 * (1 + 1j) * (sources.sum(axis=0) + rows), rest[0],
+                      math.sqrt(0.5) * float(np.max(np.abs(sources).sum(axis=0) + rows))))
+    off, mean, start, spread = zip(*parts)
+    return max(off), np.concatenate(mean), np.concatenate(start), max(spread)
 
 
 def chain(p: Params, joints: int, l1: float, l2: float) -> float:
@@ -56,20 +72,22 @@ def chain(p: Params, joints: int, l1: float, l2: float) -> float:
 
     A half for rounding; the relative errors of the rotations a link goes through; the roundings of all of them, those
     of the first turned by the second, off the mean that the constants take out; a unit for each start word.
-    At most 2 (two joints) and 2.9 (three) up to L1 + L2 = 2^(W-2).
+    Up to L1 + L2 = 2^(W-2) at most 2 (two joints) and 2.9 (three) for W up to 16, 2.42 and 3.49 above.
     """
     unit, gain = 2.0**-model.CHAIN_GUARD, 1.1645
-    off, mean, spread = _rotation(p)
+    in_plane, in_yaw = model.chain_rounding(p["W"])
+    off, mean, _, spread = _rotation(p["W"], p["A"])
     centre = mean.mean()
     turned = centre * gain * np.exp(2j * math.pi * np.linspace(-1, 1, mean.size) / 8) + mean
-    drift = np.abs(turned + model.CHAIN_ROUND[0] * (1 + 1j))
+    drift = np.abs(turned + in_plane * (1 + 1j))
     drift = max(np.abs(drift.real).max(), np.abs(drift.imag).max()) + gain * np.abs(mean - centre).max()
     plane = off * (l1 + 2 * l2) + unit * (gain * spread + spread + drift + 4)
     if joints == 2:
         return float(plane + 0.5)
-    off, mean, spread = _rotation(p, len(model.YAW_FACTORS) + 1)
-    flat = np.abs(mean + model.CHAIN_ROUND[1] * (1 + 1j))
-    return float(plane + off * (l1 + l2) + unit * (spread + flat.max()) + 0.5)
+    factors = len(model.yaw_factors(p["W"])) + 1
+    off, mean, start, spread = _rotation(p["W"], p["A"], factors)
+    flat = max(np.abs(mean + factors * turned * start + in_yaw * (1 + 1j)).max() for turned in (0, 1, 1j, 1 + 1j))
+    return float(plane + off * (l1 + l2) + unit * (spread + flat) + 0.5)
 
 
 def _pass(p: Params, grows: int) -> tuple[float, float]:

@@ -3,25 +3,34 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
 from quadrance import cordic as model
-from quadrance.fixed import wrap
+from quadrance.fixed import Ints, wrap
 from quadrance.truth import Floats
 
 Params = dict[str, int]
 
 
-def micro_rotations(p: Params) -> tuple[Floats, Floats, Floats]:
+SLICE = 1 << 17  # residual angles at a time
+
+
+def micro_rotations(p: Params) -> Iterator[tuple[Floats, Floats, Floats]]:
     """`cordic.turn` at every residual angle: angle (rad), what it multiplies with, radix-4 digits that are not 0.
 
-    The second has the shape (rotations + 1, words), complex: the product of all that is still to come before each
-    micro-rotation, and after the last.
+    They come in slices of `SLICE` words. The second has the shape (rotations + 1, words), complex: the product of all
+    that is still to come before each micro-rotation, and after the last.
     """
+    half = 1 << p["A"] - 3
+    for first in range(-half, half, SLICE):
+        yield _micro_rotations(p, np.arange(first, min(first + SLICE, half)))
+
+
+def _micro_rotations(p: Params, words: Ints) -> tuple[Floats, Floats, Floats]:
     rotations, digits = model.sizes(p["W"])
     bits, low = p["W"] + 4, max(rotations - 2, 0)
-    words = np.arange(-1 << p["A"] - 3, 1 << p["A"] - 3)
     z = (words << p["W"] + 5 - p["A"]) + 2
     steps = []
     for i in range(1, rotations + 1):
@@ -46,7 +55,11 @@ def rotate(p: Params) -> float:
     exp(j theta), along and across, times a full-scale output is the first part. The second: every shift and every
     minus is between 0 and 1 unit low (a unit is 2^-GUARD LSB), times the rotations that follow it. Rounding is 1/2.
     """
-    theta, rest, rows = micro_rotations(p)
+    return max(_rotate(p, *one) for one in micro_rotations(p))
+
+
+def _rotate(p: Params, theta: Floats, rest: Floats, rows: Floats) -> float:
+    """That of some angle words."""
     shifts = [shift for shift, _ in model.GAIN_DIGITS if shift < 10 or shift <= p["W"]]
     gain = sum((-1.0) ** minus * 2.0**-shift for shift, minus in model.GAIN_DIGITS if shift in shifts)
     sources = [gain * rest[0], *[rest[0]] * (len(shifts) - 1), *rest[1:]]  # complement, inexact digits, steps
