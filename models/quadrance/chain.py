@@ -94,11 +94,11 @@ def table_chain(p: Params, *, in_j1: Ints, in_l: Ints, in_last: Ints) -> dict[st
     word, (d, g) = wrap(sums(np.where(yaw, 0, j), first), p["A"], signed=False), sizes(p)
     g = g + p["SPACE"]
     length = np.where(yaw, 0, length)
-    parts = [codecs.angle_chord(k, t, p["A"], word, cosine) * length >> k - g for cosine in (True, False)]
+    parts = [table.root(k, t, p["A"], word, cosine) * length >> k - g for cosine in (True, False)]
     whole = p["W"] + d + 1
     if not p["SPACE"]:
         return _answer(p, _positions(p, parts, first, whole), last, beyond) | {"out_z": 0 * last}
-    along = tuple(parts[0] * codecs.angle_chord(k, t, p["A"], j[first], cosine) >> k for cosine in (True, False))
+    along = tuple(parts[0] * table.root(k, t, p["A"], j[first], cosine) >> k for cosine in (True, False))
     return _answer(p, _positions(p, (*along, parts[1]), first, whole, more=1), last, beyond)
 
 

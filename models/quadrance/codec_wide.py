@@ -1,6 +1,7 @@
-"""Bit-true model of angle_of_vector behind kernel_vector_wide: the segments of its arc sine are parabolas.
+"""Bit-true models of the table codecs of long words, whose segments are parabolas.
 
-`codecs.angle_of_vector` is the one of words to 16 bits, with straight segments.
+angle_of_vector behind kernel_vector_wide, and angle_chord with more than 21 fraction bits. `codecs` has both with
+straight segments.
 """
 
 from __future__ import annotations
@@ -13,6 +14,38 @@ from quadrance import fixed
 from quadrance.fixed import Ints, ints
 
 AHEAD = {22: 8, 26: 9}  # fraction bits of m: of the place that a coefficient is multiplied with, the last one 1
+
+
+@cache
+def sine_segments(k: int, t: int) -> tuple[Ints, Ints]:
+    """``sin(2 pi i / 2^t)``, i = 0 ... 2^t, nearest in units of 2^-k and one more for what is truncated twice, held
+    within 1 and -1; and the bends of the segments behind, 16 times the sag over 2^(k - 2 t).
+
+    The integers of angle_chord.v, operation by operation.
+    """
+    one, quarter, most = 1 << 30, [], 1 << k
+    for i in range((1 << t - 1) + 1):  # every half a segment
+        x = i * 3373259426 >> t
+        square = x * x >> 30
+        s = one
+        for divisor in (156, 110, 72, 42, 20, 6):
+            s = one - (square * s >> 30) // divisor
+        quarter.append(x * s >> 30)
+    half = quarter + quarter[-2:0:-1]
+    turn = [*half, *(-s for s in half), 0]
+    knots = [min(max(s + (3 << 29 - k) >> 30 - k, 2 - most), most - 1) for s in turn[::2]]
+    bends = [(abs(s) * 20213 + (1 << 37) >> 38) * (1 if s > 0 else -1) for s in turn[1::2]]
+    return ints(knots), ints(bends)
+
+
+def sine(k: int, t: int, a: int, word: Ints, cosine: bool) -> Ints:
+    """`codecs.angle_chord` on the 2^t parabolas of a turn: the sag at the middle of each 128th of a segment."""
+    b, place = a - t, ints(word) + (cosine << a - 2) & (1 << a) - 1
+    (knots, bends), i, offset = sine_segments(k, t), place >> b, place & (1 << b) - 1
+    at = offset >> b - 7 if b > 7 else offset << 7 - b
+    fold = np.minimum(at, 127 - at)
+    hump = (2 * fold + 1) * (255 - 2 * fold) >> 7
+    return knots[i] + ((knots[i + 1] - knots[i]) * offset >> b) + (bends[i] * hump >> 11 - k + 2 * t)
 
 
 @cache

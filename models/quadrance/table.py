@@ -25,12 +25,18 @@ GUARD = 4  # fraction bits of a sum below a coordinate's LSB
 
 def sizes(p: Params, joints: int) -> tuple[int, int]:
     """(K, T): fraction bits of a sine, address bits of its table."""
-    return p["W"] + 1, min((p["W"] + (5 if joints == 3 else 3)) // 2, p["A"] - 1)
+    address = (p["W"] - 1) // 2 if p["W"] > 20 else (p["W"] + (5 if joints == 3 else 3)) // 2
+    return p["W"] + 1, min(address, p["A"] - 1)
+
+
+def root(k: int, t: int, a: int, word: Ints, cosine: bool) -> Ints:
+    """Sine or cosine of an a-bit word, units of 2^-k: of a straight segment, above k = 21 of a parabola."""
+    return (codec_wide.sine if k > 21 else codecs.angle_chord)(k, t, a, word, cosine)
 
 
 def _unit(p: Params, joints: int, word: Ints) -> tuple[Ints, Ints]:
     """(cos, sin) of a joint word, units of 2^-K."""
-    return tuple(codecs.angle_chord(*sizes(p, joints), p["A"], word, cosine) for cosine in (True, False))
+    return tuple(root(*sizes(p, joints), p["A"], word, cosine) for cosine in (True, False))
 
 
 def fk1(p: Params, *, in_j1: Ints, cfg_l1: Ints) -> dict[str, Ints]:

@@ -8,6 +8,8 @@ LISTED = {core.id: core for core in cores.all_cores() if core.family == "table"}
 FINE = {"W": 18, "F": 8, "A": 20}
 SHARES = [(0.5, 0.5), (1.0, 0.0), (0.0, 1.0), (0.62, 0.38), (0.05, 0.03)]
 DEFAULT = {"W": 16, "F": 8, "A": 18}
+LONG = [{"W": 21, "F": 13, "A": 11}, {"W": 22, "F": 14, "A": 22}, {"W": 23, "F": 15, "A": 21},
+        {"W": 24, "F": 16, "A": 12}, {"W": 24, "F": 16, "A": 24}]
 
 
 def _sets(function: str) -> list:
@@ -32,14 +34,17 @@ def _angle(p: dict[str, int], word: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("joints", [1, 2, 3])
-@pytest.mark.parametrize("p", [DEFAULT, FINE, {"W": 15, "F": 7, "A": 12}, {"W": 19, "F": 0, "A": 10}],
+@pytest.mark.parametrize("p", [DEFAULT, FINE, {"W": 15, "F": 7, "A": 12}, {"W": 19, "F": 0, "A": 10}, *LONG],
                          ids=lambda p: f"W{p['W']}A{p['A']}")
 def test_sines_are_within_their_bound_and_never_step_back(p, joints):
+    """A parabola may step back by two units, of which an LSB of a coordinate has eight or more."""
     words = np.arange(1 << p["A"])
     for root, exact in zip(table._unit(p, joints, words), truth.unit(_angle(p, words))):
         error = np.abs(root / 2.0 ** (p["W"] + 1) - exact).max()
-        assert 0.5 * bounds.table.sine(p, joints) < error <= bounds.table.sine(p, joints)
-        assert (np.diff(root) * np.sign(np.diff(exact)) >= 0).all()
+        least = 0.5 if 2 * p["A"] > p["W"] + 1 else 0.3  # a word of two places in a segment meets no worst one
+        assert least * bounds.table.sine(p, joints) < error <= bounds.table.sine(p, joints)
+        assert (np.diff(root) * np.sign(np.diff(exact)) >= (0 if p["W"] <= 20 else -2)).all()
+        assert -(1 << p["W"] + 1) <= root.min() and root.max() < 1 << p["W"] + 1
 
 
 @pytest.mark.parametrize("p", _sets("fk1"))
@@ -59,7 +64,7 @@ def test_fk1_error(p, share):
 
 @pytest.mark.parametrize("joints", [2, 3])
 @pytest.mark.parametrize("share", SHARES)
-@pytest.mark.parametrize("p", [DEFAULT, FINE, {"W": 20, "F": 10, "A": 24}, {"W": 15, "F": 7, "A": 12}],
+@pytest.mark.parametrize("p", [DEFAULT, FINE, {"W": 20, "F": 10, "A": 24}, {"W": 15, "F": 7, "A": 12}, *LONG],
                          ids=lambda p: f"W{p['W']}A{p['A']}")
 def test_fk2_and_fk3_error(p, share, joints):
     rng = np.random.default_rng(2)
@@ -69,13 +74,13 @@ def test_fk2_and_fk3_error(p, share, joints):
     exact = (truth.fk2 if joints == 2 else truth.fk3)(*(_angle(p, word) for word in words.values()), l1, l2)
     error = np.abs([answer[f"out_{axis}"] - value for axis, value in zip("xyz", exact)])
     assert 0.5 < error.max() <= bounds.table.forward(p, joints, l1, l2)
-    assert error.max() <= 1.0
+    assert error.max() <= (1.0 if p["W"] <= 20 else 1.3)
     assert not answer["out_status"].any()
 
 
-@pytest.mark.parametrize("p", [DEFAULT, FINE], ids=["W16", "W18"])
+@pytest.mark.parametrize("p", [DEFAULT, FINE, *LONG[1:]], ids=lambda p: f"W{p['W']}A{p['A']}")
 def test_borders_are_exact(p):
-    length = np.arange(0, 1 << p["W"] - 1, 1 if p["W"] == 16 else 5)
+    length = np.arange(0, 1 << p["W"] - 1, 1 if p["W"] == 16 else 5 if p["W"] < 20 else 101)
     half = length // 2
     for k, (c, n) in enumerate([(1, 0), (0, 1), (-1, 0), (0, -1)]):
         word = np.full(length.shape, k << p["A"] - 2)

@@ -10,8 +10,8 @@
 // Overflow: a coordinate was saturated. Source: the definition. Model: table.fk1
 `default_nettype none
 module kernel_link #(
-    parameter W = 16,  // bits of the length and of a coordinate, 15 to 20 (default 16)
-    parameter K = 17,  // fraction bits of a root, 14 to 22 (default 17 = W + 1)
+    parameter W = 16,  // bits of the length and of a coordinate, 15 to 24 (default 16)
+    parameter K = 17,  // fraction bits of a root, 14 to 25 (default 17 = W + 1)
     parameter T = 9    // address bits of the codec's table (default 9); a step has K - T + 4 bits
 ) (
     input  wire                clk,
@@ -21,7 +21,7 @@ module kernel_link #(
     output wire                in_ready,
     output wire                out_read,  // the codec reads; else it holds its segment
     output wire                out_kept,  // the sine of the accepted word, not the cosine of the word at the input
-    input  wire [2*K-T+19:0]   in_chord,
+    input  wire [2*K-T+19+15*(K>21):0]   in_chord,
     output reg                 out_valid,
     input  wire                out_ready,
     output reg  signed [W-1:0] out_x,
@@ -38,7 +38,7 @@ module kernel_link #(
     wire [K-T+3:0] step, rise;
     wire [14:0]    offset, below;
     wire           same, copy;  // copies of signs
-    assign {knot, step, offset} = in_chord;
+    angle_knot #(.K(K), .T(T)) segment (.in_chord(in_chord), .out_knot(knot), .out_step(step), .out_offset(offset));
     assign {same, rise, below} = $signed(step) * $signed({1'b0, offset});
     reg  [K:0]     root;
 

@@ -12,8 +12,8 @@
 // Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.table_chain
 `default_nettype none
 module kernel_link_space #(
-    parameter W = 16,        // bits of a length and of a coordinate, 15 to 20 (default 16)
-    parameter K = 17,        // fraction bits of a root, 14 to 22 (default 17 = W + 1)
+    parameter W = 16,        // bits of a length and of a coordinate, 15 to 24 (default 16)
+    parameter K = 17,        // fraction bits of a root, 14 to 25 (default 17 = W + 1)
     parameter T = 10,        // address bits of the codec's table (default 10); a step has K - T + 4 bits
     parameter N = 32,        // links of a chain without its yaw, 2 to 64 (default 32)
     parameter PIPE = 0,      // registers behind table and products, 0 or 1 (default 0: fewest clocks)
@@ -26,7 +26,7 @@ module kernel_link_space #(
     output wire                out_read,
     output wire                out_cos,
     output wire                out_end,
-    input  wire [2*K-T+19:0]   in_chord,
+    input  wire [2*K-T+19+15*(K>21):0]   in_chord,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
     output wire                out_valid,
@@ -113,7 +113,8 @@ module kernel_link_space #(
             wire [K:0]          knot;
             wire [K-T+3:0]      step;
             wire [14:0]         offset;
-            assign {knot, step, offset} = in_chord;
+            angle_knot #(.K(K), .T(T)) segment (.in_chord(in_chord), .out_knot(knot), .out_step(step),
+                .out_offset(offset));
             wire signed [W:0]   left = {at[4] ? {1'b0, scale[W-1:LOW]} : step, scale[LOW-1:0]};
             wire signed [K:0]   right = at[4] ? cosine : {{(K-14){1'b0}}, offset};
             /* verilator lint_off UNUSEDSIGNAL */

@@ -11,8 +11,8 @@
 // Source: rational trigonometry paper, section IV-D, from joint words. Model: chain.table_chain
 `default_nettype none
 module kernel_link_sum #(
-    parameter W = 16,        // bits of a length and of a coordinate, 15 to 20 (default 16)
-    parameter K = 17,        // fraction bits of a root, 14 to 22 (default 17 = W + 1)
+    parameter W = 16,        // bits of a length and of a coordinate, 15 to 24 (default 16)
+    parameter K = 17,        // fraction bits of a root, 14 to 25 (default 17 = W + 1)
     parameter T = 9,         // address bits of the codec's table (default 9); a step has K - T + 4 bits
     parameter N = 32,        // links of a chain, 2 to 64 (default 32)
     parameter PIPE = 0,      // registers behind table and products, 0 or 1 (default 0: fewest clocks)
@@ -24,7 +24,7 @@ module kernel_link_sum #(
     output wire                in_ready,
     output wire                out_read,  // the codec reads; else it holds its segment
     output wire                out_kept,  // the sine of the accepted word, not the cosine of the word at the input
-    input  wire [2*K-T+19:0]   in_chord,
+    input  wire [2*K-T+19+15*(K>21):0]   in_chord,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
     output reg                 out_valid,
@@ -94,7 +94,8 @@ module kernel_link_sum #(
             wire [K-T+3:0] step, rise;
             wire [14:0]    offset, below;
             wire           same;  // copies of signs
-            assign {knot, step, offset} = in_chord;
+            angle_knot #(.K(K), .T(T)) segment (.in_chord(in_chord), .out_knot(knot), .out_step(step),
+                .out_offset(offset));
             assign {same, rise, below} = $signed(step) * $signed({1'b0, offset});
             reg  [K:0]     root;
 

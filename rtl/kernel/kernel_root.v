@@ -6,19 +6,19 @@
 // Latency 3, II 1; all registers are held while in_move is low. Model: codecs.angle_chord
 `default_nettype none
 module kernel_root #(
-    parameter K = 17,  // fraction bits of a root, 14 to 22 (default 17)
+    parameter K = 17,  // fraction bits of a root, 14 to 25 (default 17)
     parameter T = 9    // address bits of the codec's table, 9 to 12 (default 9); a step has K - T + 4 bits
 ) (
     input  wire              clk,
     input  wire              in_move,
-    input  wire [2*K-T+19:0] in_chord,
+    input  wire [2*K-T+19+15*(K>21):0] in_chord,
     output reg  [K:0]        out_root
 );
-    reg  [2*K-T+19:0] chord;
+    reg  [2*K-T+19+15*(K>21):0] chord;
     wire [K:0]        knot;
     wire [K-T+3:0]    step;
     wire [14:0]       offset;
-    assign {knot, step, offset} = chord;
+    angle_knot #(.K(K), .T(T)) segment (.in_chord(chord), .out_knot(knot), .out_step(step), .out_offset(offset));
     reg  [K-T+20:0]   slope;
     wire [K-T+3:0]    rise = slope[K-T+18:15];
     reg  [K:0]        base;

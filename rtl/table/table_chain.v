@@ -13,9 +13,9 @@
 `default_nettype none
 module table_chain #(
     parameter SPACE = 0,     // 1: in space, the first word of a chain is its yaw; 0: planar, out_z is 0 (default 0)
-    parameter W = 16,        // bits of a coordinate and of a length, 15 to 20 (default 16)
+    parameter W = 16,        // bits of a coordinate and of a length, 15 to 24 (default 16)
     parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 18,        // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter A = 18,        // bits of a joint word, 10 to 24, W / 2 or more (default 18); a full turn is 2^A
     parameter N = 32,        // links of a chain without its yaw, 2 to 64 (default 32)
     parameter PIPE = 0,      // registers behind table and products, 0 or 1 (default 0: fewest clocks)
     parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
@@ -36,19 +36,20 @@ module table_chain #(
     output wire [3:0]          out_status
 );
     generate
-        if (SPACE < 0 || SPACE > 1 || W < 15 || W > 20 || F < 0 || F >= W || A < 10 || A > 24 || N < 2
+        if (SPACE < 0 || SPACE > 1 || W < 15 || W > 24 || F < 0 || F >= W || A < 10 || 2 * A < W || A > 24 || N < 2
             || N > 64 || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27
             || MULTIPLY % 9 != 0) begin : g_illegal
-            table_chain_needs_W_15_to_20_F_below_W_A_10_to_24_N_2_to_64_SPACE_PIPE_0_or_1_and_MULTIPLY_18_27 rule ();
+            table_chain_needs_W_15_to_24_F_below_W_A_10_to_24_half_W_N_2_to_64_SPACE_PIPE_0_1_MULTIPLY_18_27 rule ();
         end
     endgenerate
 
     localparam K = W + 1;  // fraction bits of a root
-    localparam C = (W + 3) / 2 + (SPACE > 0 ? 1 : 0), T = A < C + 1 ? A - 1 : C;  // address bits of the sine table
+    localparam C = W > 20 ? (W - 1) / 2 : (W + 3) / 2 + (SPACE > 0 ? 1 : 0);
+    localparam T = A < C + 1 ? A - 1 : C;  // address bits of the sine table
 
     wire [A-1:0]      word;  // sum of the joint words of the chain
     wire              read, kept, cosine, overflow;
-    wire [2*K-T+19:0] chord;
+    wire [2*K-T+19+15*(K>21):0] chord;
     assign            out_status = {1'b0, overflow, 2'b00};
     angle_chord #(.A(A), .K(K), .T(T)) codec (.clk(clk), .in_read(read), .in_keep(kept), .in_cos(cosine), .in_j(word),
         .out_chord(chord));

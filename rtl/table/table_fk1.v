@@ -7,9 +7,9 @@
 // Source: the definition; sine table with linear interpolation. Model: table.fk1
 `default_nettype none
 module table_fk1 #(
-    parameter W = 16,  // bits of a coordinate and of the length, 15 to 20 (default 16)
+    parameter W = 16,  // bits of a coordinate and of the length, 15 to 24 (default 16)
     parameter F = 8,   // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 18   // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter A = 18   // bits of a joint word, 10 to 24, W / 2 or more (default 18); a full turn is 2^A
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -24,17 +24,17 @@ module table_fk1 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 15 || W > 20 || F < 0 || F >= W || A < 10 || A > 24) begin : g_illegal
-            table_fk1_needs_W_from_15_to_20_and_F_below_W_and_A_from_10_to_24 rule ();
+        if (W < 15 || W > 24 || F < 0 || F >= W || A < 10 || 2 * A < W || A > 24) begin : g_illegal
+            table_fk1_needs_W_from_15_to_24_and_F_below_W_and_A_from_10_to_24_and_half_W rule ();
         end
     endgenerate
 
     localparam K = W + 1;  // fraction bits of a root
-    localparam T = A < (W + 3) / 2 + 1 ? A - 1 : (W + 3) / 2;  // address bits of the sine table
+    localparam C = W > 20 ? (W - 1) / 2 : (W + 3) / 2, T = A < C + 1 ? A - 1 : C;  // address bits of the sine table
 
     reg  [T-1:0]      upper;
     wire              read, kept, overflow;
-    wire [2*K-T+19:0] chord;
+    wire [2*K-T+19+15*(K>21):0] chord;
     assign            out_status = {1'b0, overflow, 2'b00};
     always @(posedge clk)
         if (!kept)

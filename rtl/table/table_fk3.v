@@ -9,9 +9,9 @@
 // Source: angles of joints in a plane add, so a link needs one sine and one cosine. Model: table.fk3
 `default_nettype none
 module table_fk3 #(
-    parameter W = 16,        // bits of a coordinate and of a length, 15 to 20 (default 16)
+    parameter W = 16,        // bits of a coordinate and of a length, 15 to 24 (default 16)
     parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); they change no logic
-    parameter A = 18,        // bits of a joint word, 10 to 24 (default 18, 0.0014 degrees); a full turn is 2^A
+    parameter A = 18,        // bits of a joint word, 10 to 24, W / 2 or more (default 18); a full turn is 2^A
     parameter PIPE = 0,      // registers behind table and products, 0 or 1 (default 0: fewest clocks)
     parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
@@ -32,19 +32,19 @@ module table_fk3 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 15 || W > 20 || F < 0 || F >= W || A < 10 || A > 24 || PIPE < 0 || PIPE > 1
+        if (W < 15 || W > 24 || F < 0 || F >= W || A < 10 || 2 * A < W || A > 24 || PIPE < 0 || PIPE > 1
             || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
-            table_fk3_needs_W_from_15_to_20_F_below_W_A_from_10_to_24_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
+            table_fk3_needs_W_15_to_24_F_below_W_A_10_to_24_and_half_W_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
         end
     endgenerate
 
     localparam K = W + 1;  // fraction bits of a root
-    localparam T = A < (W + 5) / 2 + 1 ? A - 1 : (W + 5) / 2;  // address bits of the sine table
+    localparam C = W > 20 ? (W - 1) / 2 : (W + 5) / 2, T = A < C + 1 ? A - 1 : C;  // address bits of the sine table
 
     reg  [A-1:0]      j1, j12, j3;
     wire [3:1]        want;
     wire              read, cosine, overflow;
-    wire [2*K-T+19:0] chord;
+    wire [2*K-T+19+15*(K>21):0] chord;
     wire [A-1:0]      word = want[1] ? j1 : want[2] ? j12 : want[3] ? j3 : in_j1;
     assign            out_status = {1'b0, overflow, 2'b00};
     always @(posedge clk)
