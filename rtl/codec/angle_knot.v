@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Segment of angle_chord with its knot lifted to the parabola, combinational.
+// This part takes a segment of angle_chord apart and lifts its knot from the chord to the parabola, combinational.
 //   root = out_knot + floor(out_step * out_offset / 2^15);  out_knot = knot + floor(bend * hump / 2^(11 - K + 2T))
 // Up to K = 21 segments are straight, and the knot is that of the table.
 // Formats: in_chord as angle_chord gives it. Error: that of angle_chord. Models: codecs.angle_chord, codec_wide.sine

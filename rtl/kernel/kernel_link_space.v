@@ -26,7 +26,7 @@ module kernel_link_space #(
     output wire                out_read,
     output wire                out_cos,
     output wire                out_end,
-    input  wire [2*K-T+19+15*(K>21):0]   in_chord,
+    input  wire [2*K-T+19+15*(K>21):0] in_chord,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
     output wire                out_valid,

@@ -24,7 +24,7 @@ module kernel_link_sum #(
     output wire                in_ready,
     output wire                out_read,  // the codec reads; else it holds its segment
     output wire                out_kept,  // the sine of the accepted word, not the cosine of the word at the input
-    input  wire [2*K-T+19+15*(K>21):0]   in_chord,
+    input  wire [2*K-T+19+15*(K>21):0] in_chord,
     input  wire [W-1:0]        in_l,
     input  wire                in_last,
     output reg                 out_valid,
