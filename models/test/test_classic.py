@@ -187,7 +187,7 @@ def test_the_law_of_fk1_is_the_promise_at_every_parameter():
         assert promise - 0.03 < max(laws) <= promise
 
 
-LONG = [(17, 20), (18, 21), (19, 19), (20, 20), (21, 21), (22, 20), (23, 24), (24, 24)]  # W above 16, A
+LONG = [(17, 20), (18, 21), (19, 19), (20, 20), (21, 21), (22, 20), (23, 20), (24, 24)]  # W above 16, A
 
 
 @pytest.mark.parametrize("w", range(8, 25))

@@ -8,8 +8,8 @@ LISTED = {core.id: core for core in cores.all_cores() if core.family == "table"}
 FINE = {"W": 18, "F": 8, "A": 20}
 SHARES = [(0.5, 0.5), (1.0, 0.0), (0.0, 1.0), (0.62, 0.38), (0.05, 0.03)]
 DEFAULT = {"W": 16, "F": 8, "A": 18}
-LONG = [{"W": 21, "F": 13, "A": 11}, {"W": 22, "F": 14, "A": 22}, {"W": 23, "F": 15, "A": 21},
-        {"W": 24, "F": 16, "A": 12}, {"W": 24, "F": 16, "A": 24}]
+LONG = [{"W": 21, "F": 13, "A": 11}, {"W": 22, "F": 14, "A": 20}, {"W": 23, "F": 15, "A": 19},
+        {"W": 24, "F": 16, "A": 12}, {"W": 24, "F": 16, "A": 20}]
 
 
 def _sets(function: str) -> list:
@@ -64,7 +64,8 @@ def test_fk1_error(p, share):
 
 @pytest.mark.parametrize("joints", [2, 3])
 @pytest.mark.parametrize("share", SHARES)
-@pytest.mark.parametrize("p", [DEFAULT, FINE, {"W": 20, "F": 10, "A": 24}, {"W": 15, "F": 7, "A": 12}, *LONG],
+@pytest.mark.parametrize("p", [DEFAULT, FINE, {"W": 20, "F": 10, "A": 24}, {"W": 15, "F": 7, "A": 12}, *LONG,
+                               {"W": 24, "F": 16, "A": 24}],
                          ids=lambda p: f"W{p['W']}A{p['A']}")
 def test_fk2_and_fk3_error(p, share, joints):
     rng = np.random.default_rng(2)
