@@ -8,6 +8,7 @@ from quadrance.cores import Core
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
+from tb.stimulus.cordic import alone
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
@@ -65,9 +66,9 @@ def _targets(core: Core, cfg: dict[str, int]) -> Vectors:
     for name in ("in_x", "in_y"):
         vectors[name][blank] = 0
     vectors["in_z"][np.arange(count) % 22 == 3] = 0
-    alone = np.concatenate([np.eye(3, dtype=np.int64) << bit for bit in range(core.params["W"] - 1)])  # a bit of them
-    vectors = {name: np.concatenate([value, alone[:, i]]) for i, (name, value) in enumerate(vectors.items())}
-    count += len(alone)
+    bits = alone(core.params["W"], 3)
+    vectors = {name: np.concatenate([value, bits[:, i]]) for i, (name, value) in enumerate(vectors.items())}
+    count += len(bits)
     vectors["in_elbow"] = rng.integers(0, 2, count)
     return {port.name: vectors[port.name] for port in core.inputs}
 
@@ -87,4 +88,6 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     x, y = (grid.ravel() for grid in np.meshgrid(_coordinates(core), _coordinates(core)))
     order = np.random.default_rng(1).permutation(x.size)
     blank = np.arange(x.size) % 17 == 3
-    return {"in_x": np.where(blank, 0, x[order]), "in_y": np.where(blank, 0, y[order])}
+    bits = alone(core.params["W"], 2)
+    return {"in_x": np.concatenate([np.where(blank, 0, x[order]), bits[:, 0]]),
+            "in_y": np.concatenate([np.where(blank, 0, y[order]), bits[:, 1]])}

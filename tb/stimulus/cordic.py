@@ -1,4 +1,4 @@
-"""Corners of rtl/cordic: quadrant borders, the axes, the longest vectors, saturation on either side."""
+"""Corners of rtl/cordic: quadrant borders, the axes, the longest vectors, saturation on either side, single bits."""
 
 from __future__ import annotations
 
@@ -19,6 +19,11 @@ def _words(width: int) -> np.ndarray:
     return _near([-top, 0, top, top // 2, -top // 3, round(top * 0.7071), -round(top * 0.7071)], -top, top - 1)
 
 
+def alone(width: int, axes: int) -> np.ndarray:
+    """Points (n, axes) that are not the origin by one bit of one coordinate of `width` bits."""
+    return np.concatenate([np.eye(axes, dtype=np.int64) << bit for bit in range(width - 1)])
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one primitive."""
     rng = np.random.default_rng(1)
@@ -30,4 +35,6 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
         keep = rng.permutation(grid[0].size)[:1500]
         return {name: axis.ravel()[keep] for name, axis in zip(("in_angle", "in_x", "in_y"), grid, strict=True)}
     grid = np.meshgrid(words, words, indexing="ij")
-    return {name: axis.ravel() for name, axis in zip(("in_x", "in_y"), grid, strict=True)}
+    bits = alone(core.params["W"], 2)
+    return {name: np.concatenate([axis.ravel(), bit])
+            for name, axis, bit in zip(("in_x", "in_y"), grid, bits.T, strict=True)}
