@@ -12,7 +12,7 @@
 `default_nettype none
 module classic_chain_iter #(
     parameter W      = 16,  // bits of a coordinate, 8 to 24 (default 16)
-    parameter A      = 16,  // bits of an angle, a turn is 2^A, 5 to W + 3 and to 24 (default 16)
+    parameter A      = 16,  // bits of an angle, a turn is 2^A, 5 to W + 3, at most 24 (default 16)
     parameter JOINTS = 2    // 2 (default): in the plane, in_j3 is not used; 3: in space
 ) (
     input  wire                clk,

@@ -13,7 +13,7 @@ module classic_fk1 #(
     parameter MODE = 0,  // 0: iterative, 1: combinational between its registers (default 0)
     parameter W    = 16, // bits of a coordinate, 8 to 24 (default 16)
     parameter F    = 8,  // fraction bits of a coordinate, 0 to W - 1 (default 8: Q7.8, the paper's word)
-    parameter A    = 16  // bits of an angle, 4 to W + 3 and to 24, 2^A to the turn (default 16)
+    parameter A    = 16  // bits of an angle, 4 to W + 3, at most 24, 2^A to the turn (default 16)
 ) (
     input  wire                clk,
     input  wire                rst,

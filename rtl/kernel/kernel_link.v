@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward kinematics of one joint from table segments of its direction: x = L1 c, then y = L1 n on the same
 // multipliers. In a clock of out_read the codec reads the cosine of the word at the input, or with out_kept the sine of
-// the accepted word. One clock later in_chord holds the segment {knot, step, offset} of angle_chord: root = knot + step
+// the accepted word. One clock later in_chord holds the segment of angle_chord, and angle_knot gives root = knot + step
 // * offset / 2^15. The kernel knows no joint word. One multiplier completes a root while the other multiplies the
 // previous one.
 // Formats: root sQ1.K; out_x, out_y are rounded to nearest (ties upward) and saturated.

@@ -2,7 +2,7 @@
 // Every joint position of a planar chain of any number of links, from table segments of their absolute directions:
 //   (x, y) <- (x, y) + L (c, n), from (0, 0) on; in_last ends a chain
 // In a clock of out_read the codec reads the cosine of the word at the input, or with out_kept the sine of the accepted
-// word. One clock later in_chord holds the segment {knot, step, offset} of angle_chord.
+// word. One clock later in_chord holds the segment of angle_chord (angle_knot).
 // Formats: root sQ1.K; sums s(W+D+1).G with D = log2 N and G = D + 3; products are truncated to G bits. Outputs are
 // rounded to nearest and saturated; the sums are not. Error: 1/2 + 1/16 LSB, and that of the roots times the length.
 // Latency 3, II 2: the first clock of a link is the last clock of the link before it. PIPE = 1: registers behind the

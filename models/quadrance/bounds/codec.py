@@ -64,7 +64,7 @@ def sine(k: int, t: int) -> float:
     by 1.5 of that. Knots are rounded up by less than a unit of 2^-k, and the completed root is truncated by less than
     one.
 
-    Above k = 21 by every 128th of a parabola, whose bend is that of its middle, and two truncations: 3.2 units.
+    Above k = 21 by every 128th of a parabola, whose bend is that of its middle, and two truncations: 3.9 units.
     """
     if k > 21:
         return _bent_sine(k, t)
