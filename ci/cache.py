@@ -156,9 +156,14 @@ def stimulus(core: Core) -> list[Path]:
                                      and not one.is_relative_to(ROOT / "tb" / "lib"))]
 
 
+def of_samples(core: Core) -> list[str]:
+    """What a bulk run of `core` follows from beside its RTL: its samples, the run."""
+    return meanings((*stimulus(core), *(ROOT / name for name in BULK)))
+
+
 def of_bulk(core: Core) -> list[str]:
     """What a bulk run of `core` follows from: its RTL, its samples, the run."""
-    return meanings((*core.sources, *stimulus(core), *(ROOT / name for name in BULK)))
+    return meanings(core.sources) + of_samples(core)
 
 
 def of_cocotb() -> list[str]:

@@ -9,9 +9,10 @@ reasons. It ends well where 99 % of all are killed and each survivor has its arg
 
 Writes reports/mutants.json and, from it, a section of reports/checks.md; a core whose sources, bench and tools are
 still those of its verdict there is not broken again (--fresh: it is; --again: what proofs have learned since is tried
-on its survivors). Where the cocotb bench alone has changed, those that the bulk run killed and those proved equal stay
-so, and the others go through it again. Verdicts that no longer follow from their sources stay in the file; the section
-names them and counts none of their mutants (--page writes it as of today and breaks nothing).
+on its survivors). Where the text of the RTL has changed and the netlist has not, the verdict stands, with the names of
+its day. Where the cocotb bench alone has changed, those that the bulk run killed and those proved equal stay so, and
+the others go through it again. Verdicts that no longer follow from their sources stay in the file; the section names
+them and counts none of their mutants (--page writes it as of today and breaks nothing).
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import datetime
+import functools
 import json
 import os
 import re
@@ -55,6 +57,7 @@ class Verdict:
     """What became of the mutants of one core; those of the bench alone and survivors by the mutation that made them.
 
     digest, cocotb : of what the verdict follows from, and of the cocotb bench.
+    circuit : as digest, of the netlist in place of the text of the RTL.
     """
 
     core: str
@@ -66,6 +69,7 @@ class Verdict:
     bench: list[str] = field(default_factory=list)
     long: list[str] = field(default_factory=list)
     survivors: list[str] = field(default_factory=list)
+    circuit: str = ""
 
     @property
     def unread(self) -> list[str]:
@@ -182,7 +186,7 @@ def judge(core: Core, count: int, seed: int) -> Verdict:
     """Make, run and judge the mutants of one core."""
     mutants = mutate.make(core, count, seed)
     check_unmutated(mutants, seed)
-    verdict = Verdict(core.id, digest(core, count), cocotb(), seed)
+    verdict = Verdict(core.id, digest(core, count), cocotb(), seed, circuit=circuit(core, count))
     prover = equivalence.Prover(mutants)
     for mutant in mutants.every:
         entered(verdict, mutant, fate(mutants, mutant, prover, seed))
@@ -227,9 +231,23 @@ def proved(core: Core, count: int, standing: Verdict) -> Verdict:
                    survivors=[one for one in standing.survivors if one not in equal])
 
 
+def renewed(core: Core, count: int, standing: Verdict, seed: int) -> Verdict:
+    """The verdict of a core whose sources have changed: `standing`, where its netlist is the same, or a new one."""
+    if standing.circuit != circuit(core, count):
+        return Verdict(**judged(core.id, count, seed))
+    same = replace(standing, digest=digest(core, count))
+    return same if same.cocotb == cocotb() else benched(core, count, same)
+
+
 def digest(core: Core, count: int) -> str:
     """Digest of all that a verdict follows from but the seed and the cocotb bench."""
     return cache.digest([cache.of_bulk(core), mutate.preparation(core), equivalence.GRAPH,
+                         equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
+
+
+def circuit(core: Core, count: int) -> str:
+    """`digest` with the netlist that is mutated, without its names, in place of the RTL and the way from it."""
+    return cache.digest([mutate.circuit(core), cache.of_samples(core), equivalence.GRAPH,
                          equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
 
 
@@ -241,13 +259,15 @@ def cocotb() -> str:
 def judged(core: str, count: int, seed: int, step: str = "") -> dict:
     """The verdict on one core as a dict, kept in build/cache: what is done stays done when the run is cut.
 
-    `step`: "benched" or "proved", of the verdict that stands.
+    `step`: "renewed", of a verdict whose sources have changed; "benched" or "proved", of one that stands.
     """
     one = find(core)
     if not step:
         return cache.cached([digest(one, count), cocotb(), seed], lambda: asdict(judge(one, count, seed)))
-    standing, work = known()[core], {"benched": benched, "proved": proved}[step]
-    return cache.cached([step, asdict(standing), cocotb(), cache.meaning(Path(equivalence.__file__))],
+    standing = known()[core]
+    work = {"renewed": functools.partial(renewed, seed=seed), "benched": benched, "proved": proved}[step]
+    return cache.cached([step, asdict(standing), digest(one, count), cocotb(), seed,
+                         cache.meaning(Path(equivalence.__file__))],
                         lambda: asdict(work(one, count, standing)))
 
 
@@ -334,11 +354,12 @@ def main() -> int:
     if args.page:
         checks.put("Mutants", section([verdicts[core.id] for core in every if core.id in verdicts], every, old))
         return 0
-    stands = verdicts.keys() - old
     jobs = []
     for core in cores:
-        if args.fresh or core.id not in stands:
+        if args.fresh or core.id not in verdicts:
             jobs.append((core.id, args.count, seed))
+        elif core.id in old:
+            jobs.append((core.id, args.count, seed, "renewed"))
         elif verdicts[core.id].cocotb != cocotb():
             jobs.append((core.id, args.count, seed, "benched"))
         elif args.again and verdicts[core.id].alive:

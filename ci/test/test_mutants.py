@@ -308,6 +308,38 @@ def test_survivors_whose_lines_have_moved_are_judged_anew(monkeypatch):
     assert mutants.benched(core, 4, standing) == mutants.proved(core, 4, standing) == (core, 4, 7)
 
 
+@pytest.mark.parametrize(("was", "bench", "left"), [("this", "today's", "stands"), ("this", "older", "benched"),
+                                                    ("another", "today's", "judged"), ("", "today's", "judged")])
+def test_a_verdict_stands_where_the_netlist_has_not_changed(monkeypatch, was, bench, left):
+    core = find("isqrt_comb")
+    for name in ("digest", "circuit"):
+        monkeypatch.setattr(mutants, name, lambda *_, name=name: {"digest": "new", "circuit": "this"}[name])
+    monkeypatch.setattr(mutants, "cocotb", lambda: "today's")
+    monkeypatch.setattr(mutants, "benched", lambda core, count, standing: standing)
+    monkeypatch.setattr(mutants, "judged", lambda core, count, seed: {"core": core, "seed": seed})
+    standing = mutants.Verdict(core.id, "old", bench, 7, 90, survivors=["m"], circuit=was)
+    renewed = mutants.renewed(core, 4, standing, 8)
+    assert renewed == (mutants.Verdict(core.id, seed=8) if left == "judged" else
+                       dataclasses.replace(standing, digest="new"))
+
+
+def test_the_netlist_that_is_mutated_has_no_names(tmp_path):
+    """Another name leaves it as it is, and another operator does not."""
+    core = find("skid_buffer")
+    folder = tools.BUILD / "test_mutants"
+    folder.mkdir(parents=True, exist_ok=True)
+    (source,) = core.sources
+
+    def circuit(old: str, new: str) -> str:
+        path, text = folder / f"{tmp_path.name}.v", source.read_text()
+        assert old in text
+        path.write_text(text.replace(old, new))
+        return mutate.circuit(dataclasses.replace(core, sources=(path,)))
+
+    whole = circuit("module", "module")
+    assert circuit("move", "ahead") == whole and circuit("&&", "||") != whole
+
+
 # Cover lists: what is in them, that a bug at one value is found, and that a verdict that nobody ran is; the coverage
 # page names what nothing reaches, and only that
 
