@@ -158,14 +158,10 @@ module engine_datapath #(
         .out_cd(product2));
     generate
         if (PIPE < 2) begin : g_three
-            if (PIPE == 0) begin : g_carry  // sums and carries are fewer cells in Yosys, but no faster with PIPE
-                wire [31:0] term = product2[53:22] ^ {32{subtract}};
-                wire [31:0] odd  = product1[53:22] ^ term ^ kept;
-                wire [30:0] two  = product1[52:22] & term[30:0] | (product1[52:22] | term[30:0]) & kept[30:0];
-                assign      sum  = odd + {two, 1'b0};
-            end else begin : g_plain
-                assign sum = product1[53:22] + (product2[53:22] ^ {32{subtract}}) + kept;
-            end
+            wire [31:0] term = product2[53:22] ^ {32{subtract}};
+            wire [31:0] odd  = product1[53:22] ^ term ^ kept;  // sums and carries are fewer cells in Yosys
+            wire [30:0] two  = product1[52:22] & term[30:0] | (product1[52:22] | term[30:0]) & kept[30:0];
+            assign sum      = odd + {two, 1'b0};
             assign word     = low ? product1[26:0] : mid ? product1[38:12] : sum[29:3];
             assign outside  = product1[53:25] != {29{product1[53]}};
             assign minus1   = product1[53];
