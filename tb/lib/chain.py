@@ -88,8 +88,8 @@ def chain(first: Core, second: Core) -> Chain:
         if not wrapper.exists() or wrapper.read_text() != text:
             wrapper.write_text(text)
     values = {part.name: getattr(first, part.name) for part in fields(Core)} | {
-        "name": name, "set_id": f"{first.set_id}-{second.set_id}", "latency": None, "ii": 1, "cfg": cfg,
-        "outputs": second.outputs, "architecture": "chain",
+        "name": name, "set_id": f"{first.set_id}-{second.set_id}", "latency": None,
+        "ii": max(first.ii or 1, second.ii or 1), "cfg": cfg, "outputs": second.outputs, "architecture": "chain",
         "status": tuple(bit for bit in second.status if bit != "singular"),  # no corner of a forward core need be at 0
         "sources": tuple(dict.fromkeys((wrapper, *first.sources, *second.sources)))}
     return Chain(**values, first=first, second=second)

@@ -130,12 +130,19 @@ def unit(core: Core) -> dict:
     return image.image(assembler.assemble(parser.parse(UNIT, Path("unit.kin")), core.params["PIPE"]))
 
 
+def times(at: int, factor: int) -> int:
+    """The line of a port times a factor that is no register."""
+    return (product_engine.PORT << 6 | at) << 39 | (64 | factor) << 32
+
+
+def copied(at: int) -> int:
+    """The line of a port times PLUS."""
+    return times(at, 32)
+
+
 def filled(core: Core, rng: np.random.Generator) -> list[Command]:
     """A program that copies ports to registers, in every context: they hold something when a reset comes. Then a sum
     of two is beyond the word, and the next one is not: that is unreachable all the same."""
-    def copied(at: int) -> int:
-        return (1 << 6 | at) << 39 | (64 | 32) << 32  # PORT times PLUS
-
     lines = [copied(at) | at << 9 for at in REGISTERS[1:]]
     lines += [copied(1) | 1 << 17, *(copied(at) | product_engine.FAR for at in (2, 4))]  # the first with KEEP
     commands = image.load(sealed(lines, 3), 30)
@@ -173,8 +180,37 @@ def segments(core: Core, rng: np.random.Generator) -> list[Command]:
     return commands
 
 
+def looked(core: Core, rng: np.random.Generator) -> list[Command]:
+    """Every segment below q = 1/4, where programs of arms look for a root once in a million; and the words by which a
+    word of each leading bit and its root are shifted."""
+    rest, low = [0] * 8, product_engine.LOW << 15
+    lines = [copied(2) | 2 << 9, *rest, (product_engine.PORT << 6 | 1) << 39 | 2 << 32 | low | product_engine.ROOT,
+             *rest, (product_engine.TABLE << 6) << 39 | (64 | 32) << 32 | 4 << 9, times(8, 0) | low | 8 << 9,
+             copied(4) | product_engine.FOLD, *rest,
+             *(times(8, factor) | low | at << 9 for factor, at in ((1, 16), (2, 32), (3, 63)))]
+    commands = [*image.load(sealed(lines, 5), 30), (WRITE, 0, 2, 1)]
+    for segment in range(128):
+        q = (segment << 9) + int(rng.integers(0, 1 << 9))
+        commands += [(WRITE, 0, at, word) for at, word in ((1, q << 7), (4, 1 << segment % 26), (8, 3))]
+        commands += [(RUN, 0, 30, 0), *((READ, 0, at, 0) for at in (4, 8, 16, 32, 63))]
+    return commands
+
+
+def clamped(core: Core, rng: np.random.Generator) -> list[Command]:
+    """A clamp behind the second test of its word, beyond either end: the end is still the one of the first."""
+    rest = [0] * 8
+    lines = [copied(1) | product_engine.LOW << 15 | product_engine.FAR, *rest,
+             copied(2) | product_engine.CHECK | product_engine.FAR, *rest, copied(4) | 4 << 9 | product_engine.CLAMP]
+    commands = image.load(sealed(lines, 6), 30)
+    for beyond, more in ((-1, 1), (-1, -1), (1, -1), (1, 1)):
+        commands += [(WRITE, 0, at, word << 20 & (1 << 27) - 1) for at, word in ((1, beyond), (2, more), (4, 5))]
+        commands += [(RUN, 0, 30, 0), (READ, 0, 4, 0)]
+    return commands
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Commands in an order that means something; status bits come with random lines."""
     rng = np.random.default_rng(1)
     return image.columns([*first(core, rng), *filled(core, rng), *fuzz(core, rng, 6), *real(core, rng),
-                          *wrong(core, rng), *fuzz(core, rng, 18), *segments(core, rng)])
+                          *wrong(core, rng), *fuzz(core, rng, 18), *segments(core, rng), *looked(core, rng),
+                          *clamped(core, rng)])
