@@ -112,6 +112,8 @@ def _idle(word: int, roots: bool, margins: bool) -> int:
             idle |= _fields((36, 35), (33, 32)) | (0 if one or roots else 1 << 34)
         elif at["b"] & 3:
             idle |= _fields((36, 35))
+    if not at["act"] & (product_engine.FOLD | product_engine.MORE | product_engine.CHECK):
+        idle |= product_engine.WRIST  # it says which bits of these count
     return idle
 
 
@@ -142,9 +144,10 @@ def unread(core: Core) -> dict[str, tuple[int, ...]]:
         roots, margins = (int(engine.find(key).value.value) for key in ("ROOTS", "MARGINS"))
         wide = bits == product_engine.BITS
         words = [word if wide else product_engine.widened(word) for word in _cut(table_, lines, bits)]
-        masks = [_fields((46, 18), (16, 15)) if waits else _idle(word, bool(roots), bool(margins))
+        waiting = _fields((46, 18), (16, 15)) | product_engine.WRIST
+        masks = [waiting if waits else _idle(word, bool(roots), bool(margins))
                  for word, waits in zip(words, _waiting(words, int(engine.find("PIPE").value.value)))]
-        masks += [_fields((46, 18), (16, 15))] * drain
+        masks += [waiting] * drain
         masks = [mask if wide else mask >> 17 << 6 for mask in masks]
         masks += [(1 << bits) - 1] * ((1 << (lines + drain - 1).bit_length()) - len(masks))
         found[f"{one.hierarchicalPath.removeprefix(f'{core.name}.')}.lines"] = tuple(masks)
