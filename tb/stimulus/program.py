@@ -181,18 +181,24 @@ def segments(core: Core, rng: np.random.Generator) -> list[Command]:
 
 
 def looked(core: Core, rng: np.random.Generator) -> list[Command]:
-    """Every segment below q = 1/4, where programs of arms look for a root once in a million; and the words by which a
-    word of each leading bit and its root are shifted."""
-    rest, low = [0] * 8, product_engine.LOW << 15
-    lines = [copied(2) | 2 << 9, *rest, (product_engine.PORT << 6 | 1) << 39 | 2 << 32 | low | product_engine.ROOT,
-             *rest, (product_engine.TABLE << 6) << 39 | (64 | 32) << 32 | 4 << 9, times(8, 0) | low | 8 << 9,
+    """Every segment below q = 1/4, where programs of arms look for a root once in a million; and for a word of each bit
+    alone, and 0: how it and its root are shifted, what CHECK says of it, and a register that is held where it is 0,
+    read as each of the four operands."""
+    rest, low, least, one, held = [0] * 8, product_engine.LOW << 15, 2, 3, 32
+    lines = [copied(2) | least << 9, copied(16) | one << 9, *rest,
+             (product_engine.PORT << 6 | 1) << 39 | least << 32 | low | product_engine.ROOT, *rest,
+             (product_engine.TABLE << 6) << 39 | (64 | 32) << 32 | 4 << 9, times(8, 0) | low | 5 << 9,
              copied(4) | product_engine.FOLD, *rest,
-             *(times(8, factor) | low | at << 9 for factor, at in ((1, 16), (2, 32), (3, 63)))]
-    commands = [*image.load(sealed(lines, 5), 30), (WRITE, 0, 2, 1)]
+             *(times(8, factor) | low | at << 9 for factor, at in ((1, 6), (2, 7), (3, 8))),
+             copied(4) | product_engine.CHECK, product_engine.ROOT, *rest,
+             copied(1) | held << 9 | product_engine.HOLD, *rest,
+             held << 39 | (64 | 32) << 32 | 9 << 9, (product_engine.PORT << 6 | 16) << 39 | held << 32 | 10 << 9,
+             held << 26 | one << 20 | 2 << 18 | 11 << 9, one << 26 | held << 20 | 2 << 18 | 12 << 9]
+    commands = [*image.load(sealed(lines, 5), 30), (WRITE, 0, 2, 1), (WRITE, 0, 16, 1 << 25)]
     for segment in range(128):
         q = (segment << 9) + int(rng.integers(0, 1 << 9))
-        commands += [(WRITE, 0, at, word) for at, word in ((1, q << 7), (4, 1 << segment % 26), (8, 3))]
-        commands += [(RUN, 0, 30, 0), *((READ, 0, at, 0) for at in (4, 8, 16, 32, 63))]
+        commands += [(WRITE, 0, at, word) for at, word in ((1, q << 7), (4, 1 << segment % 27 & (1 << 26) - 1), (8, 3))]
+        commands += [(RUN, 0, 30, 0), *((READ, 0, at, 0) for at in range(4, 13))]
     return commands
 
 
