@@ -191,13 +191,14 @@ def looked(core: Core, rng: np.random.Generator) -> list[Command]:
              copied(4) | product_engine.FOLD, *rest,
              *(times(8, factor) | low | at << 9 for factor, at in ((1, 6), (2, 7), (3, 8))),
              copied(4) | product_engine.CHECK, product_engine.ROOT, *rest,
-             copied(1) | held << 9 | product_engine.HOLD, *rest,
+             copied(32) | held << 9 | product_engine.HOLD, *rest,
              held << 39 | (64 | 32) << 32 | 9 << 9, (product_engine.PORT << 6 | 16) << 39 | held << 32 | 10 << 9,
              held << 26 | one << 20 | 2 << 18 | 11 << 9, one << 26 | held << 20 | 2 << 18 | 12 << 9]
     commands = [*image.load(sealed(lines, 5), 30), (WRITE, 0, 2, 1), (WRITE, 0, 16, 1 << 25)]
     for segment in range(128):
         q = (segment << 9) + int(rng.integers(0, 1 << 9))
-        commands += [(WRITE, 0, at, word) for at, word in ((1, q << 7), (4, 1 << segment % 27 & (1 << 26) - 1), (8, 3))]
+        words = {1: q << 7, 4: 1 << segment % 27 & (1 << 26) - 1, 8: 3, 32: 0x2CCCCCC if segment % 2 else 0x5333333}
+        commands += [(WRITE, 0, at, word) for at, word in words.items()]
         commands += [(RUN, 0, 30, 0), *((READ, 0, at, 0) for at in range(4, 13))]
     return commands
 
