@@ -239,16 +239,19 @@ def renewed(core: Core, count: int, standing: Verdict, seed: int) -> Verdict:
     return same if same.cocotb == cocotb() else benched(core, count, same)
 
 
+def _beside(core: Core, count: int) -> list:
+    """What a verdict follows from beside the core and its bench."""
+    return [equivalence.GRAPH, equivalence.MERGE[core.clocked], tools.versions(), core.params, count]
+
+
 def digest(core: Core, count: int) -> str:
     """Digest of all that a verdict follows from but the seed and the cocotb bench."""
-    return cache.digest([cache.of_bulk(core), mutate.preparation(core), equivalence.GRAPH,
-                         equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
+    return cache.digest([cache.of_bulk(core), mutate.preparation(core), *_beside(core, count)])
 
 
 def circuit(core: Core, count: int) -> str:
     """`digest` with the netlist that is mutated, without its names, in place of the RTL and the way from it."""
-    return cache.digest([mutate.circuit(core), cache.of_samples(core), equivalence.GRAPH,
-                         equivalence.MERGE[core.clocked], tools.versions(), core.params, count])
+    return cache.digest([mutate.circuit(core), cache.of_samples(core), *_beside(core, count)])
 
 
 def cocotb() -> str:

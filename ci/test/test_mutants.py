@@ -315,12 +315,12 @@ def test_a_verdict_stands_where_the_netlist_has_not_changed(monkeypatch, was, be
     for name in ("digest", "circuit"):
         monkeypatch.setattr(mutants, name, lambda *_, name=name: {"digest": "new", "circuit": "this"}[name])
     monkeypatch.setattr(mutants, "cocotb", lambda: "today's")
-    monkeypatch.setattr(mutants, "benched", lambda core, count, standing: standing)
+    monkeypatch.setattr(mutants, "benched", lambda core, count, standing: dataclasses.replace(standing, bench=["m"]))
     monkeypatch.setattr(mutants, "judged", lambda core, count, seed: {"core": core, "seed": seed})
     standing = mutants.Verdict(core.id, "old", bench, 7, 90, survivors=["m"], circuit=was)
     renewed = mutants.renewed(core, 4, standing, 8)
     assert renewed == (mutants.Verdict(core.id, seed=8) if left == "judged" else
-                       dataclasses.replace(standing, digest="new"))
+                       dataclasses.replace(standing, digest="new", bench=["m"] if left == "benched" else []))
 
 
 def test_the_netlist_that_is_mutated_has_no_names(tmp_path):
