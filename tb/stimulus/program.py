@@ -22,6 +22,8 @@ c, n = unit (x, y) hold
 a = u*c + v*n
 b = v*c - u*n
 """
+FACTOR = 64  # of operand B: what follows is the number of a factor, not of a register
+SLOPE, POWER, FOUR, TWICE, PLUS = (FACTOR | number for number in (0, 1, 2, 3, 32))
 REGISTERS = (0, 1, 2, 4, 8, 16, 32, 63)  # of wild lines, and their ports
 
 
@@ -30,6 +32,21 @@ def sealed(lines: list[int], version: int) -> dict:
     lines = [*lines[:-1], lines[-1] | ENDS]
     check = image.binascii.crc_hqx(version.to_bytes(4, "big"), image.crc(lines))
     return {"start": 0, "header": f"{version << 16 | check:012x}", "lines": [f"{word:012x}" for word in lines]}
+
+
+def line(source: int, a: int, b: int, c: int = 0, d: int = 0, add: int = 0, keep: int = 0, align: int = 0,
+         dest: int = 0, act: int = 0) -> int:
+    """The word of a line; `b`: a register, or FACTOR and its number; `add`: 2 with C D added, 3 with it subtracted."""
+    word = source << 6 | a
+    word = word << 7 | b
+    word = word << 12 | c << 6 | d
+    word = word << 5 | add << 3 | keep << 2 | align
+    return word << 15 | dest << 9 | act
+
+
+def copied(at: int, **fields: int) -> int:
+    """The line of a port times 1."""
+    return line(product_engine.PORT, at, PLUS, **fields)
 
 
 def wild(rng: np.random.Generator, count: int) -> list[int]:
@@ -46,14 +63,10 @@ def wild(rng: np.random.Generator, count: int) -> list[int]:
         by, single = rng.random() < 0.6, rng.random() < 0.6
         align = 0 if not single else int(rng.integers(0, 3))
         a, b, c, d, dest = rng.choice(REGISTERS, 5).tolist()
-        word = int(rng.integers(0, 4)) << 6 | a
-        word = word << 7 | (64 | int(rng.choice(factors)) if by else b)
-        word = word << 12 | c << 6 | d
-        word = word << 2 | (0 if single else int(rng.integers(2, 4)))
-        word = word << 1 | int(rng.random() < 0.15)
-        word = word << 2 | align
-        word = word << 6 | dest
-        found.append(word << 9 | int(rng.choice(acts)))
+        source, b = int(rng.integers(0, 4)), FACTOR | int(rng.choice(factors)) if by else b
+        add = 0 if single else int(rng.integers(2, 4))
+        keep = int(rng.random() < 0.15)
+        found.append(line(source, a, b, c, d, add, keep, align, dest, int(rng.choice(acts))))
     return found
 
 
@@ -130,21 +143,11 @@ def unit(core: Core) -> dict:
     return image.image(assembler.assemble(parser.parse(UNIT, Path("unit.kin")), core.params["PIPE"]))
 
 
-def times(at: int, factor: int) -> int:
-    """The line of a port times a factor that is no register."""
-    return (product_engine.PORT << 6 | at) << 39 | (64 | factor) << 32
-
-
-def copied(at: int) -> int:
-    """The line of a port times PLUS."""
-    return times(at, 32)
-
-
 def filled(core: Core, rng: np.random.Generator) -> list[Command]:
     """A program that copies ports to registers, in every context: they hold something when a reset comes. Then a sum
     of two is beyond the word, and the next one is not: that is unreachable all the same."""
-    lines = [copied(at) | at << 9 for at in REGISTERS[1:]]
-    lines += [copied(1) | 1 << 17, *(copied(at) | product_engine.FAR for at in (2, 4))]  # the first with KEEP
+    lines = [copied(at, dest=at) for at in REGISTERS[1:]]
+    lines += [copied(1, keep=1), *(copied(at, act=product_engine.FAR) for at in (2, 4))]
     commands = image.load(sealed(lines, 3), 30)
     for context in range(core.params["CONTEXTS"]):
         commands += [(WRITE, context, at, int(rng.integers(1 << 25, 1 << 26))) for at in REGISTERS]
@@ -184,16 +187,18 @@ def looked(core: Core, rng: np.random.Generator) -> list[Command]:
     """Every segment below q = 1/4, where programs of arms look for a root once in a million; and for a word of each bit
     alone, and 0: how it and its root are shifted, what CHECK says of it, and a register that is held where it is 0,
     read as each of the four operands."""
-    rest, low, least, one, held = [0] * 8, product_engine.LOW << 15, 2, 3, 32
-    lines = [copied(2) | least << 9, copied(16) | one << 9, *rest,
-             (product_engine.PORT << 6 | 1) << 39 | least << 32 | low | product_engine.ROOT, *rest,
-             (product_engine.TABLE << 6) << 39 | (64 | 32) << 32 | 4 << 9, times(8, 0) | low | 5 << 9,
-             copied(4) | product_engine.FOLD, *rest,
-             *(times(8, factor) | low | at << 9 for factor, at in ((1, 6), (2, 7), (3, 8))),
-             copied(4) | product_engine.CHECK, product_engine.ROOT, *rest,
-             copied(32) | held << 9 | product_engine.HOLD, *rest,
-             held << 39 | (64 | 32) << 32 | 9 << 9, (product_engine.PORT << 6 | 16) << 39 | held << 32 | 10 << 9,
-             held << 26 | one << 20 | 2 << 18 | 11 << 9, one << 26 | held << 20 | 2 << 18 | 12 << 9]
+    port, table, low = product_engine.PORT, product_engine.TABLE, product_engine.LOW
+    rest, least, one, held = [0] * 8, 2, 3, 32
+    lines = [copied(2, dest=least), copied(16, dest=one), *rest,
+             line(port, 1, least, align=low, act=product_engine.ROOT), *rest,
+             line(table, 0, PLUS, dest=4), line(port, 8, SLOPE, align=low, dest=5),
+             copied(4, act=product_engine.FOLD), *rest,
+             *(line(port, 8, factor, align=low, dest=at) for factor, at in ((POWER, 6), (FOUR, 7), (TWICE, 8))),
+             copied(4, act=product_engine.CHECK), product_engine.ROOT, *rest,
+             copied(32, dest=held, act=product_engine.HOLD), *rest,
+             line(product_engine.REGISTER, held, PLUS, dest=9), line(port, 16, held, dest=10),
+             line(product_engine.REGISTER, 0, 0, held, one, add=2, dest=11),
+             line(product_engine.REGISTER, 0, 0, one, held, add=2, dest=12)]
     commands = [*image.load(sealed(lines, 5), 30), (WRITE, 0, 2, 1), (WRITE, 0, 16, 1 << 25)]
     for segment in range(128):
         q = (segment << 9) + int(rng.integers(0, 1 << 9))
@@ -206,8 +211,9 @@ def looked(core: Core, rng: np.random.Generator) -> list[Command]:
 def clamped(core: Core, rng: np.random.Generator) -> list[Command]:
     """A clamp behind the second test of its word, beyond either end: the end is still the one of the first."""
     rest = [0] * 8
-    lines = [copied(1) | product_engine.LOW << 15 | product_engine.FAR, *rest,
-             copied(2) | product_engine.CHECK | product_engine.FAR, *rest, copied(4) | 4 << 9 | product_engine.CLAMP]
+    lines = [copied(1, align=product_engine.LOW, act=product_engine.FAR), *rest,
+             copied(2, act=product_engine.CHECK | product_engine.FAR), *rest,
+             copied(4, dest=4, act=product_engine.CLAMP)]
     commands = image.load(sealed(lines, 6), 30)
     for beyond, more in ((-1, 1), (-1, -1), (1, -1), (1, 1)):
         commands += [(WRITE, 0, at, word << 20 & (1 << 27) - 1) for at, word in ((1, beyond), (2, more), (4, 5))]
