@@ -172,7 +172,7 @@ MEASURED = {
     "cordic_rotate-iter-W16": (21, 21), "cordic_rotate-iter-W11A9": (16, 16), "cordic_rotate-pipe-W16": (20, 1),
     "cordic_rotate-pipe-W11A9": (16, 1), "cordic_vector-iter-W11A9": (16, 16), "cordic_vector-pipe-W16": (17, 1),
     "classic_fk1-iter-A16": (15, 15), "classic_fk2-iter-W12A10": (24, 24), "classic_fk3-iter-A16": (53, 53),
-    "classic_ik1-iter-W12A10": (14, 14), "classic_ik2-iter-A16": (61, 61), "classic_ik3-iter-W12A10": (58, 58),
+    "classic_ik1-iter-W12A10": (14, 14), "classic_ik2-iter-A16": (64, 64), "classic_ik3-iter-W12A10": (58, 58),
     "paper_ik1-S24": (10, 10), "paper_fk2-S8": (10, 10), "paper_fk3-S24": (17, 17), "paper_ik2-S8": (17, 17),
     "paper_ik3-S24": (45, 45)}
 

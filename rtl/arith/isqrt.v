@@ -40,7 +40,7 @@ module isqrt #(
         if (MODE == 0) begin : g_iterative
             reg  [N:0]       rem;
             reg  [N-1:0]     root;
-            reg  [2*R*M-1:0] todo;  // pairs to come: the next R on top, below it the others, which stay where they are
+            reg  [2*R*M-1:0] todo;  // pairs to come, lower bits inverted: the next R on top, the others stay below
             reg  [M-1:0]     step;  // one-hot, M-1 down to 0
             reg              busy, valid;
             wire             accept = in_valid && in_ready;
@@ -65,7 +65,7 @@ module isqrt #(
                 if (accept) begin
                     rem  <= {{(N-H){1'b0}}, head_rem};
                     root <= {{(N-H){1'b0}}, head_root};
-                    todo <= d[2*R*M-1:0];
+                    todo <= d[2*R*M-1:0] ^ {(R*M){2'b01}};
                 end else if (busy) begin
                     rem  <= next_rem;
                     root <= next_root;
@@ -116,7 +116,7 @@ module isqrt #(
                 if (s < M) begin : g_todo  // pairs to come
                     reg [2*(N-K)-1:0] todo;
                     if (s == 0) begin : g_load
-                        always @(posedge clk) if (in_ready) todo <= d[2*(N-K)-1:0];
+                        always @(posedge clk) if (in_ready) todo <= d[2*(N-K)-1:0] ^ {(N-K){2'b01}};
                     end else begin : g_pass
                         always @(posedge clk) if (in_ready) todo <= g_stage[s-1].g_todo.todo[2*(N-K)-1:0];
                     end

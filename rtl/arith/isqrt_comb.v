@@ -25,7 +25,8 @@ module isqrt_comb #(
             assign {out_rem, out_root} = {rem, root};
         end else begin : g_more
             isqrt_digits #(.K(1), .R(N-1)) digits (
-                .in_rem(rem), .in_root(root), .in_pairs(d[2*N-3:0]), .out_rem(out_rem), .out_root(out_root));
+                .in_rem(rem), .in_root(root), .in_pairs(d[2*N-3:0] ^ {(N-1){2'b01}}),
+                .out_rem(out_rem), .out_root(out_root));
         end
     endgenerate
 endmodule

@@ -2,7 +2,8 @@
 // This part computes R digits of a restoring square root, combinational. All forms of the root share it.
 //   one digit: t = 4 rem + pair - (4 root + 1); t >= 0 ? (2 root + 1, t) : (2 root, 4 rem + pair)
 // in_root holds the K digits known so far; in_rem = radicand so far - root^2 <= 2 root has K+1 bits; in_pairs holds the
-// next R bit pairs of the radicand, the first one on top.
+// next R bit pairs of the radicand, the first one on top, the lower bit of each inverted: a register in front of it can
+// store that for nothing.
 // The invariant 0 <= rem <= 2 root keeps t inside K+2 bits of the carry chain, so its sign bit is the digit. Exact.
 // Model: arith.isqrt
 `default_nettype none
@@ -25,10 +26,10 @@ module isqrt_digits #(
             localparam D = K + i;  // digits known
             wire [D:0]   rem;
             wire [D-1:0] root;
-            wire [1:0]   pair = in_pairs[2*(R-1-i) +: 2];
+            wire         high = in_pairs[2*(R-1-i)+1], none = in_pairs[2*(R-1-i)];  // none: the lower bit is 0
             wire [D+1:0] trial;
             wire         digit = ~trial[D+1];
-            wire [D+1:0] next_rem = digit ? {trial[D:0], ~pair[0]} : {rem[D-1:0], pair};
+            wire [D+1:0] next_rem = digit ? {trial[D:0], none} : {rem[D-1:0], high, ~none};
             wire [D:0]   next_root = {root, digit};
 
             if (i == 0) begin : g_first
@@ -39,10 +40,10 @@ module isqrt_digits #(
                 assign root = g_digit[i-1].next_root;
             end
 
-            // pair - 1 borrows exactly when pair = 0, and so does pair[1] - ~pair[0], which is one bit shorter
+            // pair - 1 borrows exactly when pair = 0, and so does high - none, which is one bit shorter
             if (D < 3) begin : g_gates  // as gates the first three digits cost one 6-input LUT a bit
-                wire [D+1:0] a = {rem, pair[1]};
-                wire [D+1:0] b = {1'b0, root, ~pair[0]};
+                wire [D+1:0] a = {rem, high};
+                wire [D+1:0] b = {1'b0, root, none};
                 reg  [D+1:0] difference;
                 reg          borrow;
                 integer      j;
@@ -55,7 +56,7 @@ module isqrt_digits #(
                 end
                 assign trial = difference;
             end else begin : g_chain
-                assign trial = {rem, pair[1]} - {1'b0, root, ~pair[0]};
+                assign trial = {rem, high} - {1'b0, root, none};
             end
 
             if (i == R - 1) begin : g_last

@@ -3,8 +3,8 @@
 //   a^2 = far - r^2,  b^2 = r^2 - near, each 0 where it would be negative,  r^2 = x^2 + y^2 (+ z^2);  f a;  K z
 // The roots are computed beside the table, one after the other on one engine: a as soon as r^2 is known, then b. There
 // is time for a product of one bit a clock: K z from in_start on, f a from the first root on.
-// JOINTS = 2: r^2 is known in the clock after in_start. JOINTS = 3: three clocks with in_add sum it, the third of which
-// also has in_ask. K z is taken with in_taken, and f a follows.
+// A clock with in_add adds a square to r^2, JOINTS of them from the second clock after in_start on; the last also has
+// in_ask. JOINTS = 3: K z is taken with in_taken, and f a follows.
 // Formats: in_f is s1.(W+2); out_a and out_b have 4 guard bits; out_product has 5. out_b is held until the next
 // in_start.
 // Rounding: the roots and the products are truncated. Status: out_unreachable. Model: classic.ik2, classic.ik3
@@ -80,25 +80,24 @@ module classic_legs #(
             total <= {sum, total[1]};
         end
 
-    // Squares
+    // Squares, one a clock
+    reg  signed [W-1:0] side, next_side, last_side;
+    reg  [2*W-1:0]      square;
+    assign begun = in_ask;
+    always @(posedge clk) begin
+        {side, next_side, last_side} <= in_start ? {in_x, in_y, in_z} : {next_side, last_side, last_side};
+        square <= side * side;
+        if (in_start) q <= {2*W{1'b0}};
+        else if (in_add) q <= q + square;
+    end
     generate
         if (JOINTS == 2) begin : g_plane
-            wire        [2*W-1:0] square_x = in_x * in_x, square_y = in_y * in_y;
-            wire unused = &{1'b0, in_z, in_add, in_ask, in_taken};
-            assign begun = in_start;
+            wire unused = &{1'b0, in_taken};
             assign {lifts, load_z, load_f} = {2'b00, accept && second};
-            always @(posedge clk) if (in_start) q <= square_x + square_y;
         end else begin : g_space
-            reg  signed [W-1:0]   side, next_side, last_side;
-            reg                   lift, solved, taken;
-            reg         [2*W-1:0] square;
-            assign begun = in_ask;
+            reg lift, solved, taken;
             assign {lifts, load_z, load_f} = {lift, in_start, lift && solved && taken};
             always @(posedge clk) begin
-                {side, next_side, last_side} <= in_start ? {in_x, in_y, in_z} : {next_side, last_side, last_side};
-                square <= side * side;
-                if (in_start) q <= {2*W{1'b0}};
-                else if (in_add) q <= q + square;
                 lift   <= in_start || lift && !load_f;
                 solved <= !in_start && (solved || accept && second);
                 taken  <= !in_start && (taken || in_taken);

@@ -38,7 +38,7 @@ module classic_solve_iter #(
     localparam L = W + 1;        // last step: up to C a step is a micro-rotation, then a digit of a division
     localparam C = (W + 1) / 2;
     localparam U = JOINTS == 3 ? C : (W + 1) / 3 + 1;  // last step that changes x; with a yaw as far as rho has bits
-    localparam WAIT = JOINTS == 3 ? 0 : 5 - W % 2;  // clocks: the roots need W + 6 or one more, phi alone W + 2
+    localparam WAIT = JOINTS == 3 ? 0 : 8 - W % 2;  // clocks: the roots need W + 6 or one more, phi alone W + 2
 
     // Schedule, a clock a line
     localparam [2:0]         // the vectoring; x, y and z are those of cordic_aim_step
@@ -56,6 +56,7 @@ module classic_solve_iter #(
         NONE    = 2'b00,
         ADD     = 2'b01,     // the next square is added: x^2, y^2, z^2
         ASK     = 2'b11;     // the last one is added; the roots begin
+    localparam [1:0] FIRST = JOINTS == 3 ? NONE : ADD, LAST = JOINTS == 3 ? NONE : ASK;
     localparam BITS = 8;
     //                                vectoring at its end squares
     localparam [BITS*(L+1)-1:0] YAW = {
@@ -66,7 +67,10 @@ module classic_solve_iter #(
         /* bits of j3     */ {(L - C - 1){DIVIDE, STAY, NONE}},
         /* j3             */ {        DIVIDE, TO_PHI,  NONE}};
     localparam [BITS*(L+1+WAIT)-1:0] PHI = {
-        /* phi            */ {(U + 1){GROW,   STAY,    NONE}},
+        /* phi            */ {        GROW,   STAY,    NONE},
+        /* x^2 in a plane */ {        GROW,   STAY,    FIRST},
+        /* r^2 in a plane */ {        GROW,   STAY,    LAST},
+        /* phi            */ {(U - 2){GROW,   STAY,    NONE}},
         /* x is held */     {(C - U){TURN,   STAY,    NONE}},
         /* last bits      */ {(L - C - 1){DIVIDE, STAY, NONE}},
         /* roots          */ {WAIT{   HOLD,   STAY,    NONE}},

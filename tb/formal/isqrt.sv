@@ -30,7 +30,8 @@ module isqrt_digits_props #(parameter N = 16) (input clk);
         wire [k+1:0] out_rem;
         wire [k:0] out_root;
         wire q = out_root[0];
-        isqrt_digits #(.K(k), .R(1)) dut (.in_rem(rem), .in_root(root), .in_pairs(pair), .out_rem(out_rem), .out_root(out_root));
+        isqrt_digits #(.K(k), .R(1)) dut (.in_rem(rem), .in_root(root), .in_pairs(pair ^ 2'b01), .out_rem(out_rem),
+            .out_root(out_root));
         wire [k+3:0] grows = q ? {root, 2'b01} : 0;
         always @* begin
             assume (rem <= {root, 1'b0});
@@ -47,7 +48,8 @@ module isqrt_digits_props #(parameter N = 16) (input clk);
 endmodule
 
 // d * 4^F = root^2 + rem, rem <= 2 root, in order, once for each word, after exactly ceil(N / R) clocks.
-// Invariant: after `age` clocks the same holds of the leading 2 K radicand bits, and `todo` has the next pairs.
+// Invariant: after `age` clocks the same holds of the leading 2 K radicand bits, and `todo` has the next pairs, the
+// lower bit of each inverted.
 // rtl: isqrt isqrt_comb isqrt_digits
 // with: stream_token.sv
 // proof W16 mode=prove depth=2 W=16 F=0 R=1
@@ -105,10 +107,11 @@ module isqrt_iter_props #(parameter W = 16, F = 0, R = 1) (
         always @* if (live && here && age == a) begin
             assert (square + out_rem == d[2*N-1 -: 2*K]);
             assert (out_root >> K == 0);
-            if (a <= M) assert (\dut.g_iterative.todo [2*R*M-1 -: 2*R] == d[2*(N-K)-1 -: 2*R]);
+            if (a <= M) assert (\dut.g_iterative.todo [2*R*M-1 -: 2*R] == (d[2*(N-K)-1 -: 2*R] ^ {R{2'b01}}));
         end
     end
-    if (M > 1) always @* if (live && here) assert (\dut.g_iterative.todo [2*R*(M-1)-1:0] == d[2*R*(M-1)-1:0]);
+    if (M > 1) always @* if (live && here)
+        assert (\dut.g_iterative.todo [2*R*(M-1)-1:0] == (d[2*R*(M-1)-1:0] ^ {(R*(M-1)){2'b01}}));
 endmodule
 
 // d * 4^F = root^2 + rem, rem <= 2 root, in order, once for each word, whatever the stalls.
@@ -158,7 +161,7 @@ module isqrt_pipe_props #(parameter W = 16, F = 0, R = 1) (
         end
         if (s < M) begin : g_todo
             (* hierconn *) wire [2*(N-K)-1:0] todo;
-            always @* if (live && mine) assert (todo == d[2*(N-K)-1:0]);
+            always @* if (live && mine) assert (todo == (d[2*(N-K)-1:0] ^ {(N-K){2'b01}}));
         end
     end
     always @* if (live && arrived) assert (\dut.g_pipelined.g_stage [M].square + out_rem == d && out_rem <= {out_root, 1'b0});
