@@ -126,7 +126,8 @@ PAIRS = chain.pairs()
 
 @pytest.mark.full
 @pytest.mark.parametrize("first, second, tests", [
-    ("classic_ik2", "classic_fk2", "one_clock|stalled"), ("rational_fk1", "rational_ik1", None)])
+    ("classic_ik2", "classic_fk2", "one_clock|stalled"), ("rational_fk1", "rational_ik1", None),
+    ("rational_fk2", "rational_ik2", "one_clock")])
 def test_pair(first, second, tests):
     simulate(chain.chain(find(first), find(second)), simulators()[0], tests=tests, seed=SEED)
 

@@ -22,7 +22,7 @@ WRAPPERS = tools.BUILD / "chain"
 class Chain(Core):
     """`first` feeds `second`, output ports to the input ports of their names; an input that nothing feeds is 0.
 
-    Configuration ports of one name are one port. Corners and configurations are those of `first`, with all words.
+    Configuration ports of one name are one port. The stimuli are in tb/stimulus/pair.py.
     """
 
     first: Core | None = None
@@ -88,7 +88,7 @@ def chain(first: Core, second: Core) -> Chain:
         if not wrapper.exists() or wrapper.read_text() != text:
             wrapper.write_text(text)
     values = {part.name: getattr(first, part.name) for part in fields(Core)} | {
-        "name": name, "set_id": f"{first.set_id}-{second.set_id}", "latency": None,
+        "name": name, "family": "pair", "set_id": f"{first.set_id}-{second.set_id}", "latency": None,
         "ii": max(first.ii or 1, second.ii or 1), "cfg": cfg, "outputs": second.outputs, "architecture": "chain",
         "status": tuple(bit for bit in second.status if bit != "singular"),  # no corner of a forward core need be at 0
         "sources": tuple(dict.fromkeys((wrapper, *first.sources, *second.sources)))}
