@@ -5,7 +5,7 @@
 // Formats: in_x, in_y s(W-F).F; in_elbow 0: j2 in 0 .. 1/2 turn, 1: -1/2 turn .. 0; out_j1, out_j2 uA, 2^A to the turn;
 //   cfg_far, cfg_near = (L1 + L2)^2, (L1 - L2)^2, cfg_f = (L2 - L1) / (L1 + L2) * 2^(W+2), L1, L2 u(W-F).F.
 // Error: tip within 2 LSB up to L1 + L2 = 2^(W-2), L1 < 4 L2, including half an LSB of rounding in each output word.
-// Latency and II: 61 at W = 16 in MODE 0, 5 in MODE 1.
+// Latency and II: 64 at W = 16 in MODE 0, 5 in MODE 1.
 // Status: unreachable (the answer is the nearest point in reach), singular (x = y = 0: j1 is held; 0 after a reset).
 // Paper: the parallel CORDIC of its table V. Model: classic.ik2
 `default_nettype none

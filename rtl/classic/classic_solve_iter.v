@@ -38,7 +38,7 @@ module classic_solve_iter #(
     localparam L = W + 1;        // last step: up to C a step is a micro-rotation, then a digit of a division
     localparam C = (W + 1) / 2;
     localparam U = JOINTS == 3 ? C : (W + 1) / 3 + 1;  // last step that changes x; with a yaw as far as rho has bits
-    localparam WAIT = JOINTS == 3 ? 0 : 8 - W % 2;  // clocks: the roots need W + 6 or one more, phi alone W + 2
+    localparam WAIT = JOINTS == 3 ? 0 : 8 - W % 2;  // clocks: the roots need W + 9 or one more, phi alone W + 2
 
     // Schedule, a clock a line
     localparam [2:0]         // the vectoring; x, y and z are those of cordic_aim_step
