@@ -96,20 +96,21 @@ module classic_solve_iter #(
                 .in_start(in_start), .out_idle(idle), .out_last(out_done), .out_ahead(unused_ahead), .out_op(op));
         end
     endgenerate
-    wire to_phi = op[2], to_half = op[3], to_rest = op[4];
+    wire divide, grow, turn, to_rest, to_half, to_phi, ask, add;
+    assign {divide, grow, turn, to_rest, to_half, to_phi, ask, add} = op;
     assign out_busy = !idle;
 
     wire        [W+G:0] a, b;
     wire signed [W+7:0] product;
     classic_legs #(.W(W), .JOINTS(JOINTS)) legs (.clk(clk), .rst(rst), .in_start(in_start), .in_far(in_far),
-        .in_near(in_near), .in_f(in_f), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_add(op[0]), .in_ask(op[1]),
+        .in_near(in_near), .in_f(in_f), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_add(add), .in_ask(ask),
         .in_taken(to_phi), .out_a(a), .out_b(b), .out_product(product),
         .out_unreachable(out_unreachable));
 
     wire [Z-1:0] z, next_z, joint1;
     classic_aim_iter #(.W(W), .A(A), .JOINTS(JOINTS)) aim (.clk(clk), .in_start(in_start), .in_x(in_x), .in_y(in_y),
-        .in_elbow(in_elbow), .in_a(a), .in_b(b), .in_product(product), .in_turn(op[5]), .in_grow(op[6]),
-        .in_divide(op[7]), .in_to_phi(to_phi), .in_to_half(to_half), .in_to_rest(to_rest), .out_z(z),
+        .in_elbow(in_elbow), .in_a(a), .in_b(b), .in_product(product), .in_turn(turn), .in_grow(grow),
+        .in_divide(divide), .in_to_phi(to_phi), .in_to_half(to_half), .in_to_rest(to_rest), .out_z(z),
         .out_next(next_z));
 
     // joints
