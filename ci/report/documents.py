@@ -198,7 +198,7 @@ def readme(text: str, report: dict) -> str:
     if problem := _wrong(text):
         raise ValueError(problem)
     head, _, rest = text.partition(f"{OPEN}\n")
-    return f"{head}{OPEN}\n{headline_table(report).markdown()}\n{CLOSE}{rest.partition(CLOSE)[2]}"
+    return f"{head}{OPEN}\n{headline_table(report).markdown(bars=True)}\n{CLOSE}{rest.partition(CLOSE)[2]}"
 
 
 def _wrong(text: str) -> str:

@@ -137,11 +137,12 @@ class Table:
     rows: tuple[tuple[str, ...], ...]
     text: int = 1
 
-    def markdown(self) -> str:
-        """As a Markdown table, without its title."""
+    def markdown(self, bars: bool = False) -> str:
+        """As a Markdown table, without its title; with outer `bars`, or where the first head is empty and wants one."""
         rule = [":--" if i < self.text else "--:" for i in range(len(self.head))]
         lines = [self.head, tuple(rule), *self.rows]
-        return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+        left, right = ("| ", " |") if bars or not self.head[0] else ("", "")
+        return "\n".join(left + " | ".join(line) + right for line in lines)
 
 
 def cycles(row: Row) -> str:
@@ -237,7 +238,7 @@ def mixed(text: str, where: str) -> list[str]:
     """Rows of Markdown tables, their heads included, that speak of more than one device."""
     problems, head = [], ""
     for number_, line in enumerate(text.splitlines(), 1):
-        if not line.startswith("|"):
+        if "|" not in line:
             head = ""
             continue
         head = head or line
