@@ -116,7 +116,8 @@ module kernel_vector_curve #(
         end
     end
 
-    // u (u + 1) / 2 of the distance u, and its product with the coefficient in logic
+    // u (u + 1) / 2 of the distance u, in logic: a block memory is read too late for the product with the coefficient
+    (* rom_style = "logic" *)
     reg  [M-1:0]  squares[0:(1<<DISTANCE)-1];
     integer       u;
     /* verilator lint_off UNUSEDSIGNAL */
@@ -131,28 +132,33 @@ module kernel_vector_curve #(
                         ~(in_clamped ? factor[TOP-5 -: DISTANCE] : factor[TOP-4 -: DISTANCE])
                         ^ {DISTANCE{factor[TOP-3]}};
     wire [C+SLOPE-1:0]  entry;
+    wire [M-1:0]        found_square = squares[distance] & {M{!none}};
     wire [M-1:0]        square;
-    reg  [C+M-1:0]      product;
-    integer             i;
+    localparam          P = C + M;
+    reg  [C*P-1:0]      rows;  // of the product, added in pairs
+    integer             i, j;
     always @* begin
-        product = 0;
         for (i = 0; i < C; i = i + 1)
-            product = product + ({{C{1'b0}}, square & {M{entry[SLOPE+i]}}} << i);
+            rows[P*i +: P] = {{C{1'b0}}, square & {M{entry[SLOPE+i]}}} << i;
+        for (j = 1; j < C; j = 2 * j)
+            for (i = 0; i + j < C; i = i + 2 * j)
+                rows[P*i +: P] = rows[P*i +: P] + rows[P*(i+j) +: P];
     end
-    wire [C+M-1:0] shifted = (root ? product >> SCALE : product >> SCALE + 1) & {(C+M){!none}};
-    wire [C+M-1:0] moved;
+    wire [P-1:0]        product = rows[P-1:0];
+    wire [P-1:0]  shifted = root ? product >> SCALE : product >> SCALE + 1;
+    wire [P-1:0]  moved;
     generate
         if (PIPE == 0) begin : g_now
             assign entry = found;
-            assign square = squares[distance];
+            assign square = found_square;
             assign moved = shifted;
         end else begin : g_registers
             reg [C+SLOPE-1:0] entry_1;
             reg [M-1:0]       square_1;
-            reg [C+M-1:0]     moved_1;
+            reg [P-1:0]       moved_1;
             always @(posedge clk) begin
                 entry_1  <= found;
-                square_1 <= squares[distance];
+                square_1 <= found_square;
                 moved_1  <= shifted;
             end
             assign entry = entry_1;
@@ -161,7 +167,7 @@ module kernel_vector_curve #(
         end
     endgenerate
     wire           down = root && !negative;
-    assign         out_left = {negative, factor, 1'b1} + ({{(V+1-C-M){1'b0}}, moved} ^ {(V+1){down}})
+    assign         out_left = {negative, factor, 1'b1} + ({{(V+1-P){1'b0}}, moved} ^ {(V+1){down}})
                               + {{V{1'b0}}, down};
     assign         out_slope = {entry[SLOPE-1:0], {(V-SLOPE){1'b0}}};
 endmodule
