@@ -381,7 +381,7 @@ def test_a_further_pipe_has_its_own_ends():
 
 @pytest.mark.full
 def test_ranges_are_those_of_the_rule_wherever_it_is():
-    assert legal.ranges(find("rational_ik1")) == {"W": (4, 16), "F": (0, 15), "S": (2, 24), "PIPE": (0, 0),
+    assert legal.ranges(find("rational_ik1")) == {"W": (4, 24), "F": (0, 23), "S": (2, 40), "PIPE": (0, 0),
                                                    "MULTIPLY": (18, 27)}
     assert legal.ranges(find("cordic_rotate")) == {"MODE": (0, 0), "W": (8, 16), "A": (5, 19)}
     assert legal.ranges(find("vector_fk2-PIPE1")) == {"W": (4, 24), "F": (0, 23), "U": (4, 24), "PIPE": (1, 1),

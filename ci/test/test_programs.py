@@ -402,7 +402,7 @@ def test_every_instance_of_a_player_is_read():
     few = {core: every for core, every in tables().items() if core.family != "paper"}
     left = schedules.unread(few, placed)
     assert any("paper_chain.v" in line and "no core of cores.toml plays this table" in line for line in left)
-    assert not any("kernel_chain.v" in line for line in left)
+    assert not any("kernel_solve.v" in line for line in left)
 
 
 def test_a_table_without_a_player_is_found():

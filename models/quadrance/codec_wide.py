@@ -7,6 +7,7 @@ straight segments.
 from __future__ import annotations
 
 from functools import cache
+from math import isqrt
 
 import numpy as np
 
@@ -88,3 +89,47 @@ def angle_of_vector(a: int, cosine: Ints, sine: Ints, fraction: int) -> Ints:
     m = fixed.wrap(np.where(far, sine, cosine), fraction + 1)
     arc = arcsine(a + 3, m ^ -ints(np.where(far, back, ~under)), fraction)
     return (np.where(far, 2 * back, 1 + 2 * under) << a + 1) + arc >> 3 & (1 << a) - 1
+
+
+RANGES = (0, 4, 8, 12, 18, 24, 30)  # left shift of 2 v in each of the ranges of its root
+PLACE = 17  # bits of the place in a segment of a root
+
+
+@cache
+def root_segments(u: int, h: int) -> tuple[Ints, Ints]:
+    """``sqrt(a 2^-h)``, a = 0 ... 512, in 2^-(u + 3), rounded up, since a root is truncated; and the bends of the
+    segments behind, half the sag, of those below 32 a sixteenth, below 8 none.
+
+    The integers of spread_parabolas.v, operation by operation.
+    """
+    k = u + 3
+    knots = [0, *(min(isqrt(a << 2 * k - h) + 1, (1 << k) - 1) for a in range(1, 513))]
+    bends = [isqrt((1 << 2 * k - h - (7 if a >= 32 else 13)) // (2 * a + 1) ** 3) + 1 >> 1 for a in range(512)]
+    return ints(knots), ints([0] * 8 + bends[8:])
+
+
+def root(knots: Ints, bends: Ints, a: Ints, step: int, place: Ints) -> Ints:
+    """The root at a place behind segment a, or before it where `step` is -1: two truncations."""
+    at = place >> PLACE - 9
+    fold = np.minimum(at, 511 - at)
+    hump = (2 * fold + 1) * (1023 - 2 * fold) >> 9
+    b = np.minimum(a, a + step)
+    moved = bends[b] * hump >> np.where(b >= 32, 8, 5)
+    return knots[a] + moved + ((knots[a + step] - knots[a]) * place >> PLACE)
+
+
+def spread_roots(s: int, u: int, word: Ints) -> tuple[Ints, Ints]:
+    """`codecs.spread_chords` of more than 18 fraction bits, on parabolas."""
+    word = ints(word)
+    quadrant, f = word >> s, word & (1 << s) - 1
+    fold = f >> s - 1
+    v = ((f ^ -fold) & (1 << s - 1) - 1) << 60 - (s - 1) | -fold & (1 << 60 - (s - 1)) - 1  # 2 v, 60 bits
+    minor, segments = np.zeros_like(v), root_segments(u, 10)
+    for shift in RANGES:
+        scaled = (v << shift | -fold & (1 << shift) - 1) & (1 << 60) - 1
+        part = root(*segments, scaled >> 51, 1, scaled >> 51 - PLACE & (1 << PLACE) - 1)
+        minor = np.where(v < 1 << 60 - shift, part >> 3 + shift // 2, minor)
+    major = root(*root_segments(u, 9), 512 - (v >> 52), -1, v >> 52 - PLACE & (1 << PLACE) - 1) >> 3
+    minor_n = fold == quadrant & 1
+    c, n = 2 * np.where(minor_n, major, minor) + 1, 2 * np.where(minor_n, minor, major) + 1
+    return np.where((quadrant ^ quadrant >> 1) & 1, -c, c), np.where(quadrant >> 1, -n, n)

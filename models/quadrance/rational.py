@@ -6,8 +6,13 @@ from functools import cache
 
 import numpy as np
 
-from quadrance import arith, codecs, kernel_vector_solve
+from quadrance import arith, codec_wide, codecs, kernel_vector_solve, kernel_vector_wide
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
+from quadrance.kernel_vector_wide import form
+from quadrance.vector import config
+
+# config: words of the inverse cores beside the lengths
+__all__ = ["config", "fk1", "fk2", "fk3", "ik1", "ik2", "ik3", "reciprocal_pair"]
 
 Params = dict[str, int]
 
@@ -54,13 +59,20 @@ def reciprocal_pair(q: Ints) -> tuple[Ints, Ints]:
 
 
 def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
-    """Turn-spread of the direction of (x, y), nearest (ties anticlockwise); the last one where x = y = 0.
+    """Turn-spread of the direction of (x, y), nearest; the last one where x = y = 0.
 
-    Direction within `bounds.RATIONAL_DIRECTION` of those that round to the word.
+    Direction within `bounds.rational.direction` of those that round to the word.
     """
-    s = p["S"]
-    x, y = (ints(word) << 16 - p["W"] for word in np.broadcast_arrays(in_x, in_y))
-    zeros = _zeros(x, y)
+    f = form(p)
+    x, y = (ints(word) << f.bits - p["W"] for word in np.broadcast_arrays(in_x, in_y))
+    zero = (x == 0) & (y == 0)
+    word = _short(p, x, y) if f.bits == 16 else _spread(p, *kernel_vector_wide.aim(f, x, y))
+    return {"out_j1": hold_last(word, ~zero), "out_status": 2 * ints(zero)}
+
+
+def _short(p: Params, x: Ints, y: Ints) -> Ints:
+    """The direction of aligned words of 16 bits, by a quotient; ties anticlockwise."""
+    s, zeros = p["S"], _zeros(x, y)
     x, y = x << zeros, y << zeros
     long = (x < -(1 << 14)) | (x >= 1 << 14)  # x is the longer one in bits: the nearer axis is that of x
     m = np.where(long, y, x)
@@ -70,9 +82,24 @@ def ik1(p: Params, *, in_x: Ints, in_y: Ints) -> dict[str, Ints]:
     v = m * slope >> 7
     spread = (u * v >> 47 - s) + 1 >> 1
     axis = np.where(long, 2 * (x < 0), 1 + 2 * (y < 0))
-    word = (axis << s) + spread & (4 << s) - 1
-    zero = (x == 0) & (y == 0)
-    return {"out_j1": hold_last(word, ~zero), "out_status": 2 * ints(zero)}
+    return (axis << s) + spread & (4 << s) - 1
+
+
+def spread_of_vector(s: int, cosine: Ints, sine: Ints, fraction: int) -> Ints:
+    """Turn-spread of s bits of a unit vector: by the square of its sine, or of its cosine in [-3/4, 3/4); ties towards
+    the axis."""
+    quarters = wrap(cosine >> fraction - 2, 4)
+    far, back, under = (quarters < -3) | (quarters > 2), cosine < 0, sine < 0
+    m = wrap(np.where(far, sine, cosine), fraction + 1)
+    square = m * ~m ^ -ints(far == (back == under))  # less the square of the middle of m, or that square less one
+    return (np.where(far, 2 * back, 1 + 2 * under) << s) + ((square >> 2 * fraction - 1 - s) + 1 >> 1) & (4 << s) - 1
+
+
+def _spread(p: Params, c: Ints, n: Ints) -> Ints:
+    """The word of a joint of kernel_vector_wide, of products for cosine and sine."""
+    f = form(p)
+    cut = 2 * f.fraction - 3 - f.bits
+    return spread_of_vector(p["S"], c >> cut, n >> cut, f.bits + 2)
 
 
 # Two and three joints
@@ -84,13 +111,18 @@ def _turn(p: Params, x: Ints, y: Ints, c: Ints, n: Ints) -> tuple[Ints, Ints]:
     return (x * c >> u) + (y * -n >> u), (x * n >> u) + (y * c >> u)
 
 
+def _roots(p: Params, word: Ints) -> tuple[Ints, Ints]:
+    """(cos, sin) of a joint word, odd integers of 2^-(U + 1)."""
+    return codecs.spread_chords(p, word) if p["U"] <= 18 else codec_wide.spread_roots(p["S"], p["U"], word)
+
+
 def _chain(p: Params, words: tuple[Ints, ...], cfg_l1: Ints, cfg_l2: Ints) -> tuple[Ints, ...]:
     """Tip of the chain with 5 fraction bits below the coordinate's LSB: kernel_chain.v."""
     u, g = p["U"] + 1, 5
     l1, l2 = ints(cfg_l1) << g, ints(cfg_l2) << g
-    c, n = codecs.spread_chords(p, words[1])
-    x, y = _turn(p, l1 + (l2 * c >> u), l2 * n >> u, *codecs.spread_chords(p, words[0]))
-    return (x, y) if len(words) == 2 else (*_turn(p, x, ints(0), *codecs.spread_chords(p, words[2])), y)
+    c, n = _roots(p, words[1])
+    x, y = _turn(p, l1 + (l2 * c >> u), l2 * n >> u, *_roots(p, words[0]))
+    return (x, y) if len(words) == 2 else (*_turn(p, x, ints(0), *_roots(p, words[2])), y)
 
 
 def _coordinates(p: Params, axes: str, exact: tuple[Ints, ...]) -> dict[str, Ints]:
@@ -111,12 +143,6 @@ def fk3(p: Params, *, in_j1: Ints, in_j2: Ints, in_j3: Ints, cfg_l1: Ints, cfg_l
 
 
 # Two and three joints, inverse
-
-
-def config(p: Params, *, cfg_l1: int, cfg_l2: int, margin: float = 0.0, slack: float = 0.0) -> dict[str, int]:
-    """Words of the inverse cores beside the lengths; margin and slack in coordinate units."""
-    words = kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
-    return words | kernel_vector_solve.edge_words(p, words, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack)
 
 
 def _about_axis(s: int, axis: Ints, negative: Ints, product: Ints) -> Ints:
@@ -165,6 +191,12 @@ def _plane(p: Params, x: Ints, y: Ints, more: int, elbow: Ints, *words: Ints, li
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
         cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
+    if form(p).bits > 16:
+        c1, n1, c2, n2, far, zero, near = kernel_vector_wide.plane(
+            p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
+            limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
+        return {"out_j1": hold_last(_spread(p, c1, n1), ~zero), "out_j2": _spread(p, c2, n2),
+                "out_status": ints(far) + 2 * ints(zero | near)}
     x, y, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
         in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
     x, y, l1, l2 = (word << 16 - p["W"] for word in (x, y, l1, l2))
@@ -176,6 +208,12 @@ def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
         cfg_r: Ints, cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Yaw of (x, y), then `ik2` on (rho, z), rho = sqrt(x^2 + y^2) with 4 fraction bits."""
+    if form(p).bits > 16:
+        c1, n1, c2, n2, far, zero, near, c3, n3, on_axis = kernel_vector_wide.space(
+            p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
+            limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
+        return {"out_j1": hold_last(_spread(p, c1, n1), ~zero), "out_j2": _spread(p, c2, n2),
+                "out_j3": hold_last(_spread(p, c3, n3), ~on_axis), "out_status": ints(far) + 2 * ints(on_axis | near)}
     x, y, z, elbow, l1, l2, cfg_q, cfg_r, cfg_e = (ints(word) for word in np.broadcast_arrays(
         in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e))
     x, y, z, l1, l2 = (word << 16 - p["W"] for word in (x, y, z, l1, l2))

@@ -143,9 +143,10 @@ def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1
 
 
 def wrist(p: Params, x: Ints, y: Ints, phi: Ints, l3: Ints) -> tuple[Ints, Ints, Ints]:
-    """The tip less its last link, nearest (ties upward) and saturated, of 16 bits; whether one was saturated."""
-    roots = [codecs.angle_chord(17, 9, p["A"], phi, cosine) for cosine in (True, False)]
-    pairs = [saturate(2 * goal - (root * l3 >> 16) >> 1, 16) for goal, root in zip((x, y), roots)]
+    """The tip less its last link, nearest (ties upward) and saturated, of aligned words; whether one was saturated."""
+    bits = form(p).bits
+    roots = _unit(p | {"W": bits}, 2, phi)
+    pairs = [saturate(2 * goal - (root * l3 >> bits) >> 1, bits) for goal, root in zip((x, y), roots)]
     return pairs[0][0], pairs[1][0], pairs[0][1] | pairs[1][1]
 
 
@@ -153,9 +154,11 @@ def ik3r(p: Params, *, in_x: Ints, in_y: Ints, in_phi: Ints, in_elbow: Ints, cfg
          cfg_q: Ints, cfg_r: Ints, cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Three joints in the plane whose last link points along `in_phi`: `ik2` of the wrist, then the third joint."""
     x, y, phi, l1, l2, l3 = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_phi, cfg_l1, cfg_l2, cfg_l3))
-    x, y, l1, l2, l3 = (word << 16 - p["W"] for word in (x, y, l1, l2, l3))
+    bits = form(p).bits
+    more = bits - p["W"]
+    x, y, l1, l2, l3 = (word << more for word in (x, y, l1, l2, l3))
     x, y, over = wrist(p, x, y, phi, l3)
-    found = ik2(p | {"W": 16}, in_x=x, in_y=y, in_elbow=in_elbow, cfg_l1=l1, cfg_l2=l2, cfg_q=cfg_q, cfg_r=cfg_r,
-                cfg_e=cfg_e, cfg_margin=ints(cfg_margin) << 16 - p["W"], cfg_slack=cfg_slack)
+    found = ik2(p | {"W": bits}, in_x=x, in_y=y, in_elbow=in_elbow, cfg_l1=l1, cfg_l2=l2, cfg_q=cfg_q, cfg_r=cfg_r,
+                cfg_e=cfg_e, cfg_margin=ints(cfg_margin) << more, cfg_slack=cfg_slack)
     third = wrap(phi - found["out_j1"] - found["out_j2"], p["A"], signed=False)
     return found | {"out_j3": third, "out_status": found["out_status"] + 4 * ints(over)}

@@ -72,7 +72,12 @@ class Rational(Claim):
     """rtl/rational."""
 
     def unreachable(self, target: Ints) -> tuple[Ints, Ints]:
-        """Never flagged in reach; always where the quadrance is out by more than `rational_gap`."""
+        """Never flagged in reach; always where the quadrance is out by more than `rational.gap`.
+
+        W above 16: as rtl/vector.
+        """
+        if form(self.p).bits > 16:
+            return Vector.unreachable(self, target)
         q, gap = self.quadrances(target).sum(axis=0), bounds.rational.gap(self.p, self.l1, self.l2)
         far, near = (self.l1 + self.l2) ** 2, (self.l1 - self.l2) ** 2
         return (q > far + gap) | (q < near - gap), (q > far) | (q < near)
@@ -83,7 +88,7 @@ class Rational(Claim):
         return bounds.rational.chain(self.p, self.joints, self.l1, self.l2)
 
     def direction(self, r: Floats) -> Floats:
-        return bounds.rational.DIRECTION + 0 * r
+        return bounds.rational.direction(self.p) + 0 * r
 
     def reached(self, target: Ints) -> Floats:
         if self.joints == 2:

@@ -221,7 +221,7 @@ def test_encoder_counts_are_exact(quadrance):
     (("show", "rational_ik2-S3"), "did you mean rational_ik2-S24"),
     (("show", "rational_ik2", "-p", "Z=1"), "no parameter of rational_ik2 'Z'; there are W, F, S"),
     (("show", "rational_ik2", "-p", "W=x"), "a parameter is NAME=INTEGER"),
-    (("show", "rational_ik2", "-p", "W=40"), "is not supported: it needs W 4 to 16"),
+    (("show", "rational_ik2", "-p", "W=40"), "is not supported: it needs W 4 to 24"),
     (("cores", "--family", "rationale"), "no family 'rationale'; did you mean rational"),
     (("cores", "--family", "arith", "--function", "fk1"), "leave one of them out"),
     (("instance", "table_ik2", "--arm", "cobra60"), "no arm 'cobra60'; did you mean cobra600?"),

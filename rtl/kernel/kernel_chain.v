@@ -2,20 +2,22 @@
 // Forward kinematics of two or three joints, one after the other, on one table codec and two multipliers.
 //   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: z = y, then y = x n3, x = x c3
 // out_want names a joint. Two clocks later in_chords holds its two roots as table segments (port of the table codecs,
-// rtl/codec/README.md). The kernel knows no joint word.
+// rtl/codec/README.md); with PIPE = 1 and U above 18 three clocks later, and five their knots.
 // Formats: roots are odd integers of 2^-(U+1), so ~root is -root and 1.0 needs no extra bit. A and B are s(W+2+G) with
 // G bits below the LSB, to which every product is truncated. Outputs are rounded to nearest (ties upward) and
 // saturated.
 // Error of a coordinate: 1/2 LSB, that of the roots (bounds.rational.chain), and 2^-5 LSB for each truncated product.
-// Latency and II: 7 + 6 PIPE with two joints, 10 + 8 PIPE with three. Overflow: a coordinate was saturated.
+// Latency and II: 7 + 6 PIPE with two joints, 10 + 8 PIPE with three, and PIPE more with U above 18. Overflow: a
+// coordinate was saturated.
 // Source: rational trigonometry paper, eqs. 84 and 96. Models: rational.fk2, rational.fk3
 `default_nettype none
 module kernel_chain #(
     parameter JOINTS = 2,    // joints, 2 or 3 (default 2); the third turns the plane of the others
-    parameter W = 16,        // bits of a length and of a coordinate, 15 to 20 (default 16)
-    parameter U = 16,        // fraction bits of a root, 13 to 18 (default 16)
+    parameter W = 16,        // bits of a length and of a coordinate, 15 to 24 (default 16)
+    parameter U = 16,        // fraction bits of a root, 13 to 24, at most W + 4 (default 16); above 18 of parabolas
     parameter PIPE = 0,      // 0 or 1 (default 0: fewest clocks); 1: registers before and behind the products
-    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+    parameter MULTIPLY = 18, // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
+    parameter D = U > 18 ? 17 : 12  // bits of an offset, of one value (default 12)
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -24,7 +26,7 @@ module kernel_chain #(
     input  wire                in_valid,
     output wire                in_ready,
     output wire [JOINTS:1]     out_want,  // the codec reads this word, or none: joint 2's; [2]: a sample is accepted
-    input  wire [4*U+29:0]     in_chords,
+    input  wire [4*U+2*D+5:0]  in_chords,
     output reg                 out_valid,
     input  wire                out_ready,
     output wire signed [W-1:0] out_x,
@@ -32,7 +34,7 @@ module kernel_chain #(
     output reg  signed [W-1:0] out_z,
     output wire                out_overflow
 );
-    localparam G = 5, D = 12, N = W + 2 + G;  // guard bits; bits of an offset; bits of A and B
+    localparam G = 5, N = W + 2 + G;  // guard bits; bits of A and B
 
     // Schedule, a clock a line
     localparam [9:0]
@@ -82,6 +84,19 @@ module kernel_chain #(
     localparam [OP*2-1:0] TIP_1 = {
         /* y            */ {ROUND},
         /* x            */ {ROUND | LAST}};
+    // U above 18: a joint is read three lines before, and its knots five
+    localparam [OP*11-1:0] ELBOW_LONG = {
+        /* joint 2      */ {2{WAIT}},
+        /* joint 2      */ {CHORD},
+        /* c2, n2       */ {READ1},
+        /* c2, n2       */ {ROOTS | COS},
+        /* A, B         */ {PLACE | READ1},
+        /* joint 1      */ {CHORD},
+        /* A, B         */ {PLACED},
+        /* c1, n1       */ {ROOTS | READ3},
+        /* y            */ {WAIT},
+        /* x            */ {READ3}};
+    localparam LONG = U > 18;
     wire [OP-1:0] op;
     wire          idle;
     wire          decode = |(op & CHORD), place = |(op & PLACE), roots = |(op & ROOTS), placed = |(op & PLACED);
@@ -96,12 +111,20 @@ module kernel_chain #(
             schedule #(.LINES(9), .BITS(OP), .TABLE({ELBOW, UPRIGHT, TIP})) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
-        if (JOINTS == 2 && PIPE == 1) begin : g_two_1
+        if (JOINTS == 2 && PIPE == 1 && !LONG) begin : g_two_1
             schedule #(.LINES(12), .BITS(OP), .TABLE({ELBOW_1, TIP_1})) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
-        if (JOINTS == 3 && PIPE == 1) begin : g_three_1
+        if (JOINTS == 3 && PIPE == 1 && !LONG) begin : g_three_1
             schedule #(.LINES(17), .BITS(OP), .TABLE({ELBOW_1, UPRIGHT_1, TIP_1})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (JOINTS == 2 && PIPE == 1 && LONG) begin : g_two_long
+            schedule #(.LINES(13), .BITS(OP), .TABLE({ELBOW_LONG, TIP_1})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (JOINTS == 3 && PIPE == 1 && LONG) begin : g_three_long
+            schedule #(.LINES(18), .BITS(OP), .TABLE({ELBOW_LONG, UPRIGHT_1, TIP_1})) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
         end
         if (JOINTS == 3) begin : g_third

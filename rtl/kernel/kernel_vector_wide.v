@@ -14,7 +14,7 @@ module kernel_vector_wide #(
     parameter N = 20,                // bits of a coordinate, 20 or 24 (default 20)
     parameter JOINTS = 2,            // joints, 2 or 3 (default 2): in the plane, where in_z is not used, or in space
     parameter U = 20,                // fraction bits of a rounded word, 8 to N (default 20); above N: not rounded
-    parameter LAG = 0,               // clocks of the codec after the last word, 0 or 3 + 3 PIPE (default 0)
+    parameter LAG = 0,               // clocks of the codec after the last word, 0 to 6 (default 0)
     parameter PIPE = 0,              // 0 or 1 (default 0: fewest clocks); 1: registers behind products and tables
     parameter MULTIPLY = 18,         // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
     parameter MARGINS = 0,           // 0 or 1 (default 0); 1: cfg_margin and cfg_slack are used

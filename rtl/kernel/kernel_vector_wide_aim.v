@@ -12,7 +12,7 @@
 module kernel_vector_wide_aim #(
     parameter N = 20,                // bits of a coordinate, 20 or 24 (default 20)
     parameter U = 20,                // fraction bits of cosine and sine, 4 to N (default 20); N + 2: not rounded
-    parameter LAG = 0,               // clocks of the codec after the last word, 0 or 3 + 3 PIPE (default 0)
+    parameter LAG = 0,               // clocks of the codec after the last word, 0 to 6 (default 0)
     parameter PIPE = 0,              // 0 or 1 (default 0: fewest clocks); 1: registers behind products and tables
     parameter MULTIPLY = 18,         // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
     parameter F = N == 24 ? 29 : 25  // fraction bits of q and of an operand, of one value (default 25)

@@ -5,16 +5,16 @@
 // (ties up), saturated.
 // Error at U = 16, lengths in LSB: z is within 0.61 + 1.06 (L1 + 2 L2) / 2^16 LSB; x and y may err by
 // 0.06 + 0.83 (L1 + L2) / 2^16 LSB more: 1.28 LSB at L1 = L2 = 2^13.
-// Latency and II: 10 + 8 PIPE. The cycle table is in kernel_chain.v.
+// Latency and II: 10 + 8 PIPE, 10 + 9 PIPE with U above 18. The cycle table is in kernel_chain.v.
 // Status: overflow (a coordinate was saturated).
 // Source: rational-trigonometry paper, eqs. 24-31 in vector form, with the sign of rho that squaring loses.
 // Model: rational.fk3
 `default_nettype none
 module rational_fk3 #(
-    parameter W = 16,        // bits of a coordinate and of a length, 15 to 20 (default 16)
+    parameter W = 16,        // bits of a coordinate and of a length, 15 to 24 (default 16)
     parameter F = 8,         // fraction bits of both, 0 to W - 1 (default 8); F changes no logic
-    parameter S = 24,        // fraction bits of a turn-spread, 10 to 30 (default 24: 0.014 degrees at a border)
-    parameter U = 16,        // fraction bits of a unit vector, 13 to 18 (default 16: for coordinates of 16 bits)
+    parameter S = 24,        // fraction bits of a turn-spread, 10 to 30, to 40 with U above 18 (default 24)
+    parameter U = 16,        // fraction bits of a unit vector, 13 to 24, at most W + 4 (default 16)
     parameter PIPE = 0,      // registers before and behind products, 0 or 1 (default 0: fewest clocks)
     parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
@@ -35,9 +35,10 @@ module rational_fk3 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 15 || W > 20 || F < 0 || F >= W || S < 10 || S > 30 || U < 13 || U > 18 || PIPE < 0
-            || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
-            rational_fk3_needs_W_15_to_20_F_below_W_S_10_to_30_U_13_to_18_PIPE_0_or_1_and_MULTIPLY_18_or_27 rule ();
+        if (W < 15 || W > 24 || F < 0 || F >= W || S < 10 || S > 30 + 10 * (U > 18) || U < 13 || U > 24 || U > W + 4
+            || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            rational_fk3_needs_W_15_to_24_F_below_W_U_13_to_24_and_W_4_S_10_to_30_above_U_18_40_PIPE_0_1_MULTIPLY_18_27
+                rule ();
         end
     endgenerate
 
@@ -45,7 +46,8 @@ module rational_fk3 #(
     wire [3:1]      want;
     wire [S+1:0]    j2;
     wire [S+1:0]    word = want[1] ? j1 : want[3] ? j3 : j2;
-    wire [4*U+29:0] chords;
+    localparam      D = U > 18 ? 17 : 12;  // bits of an offset
+    wire [4*U+2*D+5:0] chords;
     wire            overflow;
     assign          out_status = {1'b0, overflow, 2'b00};
     generate
@@ -58,7 +60,13 @@ module rational_fk3 #(
         end
     endgenerate
     always @(posedge clk) if (want[2]) {j1, j3} <= {in_j1, in_j3};
-    spread_chords #(.S(S), .U(U)) codec (.clk(clk), .in_j(word), .out_chords(chords));
+    generate
+        if (U > 18) begin : g_parabolas
+            spread_parabolas #(.S(S), .U(U), .PIPE(PIPE)) codec (.clk(clk), .in_j(word), .out_chords(chords));
+        end else begin : g_chords
+            spread_chords #(.S(S), .U(U)) codec (.clk(clk), .in_j(word), .out_chords(chords));
+        end
+    endgenerate
     kernel_chain #(.JOINTS(3), .W(W), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
         .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .in_valid(in_valid),
         .in_ready(in_ready), .out_want(want), .in_chords(chords), .out_valid(out_valid), .out_ready(out_ready),

@@ -15,7 +15,7 @@ ICARUS = pytest.mark.skipif(not available("icarus"), reason="Icarus Verilog is n
 CLOCKED = [core for core in cores.all_cores() if core.clocked]
 DAILY = ["arm_ik3-W12", "engine_quaternion_dls-W16A24", "rotation_check-U16", "classic_ik2-comb-A16",
          "vector_to_half_tangent-U16T16", "half_tangent_to_vector-T16U16", "spread_to_vector-S24U16",
-         "vector_to_spread-U16S24", "kinematics_engine-N6"]
+         "vector_to_spread-U16S24", "rational_fk2-W20S36", "rational_ik1-W20S36", "kinematics_engine-N6"]
 LONG = ["engine_quaternion_gd_plane-N100"]
 ALL = [catalogue.find(name) for name in DAILY + LONG]
 

@@ -28,7 +28,8 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
         high = (1 << core.params["W"]) - 1
         last = (high >> 3, 1, 0, high, *rng.integers(0, high >> 1, 4).tolist())
         more = [{"cfg_l3": length} if core.function == "ik3r" else {} for length in last]
-        return [cfg | more[i % len(more)] for i, cfg in enumerate(_inverse(core).configs(core, rng))]
+        two = replace(core, function="ik2") if core.function == "ik3r" else core  # of its first two links
+        return [cfg | more[i % len(more)] for i, cfg in enumerate(_inverse(core).configs(two, rng))]
     high = (1 << core.params["W"]) - 1
     half = high >> 2
     part = 5 * (high >> 3)  # alone it saturates an axis, not every direction
@@ -41,7 +42,8 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
 
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
-    return _inverse(core).draw(core, rng)
+    found = _inverse(core).draw(core, rng)
+    return {"cfg_l3": stimulus.length(rng, core.params["W"])} | found
 
 
 def _words(core: Core, rng: np.random.Generator) -> dict[str, np.ndarray]:

@@ -51,7 +51,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
     if joints == 1:
         if forward:
             return 1.0 if family == "rational" else classic.fk1(p, l1)
-        return rational.DIRECTION * l1 if family == "rational" else classic.ik1(p, l1)
+        return rational.direction(p) * l1 if family == "rational" else classic.ik1(p, l1)
     if not forward:
         return 2.0
     axis = min(rational.chain(p, joints, l1, l2), 1.0) if family == "rational" else \

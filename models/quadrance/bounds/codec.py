@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance import codec_wide, codecs, conversion, truth
-from quadrance.fixed import ints
+from quadrance.fixed import Ints, ints
 from quadrance.truth import Floats, floats
 
 Params = dict[str, int]
@@ -38,9 +38,32 @@ def spread_chord(u: int) -> float:
     """Error of cos and sin of a turn-spread as `rational_fk2` reads them (odd integers of 2^-(U+1)), in units of 2^-U.
 
     Half the spacing of odd words 0.5, half the greatest sag (2^-18.5 of 1), one unit of knot and cut 1/8, the offset's
-    cut 0.022 at U = 16. 0.824 at U = 16, 1.023 at U = 17.
+    cut 0.022 at U = 16. 0.824 at U = 16, 1.023 at U = 17. Above U = 18 the greater one of `spread_roots`.
     """
+    if u > 18:
+        return max(spread_roots(u))
     return 0.5 + 2.0 ** (u - 18.5) + 0.125 + 0.022 * 2.0 ** (u - 16)
+
+
+@cache
+def spread_roots(u: int) -> tuple[float, float]:
+    """Error of the minor and of the major root of spread_parabolas, in units of 2^-U.
+
+    Half the spacing of odd words 0.5; and the segments with all that is truncated, at both ends of each 512th of every
+    one, whose hump is constant; between these a product is cut by an eighth at most. The spread may be a place more
+    than the one that is read. Segments 8 to 31 are those of ranges whose root is shifted by 6 and more.
+    """
+    at = np.arange(512) << codec_wide.PLACE - 9
+    place = np.append(at, at + (1 << codec_wide.PLACE - 9) - 1)
+
+    def worst(h: int, a: Ints, step: int) -> Floats:
+        root = codec_wide.root(*codec_wide.root_segments(u, h), a[:, None], step, place)
+        exact = [np.sqrt((a[:, None] + step * (place + more) / 2.0**codec_wide.PLACE) * 2.0**-h) * 2.0 ** (u + 3)
+                 for more in (0, 1)]
+        return np.max([np.abs(root - one) for one in exact], axis=(0, 2)) / 8 + 0.125
+
+    minor, major = worst(10, np.arange(8, 512), 1), worst(9, np.arange(257, 513), -1)
+    return 0.5 + float(max(minor[24:].max(), minor[:24].max() / 2**6)), 0.5 + float(major.max())
 
 
 def _chords(knots: ArrayLike, exact: ArrayLike) -> float:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from quadrance import table as model
@@ -50,60 +49,32 @@ def direction(p: Params) -> float:
     return 2.0**-18 * (1 + 2.5 + 0.65 + 1) + 2 * math.pi / 2.0 ** (p["A"] + 2)
 
 
-def _word(p: Params, length: ArrayLike = 0.0) -> Floats:
-    """How far (rad) the word of a joint of table_ik2 and table_ik3 is from its vector, whose length is so far off 1."""
-    return codec.angle_of_vector(p["A"], length, model.fraction(p)) + math.pi / 2 ** p["A"]
+def _word(p: Params) -> float:
+    """How far (rad) the word of a joint of table_ik2 and table_ik3 is from its vector, whose length is 1."""
+    return float(codec.angle_of_vector(p["A"], fraction=model.fraction(p))) + math.pi / 2 ** p["A"]
 
 
 def ik2(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
-    """Tip of table_ik2 at the answered words, for a target in reach.
-
-    `vector.ik2` without its rounding; the lengths of both vectors, for the words have none; both codecs and half a
-    word of both, over the distance and the second link.
-    """
-    fine = p | {"U": 40}
-    unit = 2.0 ** -fine["U"]
-    length = vector.ik2_length(fine, l1, l2, rho, n2) * unit
-    return vector.ik2(fine, l1, l2, rho, n2) + _coded(p, l2, rho, n2, length)
-
-
-def _coded(p: Params, l2: int, rho: ArrayLike, n2: ArrayLike, length: Floats) -> Floats:
-    """What the lengths of (c1, n1) and (c2, n2), their angles and the rounding of these move the tip."""
-    f = form(p)
-    rho, elbow = floats(rho), vector.root(floats(n2) ** 2, f) / 2 + 2.0 ** (1 - f.fraction)
-    near = np.minimum((1 + 1.14) * length * rho, 4 * (rho + 1))  # next to the shoulder joint 1 moves it no more
-    turned = _word(p)
-    return near + turned * (rho + l2) + (1 + 1.14) * elbow * l2
+    """Tip of table_ik2 at the answered words, for a target in reach: `vector.ik2_coded`, half a word of each joint."""
+    return vector.ik2_coded(p, l1, l2, rho, n2, _word(p))
 
 
 def ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats:
     """Tip of table_ik3 at the answered words, for targets (3, N) in reach: as `ik2`, and joint 3."""
-    fine, rho = p | {"U": 40}, np.hypot(*floats(target)[:2])
-    distance = np.sqrt((floats(target) ** 2).sum(axis=0))
-    length = vector.ik3_length(fine, l1, l2, target, n2) * 2.0 ** -fine["U"]
-    yaw = _word(p, vector.yaw(rho * 2.0 ** (form(p).bits - p["W"]), form(p))[0])
-    return vector.ik3(fine, l1, l2, target, n2) + _coded(p, l2, distance, n2, length) + yaw * rho
+    return vector.ik3_coded(p, l1, l2, target, n2, _word(p))
 
 
 def ik3r(p: Params, l1: int, l2: int, l3: int, rho: ArrayLike, n2: ArrayLike) -> Floats:
     """Tip of table_ik3r at the answered words, LSB, `rho` the distance of its wrist, in reach.
 
-    `ik2` of a wrist of 16 bits; that wrist is rounded, and its link errs by a root. The sum of the joints is
+    `ik2` of a wrist of aligned words; that wrist is rounded, and its link errs by a root. The sum of the joints is
     phi, so the last link errs no more.
     """
-    wide, more = p | {"W": 16}, 1 << 16 - p["W"]
+    wide, more = p | {"W": form(p).bits}, 1 << form(p).bits - p["W"]
     wrist = math.sqrt(2) * (0.5 + sine(wide, 2) * l3 * more)
     return (ik2(wide, l1 * more, l2 * more, floats(rho) * more, n2) + wrist) / more
 
 
 def nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
-    """Tip of table_ik2 and table_ik3 at the answered words from the nearest point of a target out of reach.
-
-    `vector.NEAREST` of words as long as the kernel's, whose lengths, two such words, turn a joint once more; codec and
-    half a word of each joint.
-    """
-    joints, reach, bits = len(target), l1 + l2, form(p).bits
-    words = (2 * reach / 2**bits + _word(p) * reach) * joints
-    if joints == 2:
-        return vector.NEAREST * reach / 2**bits + words + 0 * floats(target[0])
-    return vector.ik3_nearest(p | {"U": bits}, l1, l2, target) + words
+    """Tip of table_ik2 and table_ik3 at the answered words from the nearest point of a target out of reach."""
+    return vector.nearest_coded(p, l1, l2, target, _word(p))

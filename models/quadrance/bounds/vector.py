@@ -251,7 +251,7 @@ def radius(p: Params, target: ArrayLike) -> Floats:
     return (1 / 32 + 2.0**-f.bits) * unit + rho * (2**0.5 * 2.0 ** -(f.bits + 3) + _yaw(p, target)[0])
 
 
-def _seen(p: Params, target: ArrayLike) -> Floats:
+def quadrance_seen(p: Params, target: ArrayLike) -> Floats:
     """By how much the error of rho moves the quadrance of vector_ik3, LSB^2 of aligned words; its cut to 1/8 LSB^2."""
     off = radius(p, target)
     return (2 * np.hypot(*floats(target)[:2]) + off) * off * 4.0 ** (form(p).bits - p["W"]) + 1 / 8
@@ -263,7 +263,7 @@ def reach(p: Params, l1: int, l2: int, target: ArrayLike) -> tuple[Floats, Float
     `gap` on one side of a border only; the error of rho and fractions of q on both.
     """
     scale = 4.0 ** (p["W"] - form(p).bits)
-    seen = _seen(p, target) + 0.625 if len(target) == 3 else 0 * floats(target[0])
+    seen = quadrance_seen(p, target) + 0.625 if len(target) == 3 else 0 * floats(target[0])
     return (gap(p, l1, l2) + seen) * scale, seen * scale
 
 
@@ -275,7 +275,7 @@ def ik3(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) -> Floats
     """
     x, y, z = floats(target)
     rho = np.hypot(x, y)
-    off, seen, long = radius(p, target), _seen(p, target), np.hypot(rho, z)
+    off, seen, long = radius(p, target), quadrance_seen(p, target), np.hypot(rho, z)
     plane = [ik2(p, l1, l2, np.maximum(long + sign * off, 0), n2, seen) for sign in (-1, 1)]
     third = sum(_yaw(p, target)) + math.sqrt(0.5) * 2.0 ** -p["U"]
     return 1.001 * np.maximum(*plane) + off + rho * third
@@ -287,7 +287,7 @@ def ik3_length(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike) ->
     rho = np.hypot(x, y)
     nearer = np.maximum(np.hypot(rho, z) - radius(p, target), 0.5)
     third = _yaw(p, target)[0] * 2.0 ** p["U"] + math.sqrt(0.5)
-    return ik2_length(p, l1, l2, nearer, n2, _seen(p, target)) + third
+    return ik2_length(p, l1, l2, nearer, n2, quadrance_seen(p, target)) + third
 
 
 def ik3_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
@@ -301,3 +301,49 @@ def ik3_nearest(p: Params, l1: int, l2: int, target: ArrayLike) -> Floats:
     turned = np.arcsin(np.minimum(radius(p, target) / np.maximum(length, 1e-9), 1))
     third = sum(_yaw(p, target)) + math.sqrt(0.5) * 2.0 ** -p["U"]
     return NEAREST * (l1 + l2) / 2 ** p["U"] + at * third + 2 * at * np.sin(turned / 2)
+
+
+# The codecs behind the kernel, whose joint words have no length
+
+TANGENT = 1.14
+"""Tangent of a direction from the axis about which its word is given: its sine is below 3/4 or its cosine not."""
+
+FINE = 40  # fraction bits of a vector that is not rounded
+
+
+def ik2_coded(p: Params, l1: int, l2: int, rho: ArrayLike, n2: ArrayLike, turned: float) -> Floats:
+    """Tip of the joints that a codec makes of both vectors, each of which it turns by `turned` rad at most.
+
+    `ik2` without its rounding; the lengths of both vectors, for the words have none, and what they turn; `turned`, over
+    the distance and the second link.
+    """
+    fine = p | {"U": FINE}
+    length = ik2_length(fine, l1, l2, rho, n2) * 2.0**-FINE
+    return ik2(fine, l1, l2, rho, n2) + _coded(p, l2, rho, n2, length, turned)
+
+
+def _coded(p: Params, l2: int, rho: ArrayLike, n2: ArrayLike, length: Floats, turned: float) -> Floats:
+    """What the lengths of (c1, n1) and (c2, n2) and a codec move the tip."""
+    f = form(p)
+    rho, elbow = floats(rho), root(floats(n2) ** 2, f) / 2 + 2.0 ** (1 - f.fraction)
+    near = np.minimum((1 + TANGENT) * length * rho, 4 * (rho + 1))  # next to the shoulder joint 1 moves it no more
+    return near + turned * (rho + l2) + (1 + TANGENT) * elbow * l2
+
+
+def ik3_coded(p: Params, l1: int, l2: int, target: ArrayLike, n2: ArrayLike, turned: float) -> Floats:
+    """As `ik2_coded`, for targets (3, N) in reach, and joint 3."""
+    fine, rho = p | {"U": FINE}, np.hypot(*floats(target)[:2])
+    distance = np.sqrt((floats(target) ** 2).sum(axis=0))
+    length = ik3_length(fine, l1, l2, target, n2) * 2.0**-FINE
+    third = turned + TANGENT * _yaw(p, target)[0]
+    return ik3(fine, l1, l2, target, n2) + _coded(p, l2, distance, n2, length, turned) + third * rho
+
+
+def nearest_coded(p: Params, l1: int, l2: int, target: ArrayLike, turned: float) -> Floats:
+    """Tip of the joints of a codec from the nearest point of a target out of reach: `NEAREST` of words as long as the
+    kernel's, whose lengths, two such words, turn a joint once more; and `turned`."""
+    joints, reach, bits = len(target), l1 + l2, form(p).bits
+    words = (2 * reach / 2**bits + turned * reach) * joints
+    if joints == 2:
+        return NEAREST * reach / 2**bits + words + 0 * floats(target[0])
+    return ik3_nearest(p | {"U": bits}, l1, l2, target) + words
