@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Codec of turn-spreads after kernel_vector_wide: the cosine, then the sine of a joint make its word.
-//   out_j = axis +- m^2, m the cosine where that is in [-3/4, 3/4), else the sine
-// Formats: in_cos, in_sin have a bit a joint: in_word s4.I is its cosine, its sine. in_flat: c2 is 1, or -1 with
-// in_negative. in_none: joints 1 and 3 hold their words. out_j: turn-spreads u2.S modulo 4, rounded to nearest, ties
-// towards the axis, joint 1 lowest. Reset sets joints 1 and 3 to 0. Joint 2 is not reset: every sample writes it.
-// Error: the sine is 2^-(I+1) off, half of what in_word truncates; a length of 1 + e turns by up to 1.14 e more.
-// Latency 1 + 2 PIPE from the sine on, and a joint in as many clocks. Source: paper, eq. 3. Model:
-// rational.spread_of_vector
+// Codec of turn-spreads after kernel_vector_wide: it makes the word of a joint from its cosine, then its sine.
+//   out_j = axis +- m^2; m is the cosine where that is in [-3/4, 3/4), else the sine
+// in_cos and in_sin have one bit a joint: in_word is its cosine, or its sine. With in_flat the cosine of joint 2 is 1,
+// or -1 with in_negative. With in_none joints 1 and 3 hold their words.
+// Formats: in_word s4.I; out_j turn-spreads u2.S modulo 4, joint 1 lowest, rounded to nearest, ties towards the axis.
+// Reset sets joints 1 and 3 to 0. Joint 2 is not reset: every sample writes it.
+// Error: the sine is off by 2^-(I+1), half of what in_word truncates; a length of 1 + e turns by up to 1.14 e more.
+// Latency 1 + 2 PIPE from the sine on; a joint may follow in as many clocks. Source: paper, eq. 3.
+// Model: rational.spread_of_vector
 `default_nettype none
 module spread_of_vector #(
     parameter JOINTS = 2,    // joints of the kernel, 1 to 3 (default 2)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Table codec of turn-spreads for long words: spread_chords, whose segments are parabolas.
+// Table codec of turn-spreads for long words: as spread_chords, but its segments are parabolas.
 //   root = knot + moved + floor(step * offset / 2^17), moved = floor(bend * hump / 2^8), 2^5 in segments below 32
-// bend is half the sag of a segment, a sixteenth below 32; hump is 512 times the share of the sag at the middle of the
-// 512th of the segment that the offset is in.
-// Formats: in_j turn-spread u2.S; out_chords is the port of the table codecs (rtl/codec/README.md), a knot in it has
-// moved in it, and an offset has 17 bits. The minor root has ranges of v with tops 2^-1, 2^-5, 2^-9, 2^-13, 2^-19,
-// 2^-25, 2^-31. In the last range every word is a knot.
+// The sag is what a straight segment lacks at its middle. bend is half the sag, in segments below 32 a sixteenth of it.
+// hump tells how much of the sag belongs to the offset, times 512; it is one value for each 512th of a segment.
+// Formats: in_j turn-spread u2.S; out_chords is the port of the table codecs (rtl/codec/README.md). Its knots include
+// moved, and its offsets have 17 bits. The minor root has ranges of v with tops 2^-1, 2^-5, 2^-9, 2^-13, 2^-19, 2^-25
+// and 2^-31. In the last range every word is a knot.
 // Error of a completed root: bounds.codec.spread_roots. Latency 2 + PIPE, of the knots 2 + 3 PIPE; II 1. Source: paper,
 // eqs. 51 and 52; tables with quadratic interpolation. Model: codec_wide.spread_roots
 `default_nettype none
