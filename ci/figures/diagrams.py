@@ -154,7 +154,7 @@ DIAGRAMS = (
                                       ("arm_vectors", "words, held where undefined")), "c1 n1 … n3"),
         ("arm_rates2", "joints, ẋ ẏ", (("arm_inverse", "products of vectors and ẋ, ẏ"),
                                         ("arm_quotient", "division, rounding, saturation")), "rates"),
-        ("arm_keep3", "x y z", (("arm_solve", "as arm_ik3, branch by branch"),
+        ("arm_keep3", "x y z", (("arm_branch", "as arm_ik3, branch by branch"),
                                 ("arm_choose", "limits, nearest to the last")), "c1 n1 … n3"))),
     Diagram("engine", (
         ("engine_quaternion_gd", "x y, start", (("angle_chord", "table of the sine"),
