@@ -119,11 +119,6 @@ def shifted(total: Ints, s: Ints) -> Ints:
     return wrap(wrap(total, 34 + SUM) << 2 * s >> SUM + 7, 27)
 
 
-def unit_word(p: Params, product: Ints) -> Ints:
-    """A unit vector's coordinate, nearest (ties upward), of a product with 49 fraction bits."""
-    return wrap((product >> 48 - p["U"]) + 1 >> 1, p["U"] + 2)
-
-
 def seen(k1: Ints, k2: Ints, x: Ints, y: Ints, more: int, s: Ints) -> tuple[Ints, Ints]:
     """(x, y) seen from the axis (k1, k2): k1 x + k2 y and k1 y - k2 x, shifted."""
     return shifted(turned(k1, k2, x, y, more), s), shifted(turned(-k2, k1, x, y, more), s)

@@ -156,8 +156,8 @@ def aim(f: Format, x: Ints, y: Ints) -> tuple[Ints, Ints]:
     return (x >> over) * r, (y >> over) * r
 
 
-def _elbow(f: Format, x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints,
-           cfg_e: Ints, limits: Limits) -> tuple[Ints, ...]:
+def elbow_plane(f: Format, x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: Ints, cfg_q: Ints, cfg_r: Ints,
+                cfg_e: Ints, limits: Limits) -> tuple[Ints, ...]:
     """(c1, n1, c2, n2, unreachable, at the shoulder, near to singular) of aligned words, x with `more` fraction bits.
 
     Cosines and sines are products with 2 fraction - 1 fraction bits. Last is what `kernel_vector_solve.edges` calls
@@ -195,29 +195,57 @@ def _elbow(f: Format, x: Ints, y: Ints, more: int, elbow: Ints, l1: Ints, l2: In
     return b * r, a * r, np.where(clamped, np.where(short, -1, 1) << one, product), n2, far, q == 0, near
 
 
-def _aligned(f: Format, p: Params, limits: Limits) -> Limits:
+def aligned_limits(f: Format, p: Params, limits: Limits) -> Limits:
     """Margin and slack, the margin of aligned words."""
     return limits and (ints(limits[0]) << f.bits - p["W"], ints(limits[1]))
 
 
 def plane(p: Params, in_x: Ints, in_y: Ints, in_elbow: Ints, *words: Ints, limits: Limits = None) -> tuple[Ints, ...]:
-    """`_elbow` of the ports of a core in the plane; `words`: `cfg_l1`, `cfg_l2` and the rest of `config`."""
+    """`elbow_plane` of the ports of a core in the plane; `words`: `cfg_l1`, `cfg_l2` and the rest of `config`."""
     f = form(p)
     x, y, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_elbow, *words))
     x, y, l1, l2 = (word << f.bits - p["W"] for word in (x, y, l1, l2))
-    return _elbow(f, x, y, 0, elbow, l1, l2, *rest, _aligned(f, p, limits))
+    return elbow_plane(f, x, y, 0, elbow, l1, l2, *rest, aligned_limits(f, p, limits))
 
 
-def yaw(f: Format, x: Ints, y: Ints) -> tuple[Ints, Ints, Ints]:
-    """(c3, n3) of aligned words, products as in `_elbow`, and the length c3 x + n3 y, GUARD fraction bits."""
+def yaw(f: Format, x: Ints, y: Ints, shoulder: Ints | None = None, back: Ints = 0) -> tuple[Ints, Ints, Ints]:
+    """(c3, n3) of aligned words, products as in `elbow_plane`, and the length c3 x + n3 y, GUARD fraction bits.
+
+    `back`: both are negative. The `shoulder` offset, where there is one, is subtracted from the length and takes the
+    place of what rounds it.
+    """
     q = x * x + y * y
     s = _spare_pairs(f, q)
-    power, one = 2 * _direction_power(f, s) + 1, ints(1)
+    power, one = 2 * _direction_power(f, s) * np.where(back != 0, -1, 1) + 1, ints(1)
     r = _reciprocal(f, q << SUM, s, np.True_)
     c, n = (_shifted(f, turned(*k, x, y), s >> 1) * r for k in ((power, one), (-one, power)))
     cut = 2 * f.fraction - 3 - f.bits  # cosines keep bits + 2 fraction bits, the sum has bits + 1
     total = turned(2 * (c >> cut) + 1, 2 * (n >> cut) + 1, x, y)
-    return c, n, total + (1 << f.bits - GUARD) >> f.bits + 1 - GUARD
+    more = 1 << f.bits - GUARD if shoulder is None else -(shoulder << f.bits + 1) - (1 << SUM)
+    return c, n, total + more >> f.bits + 1 - GUARD
+
+
+def _radius(f: Format, q: Ints, back: Ints) -> Ints:
+    """The root of q with the sign of the shoulder's side, GUARD fraction bits; 0 where q is negative."""
+    q = np.maximum(q, 0)
+    s = _spare_pairs(f, q)
+    product = _shifted(f, q << SUM, s >> 1) * _reciprocal(f, q << SUM, s, np.True_)
+    return wrap(product >> 2 * f.fraction - f.bits - GUARD - (s & 1), f.bits + 6) ^ -ints(back != 0)
+
+
+def beside(f: Format, x: Ints, y: Ints, lateral: Ints, square: Ints, back: Ints) -> tuple[Ints, ...]:
+    """`yaw` of an arm whose plane passes beside the axis, and whether the point is nearer to it than that.
+
+    Joint 3 is the point seen from (rho, b), whose length is the point's own. Nearer than b rho is 0, and a direction is
+    all that matters: a power of two replaces b, and the products are with 2 / sqrt(q') instead of 1/q'.
+    """
+    q = x * x + y * y
+    near, s = q < square, _spare_pairs(f, q)
+    k1 = 2 * np.where(near, 0, _radius(f, q - square, back)) + 1
+    k2 = 2 * np.where(near, _direction_power(f, s) * np.where(lateral < 0, -1, 1), lateral << GUARD) + 1
+    r = _reciprocal(f, q << SUM, s, near)
+    c, n = (_shifted(f, turned(*k, x, y), np.where(near, s >> 1, s)) * r for k in ((k1, k2), (-k2, k1)))
+    return c, n, k1 >> 1, near
 
 
 def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words: Ints,
@@ -227,8 +255,8 @@ def space(p: Params, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, *words:
     x, y, z, elbow, l1, l2, *rest = (ints(word) for word in np.broadcast_arrays(in_x, in_y, in_z, in_elbow, *words))
     x, y, z, l1, l2 = (word << f.bits - p["W"] for word in (x, y, z, l1, l2))
     c3, n3, rho = yaw(f, x, y)
-    limits = _aligned(f, p, limits)
-    found = _elbow(f, rho, z, GUARD, elbow, l1, l2, *rest, limits)
+    limits = aligned_limits(f, p, limits)
+    found = elbow_plane(f, rho, z, GUARD, elbow, l1, l2, *rest, limits)
     if limits:
         found = (*found[:-1], found[-1] | (rho >> GUARD < limits[0]))
     return *found, c3, n3, (x == 0) & (y == 0)

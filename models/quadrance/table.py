@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from functools import cache
-from types import ModuleType
 
 import numpy as np
 
-from quadrance import codec_wide, codecs, kernel_vector_solve, kernel_vector_wide
+from quadrance import codec_wide, codecs, kernel_vector_wide, vector
 from quadrance.fixed import Ints, hold_last, ints, round_shift, saturate, wrap
 from quadrance.kernel_vector_wide import form
 from quadrance.vector import config
@@ -117,15 +116,10 @@ def _angle(p: Params, c: Ints, n: Ints) -> Ints:
     return codec_wide.angle_of_vector(p["A"], c, n, fraction(p))
 
 
-def _kernel(p: Params) -> ModuleType:
-    """The kernel of these coordinates."""
-    return kernel_vector_solve if form(p).bits == 16 else kernel_vector_wide
-
-
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
         cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    c1, n1, c2, n2, clamped, zero, near = _kernel(p).plane(
+    c1, n1, c2, n2, clamped, zero, near = vector.kernel(p).plane(
         p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
         limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {"out_j1": hold_last(_angle(p, c1, n1), ~zero), "out_j2": _angle(p, c2, n2),
@@ -135,7 +129,7 @@ def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
         cfg_r: Ints, cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joint 3 has the direction of (x, y); then `ik2` on (rho, z)."""
-    c1, n1, c2, n2, clamped, zero, near, c3, n3, on_axis = _kernel(p).space(
+    c1, n1, c2, n2, clamped, zero, near, c3, n3, on_axis = vector.kernel(p).space(
         p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
         limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {"out_j1": hold_last(_angle(p, c1, n1), ~zero), "out_j2": _angle(p, c2, n2),

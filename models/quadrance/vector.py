@@ -88,7 +88,7 @@ def _held(p: Params, joint: int, c: Ints, n: Ints, undefined: Ints) -> dict[str,
             f"out_n{joint}": hold_last(unit_word(p, n), ~undefined)}
 
 
-def _kernel(p: Params) -> ModuleType:
+def kernel(p: Params) -> ModuleType:
     """The kernel of these coordinates."""
     return kernel_vector_solve if form(p).bits == 16 else kernel_vector_wide
 
@@ -96,7 +96,7 @@ def _kernel(p: Params) -> ModuleType:
 def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints, cfg_r: Ints,
         cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joints of the tip (x, y), of the nearest point of the annulus where it is out of reach."""
-    c1, n1, c2, n2, clamped, zero, near = _kernel(p).plane(
+    c1, n1, c2, n2, clamped, zero, near = kernel(p).plane(
         p, in_x, in_y, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
         limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {**_held(p, 1, c1, n1, zero), "out_c2": unit_word(p, c2), "out_n2": unit_word(p, n2),
@@ -106,7 +106,7 @@ def ik2(p: Params, *, in_x: Ints, in_y: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_
 def ik3(p: Params, *, in_x: Ints, in_y: Ints, in_z: Ints, in_elbow: Ints, cfg_l1: Ints, cfg_l2: Ints, cfg_q: Ints,
         cfg_r: Ints, cfg_e: Ints, cfg_margin: Ints = 0, cfg_slack: Ints = 0) -> dict[str, Ints]:
     """Joint 3 has the direction of (x, y); then `ik2` on (rho, z), rho with GUARD fraction bits."""
-    c1, n1, c2, n2, clamped, zero, near, c3, n3, on_axis = _kernel(p).space(
+    c1, n1, c2, n2, clamped, zero, near, c3, n3, on_axis = kernel(p).space(
         p, in_x, in_y, in_z, in_elbow, cfg_l1, cfg_l2, cfg_q, cfg_r, cfg_e,
         limits=(cfg_margin, cfg_slack) if p.get("MARGINS") else None)
     return {**_held(p, 1, c1, n1, zero), "out_c2": unit_word(p, c2), "out_n2": unit_word(p, n2),

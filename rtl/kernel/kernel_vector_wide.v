@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // kernel_vector_solve for words of more than 16 bits: unit vectors of two joints of a tip (x, y), or of three, where
-// joint 3 turns their plane about z: (c3, n3) = (x, y) / sqrt(x^2 + y^2), and rho = c3 x + n3 y and z replace x and y.
+// joint 3 turns their plane about z: rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2), and
+// rho - a and z replace x and y.
 //   q = x^2 + y^2, c2 = (q - Q1 - Q2) / 2 L1 L2, n2 = +-sqrt(1 - c2^2), k = L1 + L2 (c2, n2), (c1, n1) = p conj(k) / q
 // Out of reach c2 = +-1, n2 = 0 and (c1, n1) = +-p / |p|, with 2 / sqrt(q) for 1/q and a power of two for k.
-// Formats: in_* sN.0; cfg_* by kernel_vector_wide.config; out_word s4.(N+2), in clocks of out_cos[i] the cosine and of
-// out_sin[i] the sine of joint i + 1, half a unit of U bits added; out_flat: c2 is 1, or -1 with out_negative;
-// out_none, until LAG clocks after the sine: joints 1 and 3 have no direction. Error of the tip: bounds.vector.ik2,
-// .ik3. Latency, II: 10 + 15 PIPE, 19 + 25 PIPE; + LAG. Status: unreachable by more than cfg_slack, 2^(2-N) of c2
-// (nearest point), singular (within cfg_margin of a stretched or folded arm or of the axis of joint 3, or x = y = 0).
-// Source: rational trigonometry paper, eqs. 18-23, 32-40. Models: kernel_vector_wide.plane, .space
+// Formats: in_* sN.0; cfg_* by kernel_vector_wide.config, arm.config; out_word s4.(N+2), in clocks of out_cos[i] the
+// cosine and of out_sin[i] the sine of joint i + 1, half a unit of U bits added; out_flat: c2 is 1, or -1 with
+// out_negative; out_none, until LAG clocks after the sine: joints 1 and 3 have no direction. Error: bounds.vector.ik2,
+// .ik3, .arm.ik3. Latency, II: 10 + 15 PIPE, 19 + 25 PIPE + (5 - 2 PIPE) LATERAL; + LAG. Status: unreachable (by over
+// cfg_slack, 2^(2-N) of c2; nearest point), singular (as vector_ik3). Models: kernel_vector_wide.plane, .space, arm.ik3
 `default_nettype none
 module kernel_vector_wide #(
     parameter N = 20,                // bits of a coordinate, 20 or 24 (default 20)
@@ -18,6 +18,8 @@ module kernel_vector_wide #(
     parameter PIPE = 0,              // 0 or 1 (default 0: fewest clocks); 1: registers behind products and tables
     parameter MULTIPLY = 18,         // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
     parameter MARGINS = 0,           // 0 or 1 (default 0); 1: cfg_margin and cfg_slack are used
+    parameter SHOULDER = 0,          // 0 or 1 (default 0), 1 with three joints only: a is cfg_shoulder, otherwise 0
+    parameter LATERAL = 0,           // 0 or 1 (default 0), likewise: b is cfg_lateral and cfg_bb -b^2, otherwise 0
     parameter F = N == 24 ? 29 : 25  // fraction bits of the words of the third multiplier, of one value (default 25)
 ) (
     input  wire                  clk,
@@ -29,12 +31,16 @@ module kernel_vector_wide #(
     input  wire [4:0]            cfg_e,
     input  wire [N-2:0]          cfg_margin,
     input  wire [N-4:0]          cfg_slack,
+    input  wire signed [N-3:0]   cfg_shoulder,
+    input  wire signed [N-1:0]   cfg_lateral,
+    input  wire signed [2*N-1:0] cfg_bb,
     input  wire                  in_valid,
     output wire                  in_ready,
     input  wire signed [N-1:0]   in_x,
     input  wire signed [N-1:0]   in_y,
     input  wire signed [N-1:0]   in_z,
     input  wire                  in_elbow,
+    input  wire                  in_back,  // the other side of the shoulder, rho < 0
     output reg                   out_valid,
     input  wire                  out_ready,
     output wire [2:0]            out_cos,
@@ -46,14 +52,15 @@ module kernel_vector_wide #(
     output wire [3:0]            out_status
 );
     // Schedule, a clock a line
-    localparam [5:0]              // operands of the first multipliers
-        KEEP    = 6'h00,          // hold
-        K1      = 6'h01,          // the product is k1
-        K2      = 6'h02,          // the product is k2
-        TURN    = 6'h04,          // (k1, k2) becomes (-k2, k1)
-        MOVE    = 6'h08,          // k2 moves to k1
-        POWER   = 6'h10,          // a power of two and 0
-        RHO     = 6'h20;          // the sum and z are the new x and y
+    localparam [6:0]              // operands of the first multipliers
+        KEEP    = 7'h00,          // hold
+        K1      = 7'h01,          // the product is k1
+        K2      = 7'h02,          // the product is k2
+        TURN    = 7'h04,          // (k1, k2) becomes (-k2, k1)
+        MOVE    = 7'h08,          // k2 moves to k1
+        POWER   = 7'h10,          // a power of two and 0
+        RHO     = 7'h20,          // rho - a and z are the new x and y
+        TAKE    = 7'h40;          // (rho, b); nearer to the axis than b: 0 and a power of two
     localparam [1:0]              // left operand of the third multiplier
         SHIFTED = 2'd0,           // the shifted sum
         FACTOR  = 2'd1,           // first factor of a root or a reciprocal
@@ -69,25 +76,26 @@ module kernel_vector_wide #(
         NONE    = 2'b00,          // nothing
         HALF    = 2'b01,          // the half that rounds a word
         LENGTH  = 2'b10;          // L1
-    localparam [15:0]             // the rest
-        OTHER   = 16'h0000,       // nothing
-        BYTES   = 16'h0001,       // bytes that q can spare
-        PAIRS   = 16'h0002,       // pairs of bits that q can spare
-        GAP     = 16'h0004,       // sign and range of q - Q1 - Q2
-        ROOT    = 16'h0008,       // read n2
-        READ    = 16'h0010,       // read 1/q'
-        INVERSE = 16'h0020,       // first factor of 1/q'
-        COS2    = 16'h0040,       // the product is c2
-        SIN2    = 16'h0080,       // the product is n2
-        HALVE   = 16'h0100,       // not q is shifted but its root: out of reach, and for joint 3
-        COS1    = 16'h0200,       // the product is c1
-        SIN1    = 16'h0400,       // the product is n1
-        FIRST   = 16'h0800,       // the next sum is the gap
-        COS3    = 16'h1000,       // the product is c3
-        SIN3    = 16'h2000,       // the product is n3
-        NEAREST = 16'h4000,       // half a unit is added to the next sum, rho
-        LAST    = 16'h8000;       // of the last line: the words are valid in the next clock
-    localparam OP = 29;           // bits of a line
+    localparam [16:0]             // the rest
+        OTHER   = 17'h00000,      // nothing
+        BYTES   = 17'h00001,      // bytes that q can spare
+        PAIRS   = 17'h00002,      // pairs of bits that q can spare
+        GAP     = 17'h00004,      // sign and range of q - Q1 - Q2
+        ROOT    = 17'h00008,      // read n2
+        READ    = 17'h00010,      // read 1/q'
+        INVERSE = 17'h00020,      // first factor of 1/q'
+        COS2    = 17'h00040,      // the product is c2
+        SIN2    = 17'h00080,      // the product is n2
+        HALVE   = 17'h00100,      // not q is shifted but its root: out of reach, and for joint 3
+        COS1    = 17'h00200,      // the product is c1
+        SIN1    = 17'h00400,      // the product is n1
+        FIRST   = 17'h00800,      // the next sum is the gap
+        COS3    = 17'h01000,      // the product is c3
+        SIN3    = 17'h02000,      // the product is n3
+        NEAREST = 17'h04000,      // half a unit is added to the next sum, rho
+        LAST    = 17'h08000,      // of the last line: the words are valid in the next clock
+        PLAIN   = 17'h10000;      // the next sums are q, not q - b^2, and less than b^2 it wants no root
+    localparam OP = 31;           // bits of a line
     //                       operands  left     right   addend  rest
     localparam [9*OP-1:0] YAW = {
         /* x^2 + y^2   */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},
@@ -99,6 +107,21 @@ module kernel_vector_wide #(
         /* c3; y       */ {K2,       SHIFTED, SAME,   HALF,   COS3},
         /* n3          */ {MOVE | K2, HOLD,   SAME,   NONE,   SIN3 | NEAREST},
         /* rho         */ {RHO,      HOLD,    SAME,   NONE,   FIRST}};
+    localparam [14*OP-1:0] BESIDE = {
+        /* q - b^2     */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},
+        /* and pairs   */ {KEEP,     HOLD,    SAME,   NONE,   PAIRS},
+        /* shifted     */ {KEEP,     HOLD,    SAME,   NONE,   INVERSE},
+        /* slope       */ {KEEP,     HOLD,    SAME,   NONE,   READ | HALVE},
+        /* w           */ {KEEP,     FACTOR,  SLOPE,  NONE,   OTHER},
+        /* 1/sqrt      */ {KEEP,     SHIFTED, RESULT, NONE,   PLAIN},
+        /* rho; q      */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},
+        /* and pairs   */ {KEEP,     HOLD,    SAME,   NONE,   PAIRS},
+        /* q'          */ {TAKE,     HOLD,    SAME,   NONE,   INVERSE},
+        /* slope       */ {KEEP,     HOLD,    SAME,   NONE,   READ | HALVE},
+        /* w           */ {KEEP,     FACTOR,  SLOPE,  NONE,   OTHER},
+        /* 1/q'; b     */ {TURN,     SHIFTED, RESULT, HALF,   OTHER},
+        /* c3; a       */ {KEEP,     SHIFTED, SAME,   HALF,   COS3},
+        /* n3; rho - a */ {RHO,      HOLD,    SAME,   NONE,   SIN3 | FIRST}};
     localparam [9*OP-1:0] SOLVE = {
         /* gap         */ {KEEP,     SHIFTED, CFG_R,  HALF,   GAP},
         /* c2          */ {KEEP,     PRODUCT, RESULT, NONE,   COS2 | BYTES},
@@ -113,12 +136,14 @@ module kernel_vector_wide #(
     // are made of settled, a line later than left and right. addend1 is loaded a line before it is added, factor three
     // lines before left. Where no product needs them, left and right load what costs nothing: SHIFTED and CFG_R.
     localparam [OP-1:0] WAIT = {KEEP, SHIFTED, CFG_R, NONE, OTHER}, STAY = {KEEP, SHIFTED, SAME, NONE, OTHER};
-    localparam [19*OP-1:0] YAW_1 = {
+    localparam [3*OP-1:0] PLANE_1 = {WAIT, /* gap */ {KEEP, SHIFTED, CFG_R, NONE, FIRST}, WAIT};
+    localparam [7*OP-1:0] COUNT_1 = {
         /* q           */ {3{WAIT}},
         /* its bytes   */ {KEEP,     SHIFTED, CFG_R,  NONE,   BYTES},
         /* and pairs   */ {KEEP,     SHIFTED, CFG_R,  NONE,   PAIRS},
         /* q'          */ {POWER,    SHIFTED, CFG_R,  NONE,   INVERSE},
-        /* slope       */ {KEEP,     SHIFTED, CFG_R,  NONE,   READ | HALVE},
+        /* slope       */ {KEEP,     SHIFTED, CFG_R,  NONE,   READ | HALVE}};
+    localparam [22*OP-1:0] YAW_1 = {COUNT_1,
         /* square      */ WAIT,
         /* slope       */ {TURN,     SHIFTED, CFG_R,  NONE,   OTHER},
         /* w           */ {KEEP,     FACTOR,  SLOPE,  NONE,   OTHER},
@@ -130,11 +155,26 @@ module kernel_vector_wide #(
         /* c3 x, n3 y  */ {KEEP,     SHIFTED, CFG_R,  NONE,   SIN3},
         /* rho         */ {KEEP,     SHIFTED, CFG_R,  NONE,   NEAREST},
         /* rho         */ WAIT,
-        /* and z       */ {RHO,      SHIFTED, CFG_R,  NONE,   OTHER}};
-    localparam [24*OP-1:0] SOLVE_1 = {
-        /* x^2, y^2    */ WAIT,
-        /* q           */ {KEEP,     SHIFTED, CFG_R,  NONE,   FIRST},
-        /* q           */ WAIT,
+        /* and z       */ {RHO,      SHIFTED, CFG_R,  NONE,   OTHER}, PLANE_1};
+    localparam [25*OP-1:0] BESIDE_1 = {COUNT_1,
+        /* square      */ {2{WAIT}},
+        /* w           */ {KEEP,     FACTOR,  SLOPE,  NONE,   OTHER},
+        /* 1/sqrt      */ {KEEP,     SHIFTED, CFG_R,  NONE,   PLAIN},
+        /* 1/sqrt      */ {KEEP,     SHIFTED, RESULT, NONE,   OTHER},
+        /* rho; q      */ {KEEP,     SHIFTED, CFG_R,  NONE,   BYTES},
+        /* and pairs   */ {KEEP,     SHIFTED, CFG_R,  NONE,   PAIRS},
+        /* rho; q'     */ {TAKE,     SHIFTED, CFG_R,  NONE,   INVERSE},
+        /* slope       */ {KEEP,     SHIFTED, CFG_R,  NONE,   READ | HALVE},
+        /* square      */ WAIT,
+        /* b; a        */ {TURN,     SHIFTED, CFG_R,  NONE,   OTHER},
+        /* w           */ {KEEP,     FACTOR,  SLOPE,  NONE,   OTHER},
+        /* 1/q'        */ WAIT,
+        /* 1/q'; b     */ {KEEP,     SHIFTED, RESULT, NONE,   OTHER},
+        /* c3; rho - a */ {RHO,      SHIFTED, SAME,   NONE,   OTHER},
+        /* c3; n3      */ {KEEP,     SHIFTED, CFG_R,  HALF,   OTHER},
+        /* n3; gap     */ {KEEP,     SHIFTED, CFG_R,  HALF,   COS3 | FIRST},
+        /* n3          */ {KEEP,     SHIFTED, CFG_R,  NONE,   SIN3}};
+    localparam [21*OP-1:0] SOLVE_1 = {
         /* gap         */ {KEEP,     SHIFTED, CFG_R,  NONE,   GAP},
         /* c2          */ {KEEP,     SHIFTED, CFG_R,  NONE,   BYTES},
         /* c2          */ {KEEP,     PRODUCT, RESULT, HALF,   PAIRS},
@@ -157,46 +197,35 @@ module kernel_vector_wide #(
         /* n1          */ {KEEP,     SHIFTED, CFG_R,  HALF,   COS1},
         /* n1          */ {KEEP,     SHIFTED, CFG_R,  NONE,   SIN1}};
     wire [OP-1:0] op;
-    wire [5:0]    operands;
+    wire [6:0]    operands;
     wire [2:0]    right_from;
     wire [1:0]    left_from, addend;
-    wire [15:0]   rest;
+    wire [16:0]   rest;
     assign        {operands, left_from, right_from, addend, rest} = op;
     wire          idle;
     wire          accept = in_valid && in_ready;
-    generate  // LAG lines wait for the codec; LAST is added to the last line, whichever that is
-        if (JOINTS == 2 && PIPE == 0) begin : g_plane
-            localparam [(9+LAG)*OP-1:0] LINES = {SOLVE, {LAG{WAIT}}} | {{((9+LAG)*OP-16){1'b0}}, LAST};
-            schedule #(.LINES(9+LAG), .BITS(OP), .TABLE(LINES)) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end
-        if (JOINTS == 2 && PIPE == 1) begin : g_plane_1
-            localparam [(24+LAG)*OP-1:0] LINES = {SOLVE_1, {LAG{WAIT}}} | {{((24+LAG)*OP-16){1'b0}}, LAST};
-            schedule #(.LINES(24+LAG), .BITS(OP), .TABLE(LINES)) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end
-        if (JOINTS == 3 && PIPE == 0) begin : g_space
-            localparam [(18+LAG)*OP-1:0] LINES = {YAW, SOLVE, {LAG{WAIT}}} | {{((18+LAG)*OP-16){1'b0}}, LAST};
-            schedule #(.LINES(18+LAG), .BITS(OP), .TABLE(LINES)) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end
-        if (JOINTS == 3 && PIPE == 1) begin : g_space_1
-            localparam [(43+LAG)*OP-1:0] LINES = {YAW_1, SOLVE_1, {LAG{WAIT}}} | {{((43+LAG)*OP-16){1'b0}}, LAST};
-            schedule #(.LINES(43+LAG), .BITS(OP), .TABLE(LINES)) control (
-                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
-        end
-    endgenerate
+    localparam SPACE = JOINTS == 3;
+    localparam COUNT = PIPE == 0 ? 9 + SPACE * (9 + 5 * LATERAL) : 24 + SPACE * (19 + 3 * LATERAL);
+    localparam [46*OP-1:0] TABLE =  // the last COUNT lines
+        PIPE == 0 ? (!SPACE ? {{37{WAIT}}, SOLVE} : LATERAL ? {{23{WAIT}}, BESIDE, SOLVE} : {{28{WAIT}}, YAW, SOLVE})
+        : !SPACE ? {{22{WAIT}}, PLANE_1, SOLVE_1} : LATERAL ? {BESIDE_1, SOLVE_1} : {{3{WAIT}}, YAW_1, SOLVE_1};
+    // LAG lines wait for the codec; LAST is added to the last line, whichever that is
+    localparam [(COUNT+LAG)*OP-1:0] LINES = {TABLE[COUNT*OP-1:0], {LAG{WAIT}}};
+    schedule #(.LINES(COUNT+LAG), .BITS(OP), .TABLE(LINES | {{((COUNT+LAG)*OP-17){1'b0}}, LAST})) control (
+        .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
     assign        in_ready = idle && (!out_valid || out_ready);
     always @(posedge clk)
         out_valid <= !rst && (|(rest & LAST) || (out_valid && !out_ready));
 
-    // The addend of the first multipliers is 0 but in two sums: cfg_q turns q into the gap, NEAREST rounds rho
-    reg                  elbow, clamped, zero, zero3, beyond, short, half;
+    // The addend of the first multipliers is 0 but in three sums: cfg_q turns q into the gap, cfg_bb into rho^2,
+    // NEAREST rounds rho or makes it rho - a
+    reg                  elbow, back, beside, near_axis, odd_root, clamped, zero, zero3, beyond, short, half;
     reg         [2*N+1:0] addend1;
     reg         [4:0]    s;
     reg         [N-1:0]  l1;
     reg  signed [F+1:0]  left, right;
-    wire        [N+5:0]  result, k2;
+    wire        [N+5:0]  result;
+    wire        [N+1:0]  k2;
     wire        [2*N+4:0] total;
     wire        [F+1:0]  word;
     wire        [2:0]    coarse;
@@ -205,12 +234,16 @@ module kernel_vector_wide #(
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [2*F+3:0] product, settled;
     /* verilator lint_on UNUSEDSIGNAL */
-    kernel_vector_wide_turn #(.N(N), .JOINTS(JOINTS), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) turn (
+    wire        [N+5:0]  length = (odd_root ? settled[2*F:2*F-N-5] : settled[2*F+1:2*F-N-4]) ^ {(N+6){back}};
+    kernel_vector_wide_turn #(.N(N), .JOINTS(JOINTS), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .PIPE(PIPE),
+        .MULTIPLY(MULTIPLY)) turn (
         .clk(clk), .in_start(accept), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_rho(|(operands & RHO)),
         .in_total(total[2*N+1:N-3]), .in_k1(|(operands & K1)), .in_k2(|(operands & K2)), .in_turn(|(operands & TURN)),
         .in_move(|(operands & MOVE)), .in_power(|(operands & POWER)), .in_clamp(clamped), .in_odd(s[0]),
-        .in_sum(result), .in_product(product[2*F+2:2*F-3-N]), .in_addend(addend1), .in_margin(cfg_margin),
-        .out_axis(axis), .out_k2(k2), .out_sum(total));
+        .in_take(|(operands & TAKE)), .in_near(near_axis), .in_back(back), .in_length(length),
+        .in_lateral(cfg_lateral), .in_shoulder(cfg_shoulder), .in_sum(result),
+        .in_product(product[2*F+2:2*F-3-N]), .in_addend(addend1), .in_margin(cfg_margin), .out_axis(axis),
+        .out_k2(k2), .out_sum(total));
     kernel_vector_wide_shift #(.N(N)) shift (.in_sum(total), .in_s(s), .out_word(word), .out_over(over),
         .out_coarse(coarse), .out_fine(fine), .out_zero(none));
     generate
@@ -246,42 +279,28 @@ module kernel_vector_wide #(
     assign out_flat = outside;
     assign out_negative = short;
 
-    // Margin and slack: the target is out of reach where c2 less the slack is 1 or more, the elbow is near to singular
-    // where k2 less the margin has another sign
     wire near, far;
-    generate
-        if (MARGINS == 1) begin : g_margins
-            reg          side;   // n2 is negative
-            reg          loaded; // k2 is new
-            reg          much;   // c2 is negative, or 2 or more
-            reg  [N-3:0] above;  // its fraction
-            reg          close, away;
-            wire [N+1:0] left_over = k2[N+5:4] + ({3'd0, cfg_margin} ^ {(N+2){!side}}) + {{(N+1){1'b0}}, !side};
-            assign       near = close;
-            assign       far = away;
-            always @(posedge clk) begin
-                if (root)
-                    side <= elbow && !clamped && !settled[2*F+1];
-                loaded <= |(operands & K2);
-                if (loaded)
-                    close <= axis || left_over[N+1] != k2[N+5];
-                if (|(rest & COS2)) begin
-                    above <= settled[2*F-2 -: N-2];
-                    much  <= beyond || settled[2*F+3:2*F] != 4'd0;
-                end
-                away <= clamped && (much || above >= {1'b0, cfg_slack});
-            end
-        end else begin : g_none
-            wire   unused = &{1'b0, cfg_margin, cfg_slack, k2, axis};
-            assign near = 1'b0;
-            assign far = clamped;
-        end
-    endgenerate
-    assign out_status = {2'd0, (JOINTS == 3 ? zero3 : zero) || near, far};
+    kernel_vector_wide_edges #(.N(N), .MARGINS(MARGINS)) edges (.clk(clk), .cfg_margin(cfg_margin),
+        .cfg_slack(cfg_slack), .in_root(root), .in_bent(elbow && !clamped && !settled[2*F+1]), .in_axis(axis),
+        .in_load(|(operands & K2)), .in_k2(k2), .in_cos2(|(rest & COS2)), .in_above(settled[2*F-2 -: N-2]),
+        .in_much(beyond || settled[2*F+3:2*F] != 4'd0), .in_clamped(clamped), .out_near(near), .out_far(far));
+    localparam ZERO = JOINTS == 2 || SHOULDER || LATERAL;  // otherwise at the shoulder is on the axis, too
+    wire   plain = |(rest & PLAIN), unused_offsets = &{1'b0, cfg_shoulder, cfg_lateral, cfg_bb, length};
+    assign out_status = {2'd0, ZERO && zero || SPACE && zero3 || near, far || LATERAL && near_axis};
     always @(posedge clk) begin
         addend1 <= {{(N+8){1'b0}}, |(rest & NEAREST), {(N-7){1'b0}}};
-        if (accept)
+        if (SHOULDER && |(rest & NEAREST))
+            addend1 <= {{6{!cfg_shoulder[N-3]}}, ~cfg_shoulder, {(N-2){1'b1}}};
+        if (LATERAL && (accept || beside && !plain))
+            addend1 <= {{2{cfg_bb[2*N-1]}}, cfg_bb};
+        if (accept) begin
             elbow <= in_elbow;
+            back  <= in_back;
+        end
+        if (accept || plain)
+            beside <= accept;
+        if (beside && |(rest & BYTES))
+            near_axis <= total[2*N+4];
         if (first) begin
             s       <= cfg_e;
             addend1 <= cfg_q;
@@ -290,14 +309,16 @@ module kernel_vector_wide #(
             zero3 <= zero;
         if (|(rest & BYTES))
             s[4:2] <= coarse;
-        if (|(rest & COS2) || JOINTS == 3 && accept)
-            clamped <= JOINTS == 3 && accept || outside;
+        if (|(rest & COS2) || SPACE && accept || LATERAL && plain)
+            clamped <= SPACE && accept || (LATERAL && plain ? near_axis : outside);
         if (|(rest & PAIRS)) begin
             s[1:0] <= fine;
             zero   <= none;
         end
-        if (|(rest & HALVE) && clamped)
-            s <= s >> 1;
+        if (|(rest & HALVE) && clamped) begin
+            s        <= s >> 1;
+            odd_root <= s[0];
+        end
         if (|(rest & GAP)) begin
             beyond <= over;
             short  <= total[2*N+4];

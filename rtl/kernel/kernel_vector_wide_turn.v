@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operands of the first two multipliers of kernel_vector_wide, and the sum of both products:
 //   out_sum = k1 x + k2 y + in_addend, each product truncated to 2^-3
-//   in_start: k1, x are in_x and k2, y are in_y. in_rho: k1, x are in_total and k2, y are z
-//   in_power: (k1, k2) is (2^(N-1), 0), or (2^N, 0) with in_odd. in_k1: k1 is in_sum, or with in_clamp that power,
-//   signed. in_k2: k2 is in_product. in_move: k1 is k2. in_turn: (k1, k2) is (-k2, k1)
-//   out_axis, from the clock after in_rho until in_start: rho is less than in_margin
-// Formats: in_x, in_y, in_z sN.0; in_total s(N+1).4; in_sum, in_product, k1, k2 s(N+2).4; in_addend s(2N+2).0; out_sum
-// s(2N+2).3. A constant 1 below the last bit of k1 and k2 centres truncation and makes the one's complement an exact
-// negation; it is 0 where they are coordinates. out_sum is combinational in the registers; with PIPE = 1 it is a
-// register three clocks later, and in_addend belongs to the clock before its last. Error: the truncation. Latency 1 + 3
-// PIPE. Model: kernel_vector_solve.turned
+//   in_start: k1, x are in_x and k2, y are in_y. in_rho: k1, x are in_total, or with LATERAL = 1 k2 less in_shoulder,
+//   and k2, y are z. in_power: k1 is 2^(N-1), 2^N with in_odd, negative with in_back, and k2 is 0. in_k1: k1 is in_sum,
+//   or with in_clamp that power, signed. in_k2: k2 is in_product. in_move: k1 is k2. in_turn: (k1, k2) is (-k2, k1).
+//   in_take: k1, k2 are in_length, in_lateral, with in_near 0 and the power. out_axis, after in_rho: |rho| < in_margin
+// Formats: in_x, in_y, in_z, in_lateral sN.0; in_shoulder s(N-2).0; in_total s(N+1).4; in_sum, in_product, in_length,
+// k1, k2 s(N+2).4; in_addend s(2N+2).0; out_sum s(2N+2).3. A constant 1 below the last bit of k1 and k2 centres
+// truncation and makes the complement a negation; it is 0 in coordinates. With PIPE = 1 out_sum is three clocks later,
+// and in_addend belongs to the clock before its last. Latency 1 + 3 PIPE. Model: kernel_vector_solve.turned
 `default_nettype none
 module kernel_vector_wide_turn #(
     parameter N = 20,        // bits of a coordinate, 20 or 24 (default 20)
     parameter JOINTS = 2,    // joints, 2 or 3 (default 2); in_z, in_rho, in_total, in_move, in_power, in_margin: 3 only
+    parameter SHOULDER = 0,  // 0 or 1 (default 0); 1: in_shoulder is used
+    parameter LATERAL = 0,   // 0 or 1 (default 0); 1: in_take and what belongs to it replace in_power and in_move
     parameter PIPE = 0,      // 0 or 1 (default 0); 1: registers behind partial products, products and the sum
     parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
@@ -31,21 +32,31 @@ module kernel_vector_wide_turn #(
     input  wire                in_power,
     input  wire                in_clamp,
     input  wire                in_odd,
+    input  wire                in_take,
+    input  wire                in_near,
+    input  wire                in_back,
+    input  wire [N+5:0]        in_length,
+    input  wire signed [N-1:0] in_lateral,
+    input  wire signed [N-3:0] in_shoulder,
     input  wire [N+5:0]        in_sum,
     input  wire [N+5:0]        in_product,
     input  wire [2*N+1:0]      in_addend,
     input  wire [N-2:0]        in_margin,
     output wire                out_axis,
-    output wire [N+5:0]        out_k2,
+    output wire [N+1:0]        out_k2,  // without its fraction
     output wire [2*N+4:0]      out_sum
 );
     localparam SPACE = JOINTS == 3, D = SPACE ? 4 : 0;  // D: fraction bits of x
     localparam X = SPACE ? 5 : 0;                       // bits that x has more than a coordinate
-    wire                  rho = SPACE && in_rho, move = SPACE && in_move, power = SPACE && in_power;
-    wire                  load = in_start || rho;
-    wire signed [N+4:0]   first = rho ? in_total : {in_x[N-1], in_x, 4'd0};
-    wire signed [N-1:0]   second;
     reg         [N+5:0]   k1, k2;
+    wire                  rho = SPACE && in_rho, take = LATERAL != 0 && in_take;
+    wire                  move = SPACE && LATERAL == 0 && in_move, power = SPACE && LATERAL == 0 && in_power;
+    wire                  load = in_start || rho;
+    wire        [N:0]     offset = SHOULDER ? {{3{in_shoulder[N-3]}}, in_shoulder} : {(N+1){1'b0}};
+    wire        [N:0]     beside = k2[N+4:4] - offset;  // the distance from the shoulder where k2 is that from the axis
+    wire signed [N+4:0]   first = !rho ? {in_x[N-1], in_x, 4'd0} : LATERAL ? {beside, k2[3:0]} : in_total;
+    wire                  minus = power ? in_back : in_sum[N+5];
+    wire signed [N-1:0]   second;
     reg                   odd;
     reg  signed [N+X-1:0] x;
     reg  signed [N-1:0]   y;
@@ -82,7 +93,8 @@ module kernel_vector_wide_turn #(
         if (SPACE) begin : g_space
             reg signed [N-1:0] z;
             assign             second = rho ? z : in_y;
-            assign             out_axis = x[N+4:4] < {2'd0, in_margin};  // x is rho, not negative
+            wire        [N:0]  distance = (x[N+4:4] + offset) ^ {(N+1){in_back}};
+            assign             out_axis = distance < {2'd0, in_margin};
             always @(posedge clk)
                 if (in_start)
                     z <= in_z;
@@ -91,22 +103,30 @@ module kernel_vector_wide_turn #(
             assign second = in_y;
             assign out_axis = 1'b0;
         end
+        if (!LATERAL) begin : g_through
+            wire unused = &{1'b0, in_take, in_near, in_length, in_lateral, in_shoulder, beside};
+        end
     endgenerate
 
-    assign out_k2 = k2;
+    assign out_k2 = k2[N+5:4];
     always @(posedge clk) begin
         if (load) begin
             x <= first[N+3+X-D:4-D];
             y <= second;
         end
-        if (load || in_k1 || power)
+        if (load || in_k1 || power || take)
             odd <= !load;
         if (load || in_k1 || in_turn || move)
             k1 <= load ? {first[N+4], first} : in_k1 ? in_sum : k2 ^ {(N+6){!move}};
+        if (take)
+            k1 <= in_near ? {(N+6){1'b0}} : in_length;
         if (in_k1 && in_clamp || power)
-            k1 <= {in_sum[N+5] && !power, in_sum[N+5] && !power || in_odd, !in_odd, {(N+3){1'b0}}};
+            k1 <= {minus, minus || in_odd, !in_odd, {(N+3){1'b0}}};
         if (load || in_k2 || in_turn)
             k2 <= load ? {{2{second[N-1]}}, second, 4'd0} : in_k2 ? in_product : k1;
+        if (take)
+            k2 <= in_near ? {in_lateral[N-1], in_lateral[N-1] || in_odd, !in_odd, {(N+3){1'b0}}}
+                          : {{2{in_lateral[N-1]}}, in_lateral, 4'd0};
         if (power)
             k2 <= {(N+6){1'b0}};
     end

@@ -74,7 +74,8 @@ module rational_ik3 #(
             kernel_vector_wide #(.N(N), .JOINTS(3), .U(I), .LAG(1+2*PIPE), .PIPE(PIPE), .MULTIPLY(MULTIPLY),
                                  .MARGINS(MARGINS)) kernel (
                 .clk(clk), .rst(rst), .cfg_l1(l1), .cfg_l2(l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
-                .cfg_margin(margin), .cfg_slack(cfg_slack),
+                .cfg_margin(margin), .cfg_slack(cfg_slack), .cfg_shoulder({(N-2){1'b0}}), .cfg_lateral({N{1'b0}}),
+                .cfg_bb({(2*N){1'b0}}), .in_back(1'b0),
                 .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(in_elbow),
                 .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine), .out_word(word),
                 .out_flat(flat), .out_negative(negative), .out_none(none), .out_status(out_status));

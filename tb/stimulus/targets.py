@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from quadrance import kernel_vector_solve
+from quadrance import kernel_vector_wide
 from quadrance.cores import Core
 
 from tb.lib import stimulus
@@ -20,13 +20,13 @@ def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
                (64, 50), (700, 900), (2900, 3000), *rng.integers(0, high, (3, 2), endpoint=True).tolist(),
                *rng.integers(0, half, (3, 2)).tolist()]
     pairs = [{"cfg_l1": min(l1, high), "cfg_l2": min(l2, high)} for l1, l2 in lengths]
-    return edges.joined(core, rng, [pair | kernel_vector_solve.config(core.params, **pair) for pair in pairs])
+    return edges.joined(core, rng, [pair | kernel_vector_wide.config(core.params, **pair) for pair in pairs])
 
 
 def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
     """Any links, and their words."""
     pair = {f"cfg_l{i}": length(rng, core.params["W"]) for i in (1, 2)}
-    derived = kernel_vector_solve.config(core.params, **pair) if core.function.startswith("ik") else {}
+    derived = kernel_vector_wide.config(core.params, **pair) if core.function.startswith("ik") else {}
     return pair | {"cfg_l3": length(rng, core.params["W"])} | derived | edges.drawn(core, rng, pair["cfg_l2"])
 
 
