@@ -11,6 +11,7 @@ from quadrance import arm, arm_keep, arms, bounds, kernel_vector_solve, truth, t
 from quadrance.arms import ArmError
 from quadrance.bounds import arm as limits
 from quadrance.cores import all_cores
+from quadrance.kernel_vector_wide import form
 
 W16 = {"W": 16, "F": 8, "U": 16}
 ALL = {name: 1 for name in arm.SWITCHES}
@@ -92,7 +93,7 @@ def _claims(p: dict[str, int], built: arms.Arm) -> None:
         assert np.max(error[away]) <= 2  # LSB, all over the workspace, a unit and more from the shoulder axis
     off = limits.radius(p, rho)
     # always flagged out of reach, never in reach, but for what rho errs and the gap that vector_reach allows
-    allowed = 1.1 * off + (bounds.vector.gap(p, l1, l2) * 4.0 ** (p["W"] - 16) + 2) / np.maximum(2 * far, 1) + 1e-6
+    allowed = 1.1 * off + (bounds.vector.gap(p, l1, l2) * 4.0 ** (p["W"] - form(p).bits) + 2) / np.maximum(2 * far, 1) + 1e-6
     assert np.all(out["out_status"][inside < -allowed] & 1 == 1)
     assert np.all(out["out_status"][inside > allowed] & 1 == 0)
     beyond = (inside < -2) & (far > 16)
