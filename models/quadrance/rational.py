@@ -23,8 +23,11 @@ Params = dict[str, int]
 def fk1(p: Params, *, in_j1: Ints, cfg_l1: Ints) -> dict[str, Ints]:
     """``x = L1 cos, y = L1 sin``, nearest (ties upward) and saturated.
 
-    Each coordinate is within 1/2 + 1/16 + 0.52 L1 / 2^15 LSB, L1 in LSB.
+    Each coordinate is within 1/2 + 1/16 + 0.52 L1 / 2^15 LSB, L1 in LSB; with W above 18 see `bounds.rational.fk1`.
     """
+    if p["W"] > 18:
+        p = p | {"U": p["W"]}
+        return _coordinates(p, "xy", _turn(p, ints(cfg_l1) << 5, ints(0), *_roots(p, in_j1)))
     s, spread = p["S"], ints(in_j1) & (1 << p["S"]) - 1
     odd, lower = ints(in_j1) >> s & 1, ints(in_j1) >> s + 1 & 1
 

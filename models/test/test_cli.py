@@ -368,6 +368,24 @@ def test_a_switch_that_the_arm_does_not_need_may_be_built(quadrance):
     assert re.search(r"\.cfg_lateral\(16'sd0\), +// 0 mm, constants.lateral", text)
 
 
+def test_a_rule_is_asked_with_the_switches_of_the_arm(quadrance, sampled, monkeypatch):
+    """A rule that allows long words without a lateral offset alone: the arm that has none is served, the other is not.
+    """
+    def rule(core, values):
+        return "it needs LATERAL 0 above F 8" * bool(values.get("LATERAL") and values["F"] > 8)
+
+    monkeypatch.setattr(catalogue, "_broken_rule", rule)
+    assert ".F(9), " in quadrance("instance", "arm_fk3", "--arm", "kr6_r700", "-p", "F=9")
+    assert "it needs LATERAL 0" in quadrance("instance", "arm_fk3", "-p", "F=9", code=2)
+    assert "it needs LATERAL 0" in quadrance("instance", "arm_fk3", "--arm", "kr6_r700", "-p", "F=9", "-p", "LATERAL=1",
+                                             code=2)
+    row = next(row for row in choose.rows() if row.core.name == "arm_fk3" and row.core.params["LATERAL"])
+    wish = choose.Wish("arm_fk3", arms.load("kr6_r700"), words.word("vector:14"), "ecp5")
+    monkeypatch.setattr(choose, "_fraction", lambda core, arm: 9)
+    served = choose._served(row, wish, {"U": 14})
+    assert (served.params["LATERAL"], served.params["F"], served.params["U"]) == (0, 9, 14)
+
+
 def test_rates_want_their_thresholds(quadrance, tmp_path):
     file = tmp_path / "mine.toml"
     file.write_text(re.sub(r"\[singular\]\nelbow = .*\n", "", arms.path_of("cobra600").read_text()))

@@ -37,7 +37,7 @@ def test_fk1_error(s, length):
     answer = rational.fk1(ONE | {"S": s}, in_j1=word, cfg_l1=length)
     x, y = truth.fk1(truth.spread_word_to_angle(word, s), length)
     dx, dy = answer["out_x"] - x, answer["out_y"] - y
-    assert max(np.abs(dx).max(), np.abs(dy).max()) <= bounds.rational.fk1(length)
+    assert max(np.abs(dx).max(), np.abs(dy).max()) <= bounds.rational.fk1(ONE, length)
     assert np.hypot(dx, dy).max() <= 1.0
     assert not answer["out_status"].any()
 
@@ -75,7 +75,7 @@ def test_fk1_saturates_with_a_flag():
     word = _words(24)
     answer = rational.fk1(ONE, in_j1=word, cfg_l1=65535)
     x, y = truth.fk1(truth.spread_word_to_angle(word, 24), 65535)
-    away = bounds.rational.fk1(65535)
+    away = bounds.rational.fk1(ONE, 65535)
     for port, exact in (("out_x", x), ("out_y", y)):
         assert (np.abs(answer[port] - np.clip(exact, -32768, 32767)) <= away).all()
     outside = np.maximum.reduce([x - 32767, -32768 - x, y - 32767, -32768 - y])
@@ -175,6 +175,28 @@ def test_roots_are_within_their_bound_in_every_quadrant(p: dict[str, int]) -> No
     for root, exact in zip(find(p, words), truth.unit(theta)):
         error = np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"]
         assert error <= bounds.codec.spread_chord(p["U"]) and (p["S"] < 36 or error > 0.65)
+
+
+@pytest.mark.parametrize("p", LONG, ids=lambda p: f"S{p['S']}U{p['U']}")
+def test_fk1_of_long_words(p: dict[str, int]) -> None:
+    """Every border, table ranges and the rest of the circle; a link a word has no room for saturates, with its flag."""
+    high, s = (1 << p["W"] - 1) - 1, p["S"]
+    borders = (np.arange(4)[:, None] * (1 << s) + np.arange(-4096, 4096)).ravel() & (4 << s) - 1
+    words = np.append(_angles(np.random.default_rng(5), s, 200_000), borders)
+    for length in (1, 1 << p["W"] - 2, high, 2 * high + 1):
+        out = rational.fk1(p, in_j1=words, cfg_l1=length)
+        exact = np.stack(truth.fk1(truth.spread_word_to_angle(words, s), length))
+        bound, got = bounds.rational.fk1(p, length), np.stack([out["out_x"], out["out_y"]])
+        error = np.abs(got - np.clip(exact, -high - 1, high))
+        assert error.max() <= bound and (s < 36 or error.max() > 0.6 * bound)
+        beyond = np.max(np.maximum(exact - high - 0.5, -high - 1.5 - exact), axis=0)
+        told = np.abs(beyond) > bound - 0.5
+        assert np.array_equal((out["out_status"] == 4)[told], (beyond > 0)[told])
+        if length == 1 << p["W"] - 2:
+            assert np.hypot(*(got - exact)).max() <= bounds.rational.fk1_tip(p, length)
+        for k, (c, n) in enumerate([(1, 0), (0, 1), (-1, 0), (0, -1)]):
+            border = rational.fk1(p, in_j1=np.array([k << s]), cfg_l1=length)
+            assert length > high or (border["out_x"][0], border["out_y"][0]) == (c * length, n * length)
 
 
 @pytest.mark.parametrize(("l1", "l2"), LINKS)

@@ -50,7 +50,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
         return vector.tip(p, joints, l1, l2) if forward else 1e-9 * l1 if joints == 1 else 2.0  # ik1: float64 alone
     if joints == 1:
         if forward:
-            return 1.0 if family == "rational" else classic.fk1(p, l1)
+            return rational.fk1_tip(p, l1) if family == "rational" else classic.fk1(p, l1)
         return rational.direction(p) * l1 if family == "rational" else classic.ik1(p, l1)
     if not forward:
         return 2.0

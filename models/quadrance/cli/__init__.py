@@ -180,10 +180,11 @@ def _show(args: argparse.Namespace) -> None:
 def _around(args: argparse.Namespace) -> tuple[Core, arms.Arm | None, dict[str, int]]:
     """The core that the command line names, as the arm wants it, the arm, and the configuration words for it."""
     params = _params(args.param)
-    core = catalogue.find(args.core, params)
-    arm = check.load(args.arm) if args.arm else None
-    core = verilog.fitted(core, arm, params) if arm else core
-    return core, arm, verilog.config(core, arm) if arm else {}
+    if not args.arm:
+        return catalogue.find(args.core, params), None, {}
+    listed, arm = catalogue.find(args.core), check.load(args.arm)
+    core = verilog.fitted(listed, arm, params)
+    return core, arm, verilog.config(core, arm)
 
 
 def _instance(args: argparse.Namespace) -> None:

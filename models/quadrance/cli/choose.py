@@ -20,7 +20,7 @@ from quadrance.accuracy import cases, of_core, pose
 from quadrance.arms import Arm, ArmError
 from quadrance.cli import check, verilog, words
 from quadrance.cli.around import around
-from quadrance.cli.catalogue import WORDS, Refused, at, find, functions, report, title
+from quadrance.cli.catalogue import WORDS, Refused, find, functions, report, title
 from quadrance.cli.tables import Column, console, grid
 from quadrance.cli.tip import SERVED
 from quadrance.cores import Core
@@ -155,13 +155,13 @@ def _fraction(core: Core, arm: Arm) -> int:
 
 def _served(row: Row, wish: Wish, word: dict[str, int]) -> Core:
     """The core of a row with another joint word, the arm's switches and the finest F whose words hold the arm."""
-    params = row.core.params | word
-    params["F"] = min(_fraction(row.core, wish.arm), params["W"] - 1)
+    width = row.core.params["W"]
+    params = word | {"F": min(_fraction(row.core, wish.arm), width - 1)}
     if params["F"] < 0:
-        raise Refused(f"{params['W']} bits of a coordinate do not hold {_reach(row.core, wish.arm):g} mm at "
+        raise Refused(f"{width} bits of a coordinate do not hold {_reach(row.core, wish.arm):g} mm at "
                       f"{wish.arm.mm_per_unit:g} mm a unit: raise mm_per_unit")
     while True:
-        core = verilog.fitted(at(row.core, params), wish.arm, {})
+        core = verilog.fitted(row.core, wish.arm, params)
         try:
             verilog.config(core, wish.arm)
             return core

@@ -65,7 +65,8 @@ def _refuse(core: Core, arm: Arm) -> None:
 
 
 def fitted(core: Core, arm: Arm, given: dict[str, int]) -> Core:
-    """The core with the switches that the arm wants.
+    """The core at the parameters that the user gave and with the switches that the arm wants, all at once: its rule
+    may allow a word with these switches alone.
 
     A switch that the user gave as 1 stays where the arm has nothing for it: its word is 0. Refused for any other that
     contradicts the arm, for the core would then be another arm's.
@@ -81,7 +82,8 @@ def fitted(core: Core, arm: Arm, given: dict[str, int]) -> Core:
             raise Refused(f"{core.name}: -p {key}={value} contradicts constants.{name} = {said} of {arm.id}: leave it "
                           "out, or change the arm file")
         wanted[key] = value
-    return at(core, wanted) if any(core.params[key] != value for key, value in wanted.items()) else core
+    params = given | wanted
+    return at(core, params) if any(core.params.get(key) != value for key, value in params.items()) else core
 
 
 def config(core: Core, arm: Arm) -> dict[str, int]:
