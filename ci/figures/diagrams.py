@@ -125,12 +125,12 @@ class Diagram:
 DIAGRAMS = (
     Diagram("vector", (
         ("vector_fk2", "c1 n1 c2 n2", (("kernel_vector_chain", "products, sums, rounding"),), "x y"),
-        ("vector_ik2", "x y elbow", (("kernel_vector", "products; tables of 1/q and √v"),
+        ("vector_ik2", "x y elbow", (("kernel_vector_solve", "products; tables of 1/q and √v"),
                                      ("unit_vectors", "words, held where undefined")), "c1 n1 c2 n2"))),
     Diagram("table", (
         ("table_fk2", "j1 j2", (("", "j1, j1 + j2"), ("angle_chord", "table of the sine"),
                                 ("kernel_links", "products, sums, rounding")), "x y"),
-        ("table_ik2", "x y elbow", (("kernel_vector", "products; tables of 1/q and √v"),
+        ("table_ik2", "x y elbow", (("kernel_vector_solve", "products; tables of 1/q and √v"),
                                     ("angle_of_vector", "table of the arc sine")), "j1 j2"))),
     Diagram("classic", (
         ("classic_fk2", "j1 j2", (("classic_chain_iter", "a link a rotation, by CORDIC"),

@@ -66,11 +66,26 @@ module arm_keep2 #(
             x <= in_x;
             y <= in_y;
         end
-    kernel_vector #(.W(W), .JOINTS(2), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
-        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
-        .cfg_margin({(W-1){1'b0}}), .cfg_slack({(N-3){1'b0}}), .in_valid(go), .in_ready(ready), .in_x(x), .in_y(y),
-        .in_z({W{1'b0}}), .in_elbow(number[0]), .out_valid(done), .out_ready(next), .out_cos(cosine), .out_sin(sine),
-        .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none), .out_status(status));
+    wire signed [N-1:0] aligned_x = {x, {(N-W){1'b0}}}, aligned_y = {y, {(N-W){1'b0}}};
+    wire [N-1:0]        l1 = {cfg_l1, {(N-W){1'b0}}}, l2 = {cfg_l2, {(N-W){1'b0}}};
+    generate
+        if (N == 16) begin : g_narrow
+            kernel_vector_solve #(.JOINTS(2), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
+                .clk(clk), .rst(rst), .cfg_l1(l1), .cfg_l2(l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
+                .cfg_margin(15'd0), .cfg_slack(13'd0), .in_valid(go), .in_ready(ready), .in_x(aligned_x),
+                .in_y(aligned_y), .in_z(16'd0), .in_elbow(number[0]), .out_valid(done), .out_ready(next),
+                .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat), .out_negative(negative),
+                .out_none(none), .out_status(status));
+        end else begin : g_wide
+            kernel_vector_wide #(.N(N), .JOINTS(2), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
+                .clk(clk), .rst(rst), .cfg_l1(l1), .cfg_l2(l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
+                .cfg_margin({(N-1){1'b0}}), .cfg_slack({(N-3){1'b0}}), .cfg_shoulder({(N-2){1'b0}}),
+                .cfg_lateral({N{1'b0}}), .cfg_bb({(2*N){1'b0}}), .in_back(1'b0), .in_valid(go), .in_ready(ready),
+                .in_x(aligned_x), .in_y(aligned_y), .in_z({N{1'b0}}), .in_elbow(number[0]), .out_valid(done),
+                .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat),
+                .out_negative(negative), .out_none(none), .out_status(status));
+        end
+    endgenerate
     arm_vectors #(.U(U), .I(I), .ELBOW(0), .ABSOLUTE(0), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) codec (
         .clk(clk), .rst(rst), .cfg_ce({T{1'b0}}), .cfg_ne({T{1'b0}}), .in_cos(cosine), .in_sin(sine), .in_word(word),
         .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(1'b0), .in_by1(1'b0),

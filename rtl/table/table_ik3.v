@@ -49,16 +49,33 @@ module table_ik3 #(
     endgenerate
     localparam          N = W > 20 ? 24 : W > 16 ? 20 : 16;  // bits of the kernel's coordinates
     localparam          I = N == 16 ? 20 : N + 2;
+    wire signed [N-1:0] x = {in_x, {(N-W){1'b0}}}, y = {in_y, {(N-W){1'b0}}},
+                        z = {in_z, {(N-W){1'b0}}};
+    wire [N-1:0]        l1 = {cfg_l1, {(N-W){1'b0}}}, l2 = {cfg_l2, {(N-W){1'b0}}};
+    wire [N-2:0]        margin = {cfg_margin, {(N-W){1'b0}}};
     wire [2:0]          cosine, sine;
     wire [I+3:0]        word;
     wire                flat, negative, none;
-    kernel_vector #(.W(W), .JOINTS(3), .LAG(N == 16 ? 2 : 3 + 3 * PIPE), .MARGINS(MARGINS), .U(N+2), .PIPE(PIPE),
-        .MULTIPLY(MULTIPLY)) kernel (
-        .clk(clk), .rst(rst), .cfg_l1(cfg_l1), .cfg_l2(cfg_l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
-        .cfg_margin(cfg_margin), .cfg_slack(cfg_slack), .in_valid(in_valid), .in_ready(in_ready), .in_x(in_x),
-        .in_y(in_y), .in_z(in_z), .in_elbow(in_elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine),
-        .out_sin(sine), .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
-        .out_status(out_status));
+    generate
+        if (N == 16) begin : g_narrow
+            kernel_vector_solve #(.JOINTS(3), .LAG(2), .MARGINS(MARGINS), .U(18), .PIPE(PIPE),
+                                  .MULTIPLY(MULTIPLY)) kernel (
+                .clk(clk), .rst(rst), .cfg_l1(l1), .cfg_l2(l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
+                .cfg_margin(margin), .cfg_slack(cfg_slack),
+                .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(in_elbow),
+                .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine), .out_word(word),
+                .out_flat(flat), .out_negative(negative), .out_none(none), .out_status(out_status));
+        end else begin : g_wide
+            kernel_vector_wide #(.N(N), .JOINTS(3), .U(I), .LAG(3+3*PIPE), .PIPE(PIPE), .MULTIPLY(MULTIPLY),
+                                 .MARGINS(MARGINS)) kernel (
+                .clk(clk), .rst(rst), .cfg_l1(l1), .cfg_l2(l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
+                .cfg_margin(margin), .cfg_slack(cfg_slack), .cfg_shoulder({(N-2){1'b0}}), .cfg_lateral({N{1'b0}}),
+                .cfg_bb({(2*N){1'b0}}), .in_back(1'b0),
+                .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z), .in_elbow(in_elbow),
+                .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine), .out_word(word),
+                .out_flat(flat), .out_negative(negative), .out_none(none), .out_status(out_status));
+        end
+    endgenerate
     angle_of_vector #(.JOINTS(3), .A(A), .I(I), .PIPE(PIPE)) codec (
         .clk(clk), .rst(rst), .in_cos(cosine), .in_sin(sine), .in_word(word), .in_flat(flat), .in_negative(negative),
         .in_none(none), .out_j({out_j3, out_j2, out_j1}));

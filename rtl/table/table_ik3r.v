@@ -71,13 +71,26 @@ module table_ik3r #(
     wire                flat, negative, none;
     wire [3:0]          status;
     assign              out_status = {status[3], overflow || status[2], status[1:0]};
-    kernel_vector #(.W(N), .JOINTS(2), .LAG(N == 16 ? 2 : 3 + 3 * PIPE), .MARGINS(MARGINS), .U(N+2), .PIPE(PIPE),
-        .MULTIPLY(MULTIPLY)) kernel (
-        .clk(clk), .rst(rst), .cfg_l1(l1), .cfg_l2(l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
-        .cfg_margin(margin), .cfg_slack(cfg_slack), .in_valid(start), .in_ready(ready), .in_x(x), .in_y(y),
-        .in_z({N{1'b0}}), .in_elbow(elbow), .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine),
-        .out_sin(sine), .out_word(word), .out_flat(flat), .out_negative(negative), .out_none(none),
-        .out_status(status));
+    generate
+        if (N == 16) begin : g_narrow
+            kernel_vector_solve #(.JOINTS(2), .LAG(2), .MARGINS(MARGINS), .U(18), .PIPE(PIPE),
+                                  .MULTIPLY(MULTIPLY)) kernel (
+                .clk(clk), .rst(rst), .cfg_l1(l1), .cfg_l2(l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
+                .cfg_margin(margin), .cfg_slack(cfg_slack),
+                .in_valid(start), .in_ready(ready), .in_x(x), .in_y(y), .in_z(16'd0), .in_elbow(elbow),
+                .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine), .out_word(word),
+                .out_flat(flat), .out_negative(negative), .out_none(none), .out_status(status));
+        end else begin : g_wide
+            kernel_vector_wide #(.N(N), .JOINTS(2), .U(I), .LAG(3+3*PIPE), .PIPE(PIPE), .MULTIPLY(MULTIPLY),
+                                 .MARGINS(MARGINS)) kernel (
+                .clk(clk), .rst(rst), .cfg_l1(l1), .cfg_l2(l2), .cfg_q(cfg_q), .cfg_r(cfg_r), .cfg_e(cfg_e),
+                .cfg_margin(margin), .cfg_slack(cfg_slack), .cfg_shoulder({(N-2){1'b0}}), .cfg_lateral({N{1'b0}}),
+                .cfg_bb({(2*N){1'b0}}), .in_back(1'b0),
+                .in_valid(start), .in_ready(ready), .in_x(x), .in_y(y), .in_z({N{1'b0}}), .in_elbow(elbow),
+                .out_valid(out_valid), .out_ready(out_ready), .out_cos(cosine), .out_sin(sine), .out_word(word),
+                .out_flat(flat), .out_negative(negative), .out_none(none), .out_status(status));
+        end
+    endgenerate
     angle_of_vector #(.JOINTS(2), .A(A), .I(I), .PIPE(PIPE)) codec (
         .clk(clk), .rst(rst), .in_cos(cosine), .in_sin(sine), .in_word(word), .in_flat(flat), .in_negative(negative),
         .in_none(none), .out_j({out_j2, out_j1}));
