@@ -36,12 +36,12 @@ def _few(core) -> float:
 
     A spread of S bits next to 0 is a cosine or a sine of 2^(-S / 2), each joint's of a tip that far away. A joint word
     of 10 bits next to an eighth of a turn moves a tip by whole LSB, and length words are whole. Where a coordinate has
-    many bits more than a joint word, a step of the latter is 2 pi 2^(W - 1 - A) LSB, and some 2^(W - 1 - S) of a
-    spread. The nearest of the corners lies within a twelfth of the former and half of the latter.
+    many bits more than a joint word, a step of the latter is 2 pi 2^(W - 1 - A) LSB; the nearest of the corners lies
+    within a twelfth of that.
     """
     if core.family == "paper" and core.function != "mff":
         return max(len(core.inputs) * 2.0 ** (core.params["W"] - 1 - core.params["S"] / 2), 1)
-    w, a = core.params["W"], core.params.get("A", min(core.params.get("S", 16), 16))
+    w, a = core.params["W"], core.params.get("A", 16)
     return 2 ** (w - 1 - a) / 2 if w > 16 and w - a > 1 else int(a <= 10)
 
 
@@ -72,7 +72,7 @@ def test_corners_have_both_sides_of_both_ends(core):
     wanted = {(port.name, end) for port in ports for end in stimulus.ends(core, port)}
     over, inside = set(), dict.fromkeys(wanted, 1 << 40)
     w = core.params["W"]
-    seeds = (1, 2, 3) if w > 16 and w >= core.params.get("A", w) else (1,)  # a joint word steps over some LSB
+    seeds = (1, 2, 3) if w > 16 and w >= core.params.get("A", w + 1) else (1,)  # a joint word steps over some LSB
     for cfg in (cfg for seed in seeds for cfg in stimulus.configs(core, np.random.default_rng(seed))):
         answer = core.model(core.params, **stimulus.corners(core, cfg), **cfg)
         flag = answer["out_status"] & 4 > 0
