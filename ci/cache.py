@@ -1,8 +1,9 @@
 """Does this result still follow from these sources? Results are kept by the digest of all that they follow from.
 
-A source counts by its meaning: comments, docstrings and white space change no result. `closure` gives what a Python
-file reaches, `of_bulk` and `of_cocotb` what the benches of a core follow from, and `changes` what is no longer as it
-was. `build/cache/<digest>.json` holds what was computed.
+A source counts by its meaning: comments, docstrings and white space change no result. `closure` gives the files that a
+Python file imports, `reached` of each file only the functions and constants that a call uses, `of_bulk` and `of_cocotb`
+what the benches of a core follow from, and `changes` what is no longer as it was. `build/cache/<digest>.json` holds
+what was computed.
 """
 
 from __future__ import annotations
@@ -18,9 +19,10 @@ import re
 import tokenize
 import tomllib
 import uuid
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Container, Iterable, Iterator
 from pathlib import Path
 from types import FunctionType, ModuleType
+from typing import NamedTuple
 
 from quadrance.cores import Core
 
@@ -142,6 +144,119 @@ def closure(starts: Iterable[Path]) -> list[Path]:
     for path in found:
         found += [one for one in dict.fromkeys(_imports(path.read_text())) if one not in (*found, Path(__file__))]
     return sorted(found)
+
+
+class Source(NamedTuple):
+    """A Python file by its statements; statements that name nothing always count."""
+
+    always: list[ast.stmt]
+    named: dict[str, list[ast.stmt]]
+    imported: dict[str, tuple[Path, str | None]]  # name -> a file of this project and a name in it, None for all of it
+    lines: list[str]
+
+    def text(self, node: ast.stmt) -> str:
+        """What a statement means, with its decorators."""
+        first = min(one.lineno for one in (node, *getattr(node, "decorator_list", ())))
+        return bare("\n".join(self.lines[first - 1:node.end_lineno]), ".py")
+
+
+def _docstring(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
+@functools.cache
+def source(path: Path) -> Source:
+    """The statements of a file at its top; imports inside a function count as imports at the top."""
+    text = path.read_text()
+    found = Source([], {}, {}, text.splitlines())
+    statements = []
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+            statements += node.orelse
+        else:
+            statements.append(node)
+    for node in statements:
+        if isinstance(node, DOCUMENTED):
+            names = [node.name]
+        elif isinstance(node, ast.Assign | ast.AnnAssign | ast.AugAssign):
+            names = [one.id for one in ast.walk(node) if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store)]
+        else:
+            names = []
+        for name in names:
+            found.named.setdefault(name, []).append(node)
+        if not names and not isinstance(node, ast.Import | ast.ImportFrom) and not _docstring(node):
+            found.always.append(node)
+        for one in ast.walk(node):
+            if isinstance(one, ast.Import):
+                places = [(alias.asname or alias.name.split(".")[0], alias.name if alias.asname else
+                           alias.name.split(".")[0], None) for alias in one.names]
+            elif isinstance(one, ast.ImportFrom) and one.module and not one.level:
+                places = [(alias.asname or alias.name, f"{one.module}.{alias.name}", one.module) for alias in one.names]
+            else:
+                continue
+            for name, whole, part in places:
+                if file := _file(whole):
+                    found.imported[name] = file, None
+                elif part and (file := _file(part)):
+                    found.imported[name] = file, whole.rpartition(".")[2]
+    return found
+
+
+def _chains(node: ast.AST) -> Iterator[list[str]]:
+    """Names that a statement uses, each with the attributes that are taken of it: `a.b.c` is [a, b, c]."""
+    chain, base = [], node
+    while isinstance(base, ast.Attribute):
+        chain, base = [base.attr, *chain], base.value
+    if isinstance(base, ast.Name):
+        yield [base.id, *chain]
+        return
+    for child in ast.iter_child_nodes(base):
+        yield from _chains(child)
+
+
+def _target(path: Path, chain: list[str]) -> tuple[Path, str | None] | None:
+    """Where `chain` is defined: a file and a name at its top, None for all of the file; None: not in this project."""
+    here = source(path)
+    if chain[0] in here.named:
+        return path, chain[0]
+    if chain[0] not in here.imported:
+        return None
+    file, name = here.imported[chain[0]]
+    if name is not None:
+        return file, name
+    if len(chain) == 1:
+        return file, None
+    part = file.parent / f"{chain[1]}.py" if file.name == "__init__.py" else file
+    if chain[1] not in source(file).named and chain[1] not in source(file).imported and part != file and part.exists():
+        return (part, chain[2]) if len(chain) > 2 else (part, None)
+    return _target(file, chain[1:]) or (file, None)
+
+
+def reached(starts: Iterable[tuple[Path, str | None]], leave: Container[Path] = ()) -> dict[tuple[Path, str], str]:
+    """(file, name) -> text of every function, class and constant that `starts` use, directly or not.
+
+    A name of None is all of its file: a module that is passed on as a value, or an attribute that is defined nowhere.
+    Files of `leave` are not looked into. What a class or a constant may use counts, whether it is called or not.
+    """
+    found, todo, seen = {}, list(starts), set()
+    while todo:
+        path, name = todo.pop()
+        if (path, name) in seen or path in leave:
+            continue
+        seen.add((path, name))
+        here, nodes = source(path), []
+        if (path, "") not in found:
+            found[path, ""] = "\n".join(map(here.text, here.always))
+            nodes += here.always
+        if name is None:
+            todo += [(path, one) for one in here.named]
+        elif name in here.named:
+            found[path, name] = "\n".join(map(here.text, here.named[name]))
+            nodes += here.named[name]
+        else:
+            todo.append(_target(path, [name]) or (path, None))
+        todo += [target for node in nodes for chain in _chains(node) if (target := _target(path, chain))]
+    return found
 
 
 def stimulus(core: Core) -> list[Path]:

