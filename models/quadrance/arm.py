@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from quadrance import kernel_vector_solve
+from quadrance import arm_solve_wide, kernel_vector_solve, kernel_vector_wide
 from quadrance.arms.error import ArmError
 from quadrance.fixed import Ints, hold_last, ints, saturate, to_fixed, wrap
 from quadrance.kernel_vector_solve import SUM
@@ -33,14 +33,16 @@ SWITCHES = ("BASE", "SHOULDER", "LATERAL", "ELBOW", "ABSOLUTE")
 
 def config(p: Params, *, cfg_l1: int, cfg_l2: int, cfg_lateral: int = 0, margin: float = 0.0, slack: float = 0.0,
            **rest: int) -> dict[str, int]:
-    """Derived words of arm_ik3: those of two links, and minus the squared lateral offset, in 16-bit LSB.
+    """Derived words of arm_ik3: those of two links, and minus the squared lateral offset, of aligned words.
 
     `margin` and `slack` in coordinate units.
     """
     more = {"cfg_base": 0, "cfg_shoulder": 0, "cfg_lateral": cfg_lateral, "cfg_ce": 1 << p["U"], "cfg_ne": 0} | rest
-    lateral = cfg_lateral << 16 - p["W"]
-    found = kernel_vector_solve.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
-    edges = kernel_vector_solve.edge_words(p, found, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack)
+    bits = kernel_vector_wide.form(p).bits
+    lateral = int(cfg_lateral) << bits - p["W"]
+    found = kernel_vector_wide.config(p, cfg_l1=cfg_l1, cfg_l2=cfg_l2)
+    edges = kernel_vector_solve.edge_words(p, found, cfg_l1=cfg_l1, cfg_l2=cfg_l2, margin=margin, slack=slack,
+                                           bits=bits)
     return found | edges | {"cfg_bb": -lateral * lateral} | more
 
 
@@ -169,23 +171,29 @@ def turn(p: Params, c: Ints, n: Ints, by_c: Ints, by_n: Ints) -> tuple[Ints, Int
 
 def branch(p: Params, x: Ints, y: Ints, z: Ints, elbow: Ints, back: Ints, cfg: dict[str, Ints]) -> dict[str, Ints]:
     """Words of one branch, joint 2 without joint 1; `none1`, `none3`: joint 1, joint 3 has no direction."""
-    up = 16 - p["W"]
+    f = kernel_vector_wide.form(p)
+    up, narrow = f.bits - p["W"], f.bits == 16
     x, y, z, l1, l2, base, shoulder, lateral = (
         ints(word) << up for word in (x, y, z, *(cfg[f"cfg_{name}"] for name in
                                                  ("l1", "l2", "base", "shoulder", "lateral"))))
-    z, over = saturate(z - base * p["BASE"], 16)
+    z, over = saturate(z - base * p["BASE"], f.bits)
     if p["LATERAL"]:
-        c3, n3, rho, inside = _yaw(x, y, lateral, -ints(cfg["cfg_bb"]), back)
-        rho = wrap(rho - (shoulder * p["SHOULDER"] << 4), 21)
-    else:
+        place = (x, y, lateral, -ints(cfg["cfg_bb"]), back)
+        c3, n3, rho, inside = _yaw(*place) if narrow else arm_solve_wide.beside(f, *place)
+        rho = wrap(rho - (shoulder * p["SHOULDER"] << 4), f.bits + 5)
+    elif narrow:
         c3, n3, rho, inside = _plain_yaw(x, y, shoulder, p["SHOULDER"], back)
+    else:
+        c3, n3, rho = arm_solve_wide.yaw(f, x, y, shoulder if p["SHOULDER"] else None, back)
+        inside = np.False_
     limits = (ints(cfg["cfg_margin"]) << up, ints(cfg["cfg_slack"])) if p.get("MARGINS") else None
-    c1, n1, c2, n2, clamped, zero, near = kernel_vector_solve.elbow_plane(
-        rho, z, kernel_vector_solve.GUARD, elbow, l1, l2, *(ints(cfg[f"cfg_{name}"]) for name in "qre"), limits=limits)
+    words = (rho, z, kernel_vector_solve.GUARD, elbow, l1, l2, *(ints(cfg[f"cfg_{name}"]) for name in "qre"))
+    c1, n1, c2, n2, clamped, zero, near = (kernel_vector_solve.elbow_plane(*words, limits=limits) if narrow else
+                                           kernel_vector_wide._elbow(f, *words, limits))
     if limits:  # of the yaw axis, too
-        distance = wrap((rho >> kernel_vector_solve.GUARD) + shoulder * p["SHOULDER"], 17) ^ -ints(back != 0)
-        near = near | (distance & 0x1FFFF < limits[0])
-    c1, n1, c2, n2, c3, n3 = (kernel_vector_solve.unit_word(p, product) for product in (c1, n1, c2, n2, c3, n3))
+        distance = wrap((rho >> kernel_vector_solve.GUARD) + shoulder * p["SHOULDER"], f.bits + 1) ^ -ints(back != 0)
+        near = near | (distance & (1 << f.bits + 1) - 1 < limits[0])
+    c1, n1, c2, n2, c3, n3 = (kernel_vector_wide.unit_word(p, product) for product in (c1, n1, c2, n2, c3, n3))
     if p["ELBOW"]:
         c2, n2 = turn(p, c2, n2, ints(cfg["cfg_ce"]), ints(cfg["cfg_ne"]))
     on_axis = (x == 0) & (y == 0)

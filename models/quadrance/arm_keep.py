@@ -8,7 +8,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quadrance import arm, kernel_vector_solve
+from quadrance import arm, kernel_vector_solve, kernel_vector_wide
 from quadrance.fixed import Ints, ints
 
 Params = dict[str, int]
@@ -27,8 +27,8 @@ def limit(p: Params, joint: int, low: float, high: float) -> dict[str, int]:
 
 
 def config(p: Params, **lengths: int) -> dict[str, int]:
-    """Derived words without limits: `arm.config`, or `kernel_vector_solve.config` of two joints."""
-    derive = arm.config if "LATERAL" in p else kernel_vector_solve.config
+    """Derived words without limits: `arm.config`, or `kernel_vector_wide.config` of two joints."""
+    derive = arm.config if "LATERAL" in p else kernel_vector_wide.config
     joints = (1, 2, 3) if "LATERAL" in p else (1, 2)
     return {name: word for joint in joints for name, word in limit(p, joint, -math.pi, math.pi).items()} | derive(
         p, **lengths)
@@ -96,11 +96,12 @@ def _choose(p: Params, joints: int, branches: list[dict[str, Ints]], cfg: dict[s
 def keep2(p: Params, *, in_x: ArrayLike, in_y: ArrayLike, **cfg: Ints) -> dict[str, Ints]:
     """Joints of the tip (x, y) for the better elbow."""
     x, y = np.broadcast_arrays(ints(in_x), ints(in_y))
+    kernel = kernel_vector_solve if kernel_vector_wide.form(p).bits == 16 else kernel_vector_wide
     branches = []
     for elbow in (0, 1):
-        c1, n1, c2, n2, clamped, zero, _ = kernel_vector_solve.plane(
+        c1, n1, c2, n2, clamped, zero, _ = kernel.plane(
             p, x, y, ints(elbow), *(cfg[f"cfg_{name}"] for name in ("l1", "l2", "q", "r", "e")))
-        words = (kernel_vector_solve.unit_word(p, product) for product in (c1, n1, c2, n2))
+        words = (kernel_vector_wide.unit_word(p, product) for product in (c1, n1, c2, n2))
         branches.append(dict(zip(("c1", "n1", "c2", "n2"), words)) | {
             "none1": zero, "status": ints(clamped) + 2 * ints(zero)})
     answer = _choose(p, 2, branches, cfg)

@@ -4,6 +4,10 @@ Joints are unit vectors, rates words of W bits with V fraction bits (radians in 
 coordinate in the same unit of time. In the plane of the arm, seen from link 1, with e + i f = L2 (c2 + i n2):
 
     v' = -f s + i ((L1 + e) s - L1 w2),  s = w1 + w2;   back: s = -v'x / f,  w1 = (v'y - e s) / L1,  w2 = s - w1
+
+Integers of 64 bits are exact up to W = U = 24, although a product may have more bits: of it the `bits` above the U
+lowest are kept, at most 39 + 24 = 63, and what is beyond 64 bits wraps. A numerator shifted for its quotient has
+2 W + 7 bits, at most 55.
 """
 
 from __future__ import annotations

@@ -84,7 +84,7 @@ class Rational(Claim):
 
     def coordinate(self) -> float:
         if self.joints == 1:
-            return bounds.rational.fk1(self.l1)
+            return bounds.rational.fk1(self.p, self.l1)
         return bounds.rational.chain(self.p, self.joints, self.l1, self.l2)
 
     def direction(self, r: Floats) -> Floats:

@@ -377,7 +377,7 @@ def test_figures_that_the_other_pages_print():
             (bounds.cordic.rotate(W16), 1.47, 0.01), (aim[0], 0.84, 0.01), (aim[1] * turn, 0.24, 0.01),
             (aim[2], 0.88, 0.01), (aim[3] * turn, 0.39, 0.01),
             (bounds.codec.spread_chord(16), 0.83, 0.01), (bounds.rational.turn(16) * 2**16, 1.06, 0.01),
-            (bounds.rational.fk1(1 << 14), 0.83, 0.01), (bounds.rational.gap(W16 | {"S": 24}, half, half), 16, 1),
+            (bounds.rational.fk1(W16, 1 << 14), 0.83, 0.01), (bounds.rational.gap(W16 | {"S": 24}, half, half), 16, 1),
             (bounds.classic.chain(W16, 2, 0, 2 * half), 2, 0.1), (bounds.classic.chain(W16, 3, 0, 2 * half), 2.9, 0.1),
             (bounds.classic.chain(W16, 2, full, full), 3.5, 0.1), (bounds.classic.chain(W16, 3, full, full), 5.4, 0.1)):
         assert printed - digit <= bound <= printed + digit / 2, (bound, printed)

@@ -7,10 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from quadrance import arm, arm_keep, arms, bounds, kernel_vector_solve, truth, truth_arm, workspaces
+from quadrance import arm, arm_keep, arm_velocity, arms, bounds, kernel_vector_solve, truth, truth_arm, workspaces
 from quadrance.arms import ArmError
 from quadrance.bounds import arm as limits
 from quadrance.cores import all_cores
+from quadrance.kernel_vector_wide import form
 
 W16 = {"W": 16, "F": 8, "U": 16}
 ALL = {name: 1 for name in arm.SWITCHES}
@@ -92,7 +93,8 @@ def _claims(p: dict[str, int], built: arms.Arm) -> None:
         assert np.max(error[away]) <= 2  # LSB, all over the workspace, a unit and more from the shoulder axis
     off = limits.radius(p, rho)
     # always flagged out of reach, never in reach, but for what rho errs and the gap that vector_reach allows
-    allowed = 1.1 * off + (bounds.vector.gap(p, l1, l2) * 4.0 ** (p["W"] - 16) + 2) / np.maximum(2 * far, 1) + 1e-6
+    gap = bounds.vector.gap(p, l1, l2) * 4.0 ** (p["W"] - form(p).bits)
+    allowed = 1.1 * off + (gap + 2) / np.maximum(2 * far, 1) + 1e-6
     assert np.all(out["out_status"][inside < -allowed] & 1 == 1)
     assert np.all(out["out_status"][inside > allowed] & 1 == 0)
     beyond = (inside < -2) & (far > 16)
@@ -345,6 +347,21 @@ def _exact(vectors, rates, l1: int, l2: int) -> tuple[np.ndarray, np.ndarray]:
 
 def _axes(out: dict[str, np.ndarray], count: int) -> np.ndarray:
     return np.stack([out[f"out_{axis}"] for axis in "xyz"[:count]])
+
+
+def test_a_product_of_more_than_64_bits_keeps_the_bits_that_count():
+    """The longest words there are, those of W = U = 24: their product has 73 bits."""
+    p = {"W": 24, "U": 24, "V": 16}
+    rng, n = np.random.default_rng(7), arm_velocity.bits(p)
+    ends = (1 << 33, 1 << n - 1)
+    left, right = (rng.integers(-end, end, 4000) for end in ends)
+    left[:4], right[:4] = np.array([-1, -1, 1, 1]) * ends[0], np.array([-1, 1, -1, 1]) * ends[1]
+    left[:4] -= left[:4] > 0
+    right[:4] -= right[:4] > 0
+    exact = [int(a) * int(b) >> 24 for a, b in zip(left, right)]
+    assert max(map(abs, exact)) > 1 << 63 - 24
+    exact = [(one + (1 << n - 1)) % (1 << n) - (1 << n - 1) for one in exact]
+    assert arm_velocity._sum(p, (left, right)).tolist() == exact
 
 
 @pytest.mark.parametrize(("core", "share1", "share2"), [one for one in RATED_CASES if "velocity" in one.id])

@@ -23,6 +23,7 @@ from quadrance import (
     tool,
     vector,
 )
+from quadrance.cores import Core
 from quadrance.iterative import newton_fixed
 from quadrance.parallel import geometry
 
@@ -41,6 +42,11 @@ def pairs(width: int) -> list[tuple[int, int]]:
 
 
 FRACTION = {16: 25, 20: 25, 24: 29}  # of the words of a kernel, by the bits of its coordinates
+
+
+def aligned_bits(core: Core) -> int:
+    """Bits of the coordinates of a core's kernel."""
+    return min(bits for bits in FRACTION if bits >= core.params["W"])
 
 
 def gap_words(l1: int, l2: int, bits: int = 16) -> dict[str, int]:
@@ -62,7 +68,7 @@ def gap_words(l1: int, l2: int, bits: int = 16) -> dict[str, int]:
 @oracle(*(f"{family}.{function}" for family in DERIVE for function in ("ik2", "ik3")), "table.ik3r",
         cfg=("q", "r", "e"))
 def test_words_of_the_gap(core):
-    bits = min(bits for bits in FRACTION if bits >= core.params["W"])
+    bits = aligned_bits(core)
     up = bits - core.params["W"]
     for l1, l2 in pairs(core.params["W"]):
         words = DERIVE[core.family](core.params, cfg_l1=l1, cfg_l2=l2)
@@ -79,19 +85,20 @@ def test_words_of_the_gap_on_the_page():
 
 @oracle("arm.arm_ik3", "arm.keep2", "arm.keep3", cfg=("q", "r", "e"))
 def test_words_of_the_gap_of_an_arm(core):
-    up = 16 - core.params["W"]
+    bits = aligned_bits(core)
+    up = bits - core.params["W"]
     derive = arm.config if core.function == "arm_ik3" else arm_keep.config
     for l1, l2 in pairs(core.params["W"])[::3]:
         found = derive(core.params, cfg_l1=l1, cfg_l2=l2)
-        assert {name: found[name] for name in ("cfg_q", "cfg_r", "cfg_e")} == gap_words(l1 << up, l2 << up)
+        assert {name: found[name] for name in ("cfg_q", "cfg_r", "cfg_e")} == gap_words(l1 << up, l2 << up, bits)
 
 
 @oracle("arm.arm_ik3", "arm.keep3", cfg=("bb", "ce", "ne"))
 def test_words_of_an_arms_constants(core):
-    """-b^2 of b aligned to 16 bits; cos psi and -sin psi, psi = atan2(e, l2), of every arm of the library."""
+    """-b^2 of b aligned to 16, 20 or 24 bits; cos psi and -sin psi, psi = atan2(e, l2), of every arm of the library."""
     p = core.params
     for lateral in (0, 1, -1, 77, -(1 << p["W"] - 1) + 1, (1 << p["W"] - 1) - 1):
-        aligned = lateral * 2 ** (16 - p["W"])
+        aligned = lateral * 2 ** (aligned_bits(core) - p["W"])
         assert arm.config(p, cfg_l1=9, cfg_l2=8, cfg_lateral=lateral)["cfg_bb"] == -aligned**2
     seen = set()
     for name in arms.known():

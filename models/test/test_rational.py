@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from quadrance import arith, bounds, codec_wide, codecs, rational, truth
+from quadrance import arith, bounds, codec_wide, codecs, rational, rational_fk1, truth
 from quadrance.cores import Port
 
 # One joint, and forward
@@ -34,10 +34,10 @@ def _words(s: int) -> np.ndarray:
 @pytest.mark.parametrize("length", LENGTHS)
 def test_fk1_error(s, length):
     word = _words(s)
-    answer = rational.fk1(ONE | {"S": s}, in_j1=word, cfg_l1=length)
+    answer = rational_fk1.fk1(ONE | {"S": s}, in_j1=word, cfg_l1=length)
     x, y = truth.fk1(truth.spread_word_to_angle(word, s), length)
     dx, dy = answer["out_x"] - x, answer["out_y"] - y
-    assert max(np.abs(dx).max(), np.abs(dy).max()) <= bounds.rational.fk1(length)
+    assert max(np.abs(dx).max(), np.abs(dy).max()) <= bounds.rational.fk1(ONE, length)
     assert np.hypot(dx, dy).max() <= 1.0
     assert not answer["out_status"].any()
 
@@ -46,7 +46,7 @@ def test_fk1_is_exact_on_every_border():
     """Spread 0 gives the whole length and nothing, from either side of the border."""
     length = np.arange(1 << 15)
     for k, (c, n) in enumerate([(1, 0), (0, 1), (-1, 0), (0, -1)]):
-        answer = rational.fk1(ONE, in_j1=np.full(length.shape, k << 24), cfg_l1=length)
+        answer = rational_fk1.fk1(ONE, in_j1=np.full(length.shape, k << 24), cfg_l1=length)
         assert (answer["out_x"] == c * length).all() and (answer["out_y"] == n * length).all()
 
 
@@ -54,7 +54,7 @@ def test_fk1_is_exact_on_every_border():
 def test_fk1_never_steps_back_by_more_than_one_lsb(length):
     """Segments of the table join within 0.84 / 2^15, so the rounded coordinates within one LSB."""
     word = _words(24)
-    answer = rational.fk1(ONE, in_j1=word, cfg_l1=length)
+    answer = rational_fk1.fk1(ONE, in_j1=word, cfg_l1=length)
     quadrant = word >> 24
     for k, (rise_x, rise_y) in enumerate([(-1, 1), (-1, -1), (1, -1), (1, 1)]):
         here = quadrant == k
@@ -65,7 +65,7 @@ def test_fk1_never_steps_back_by_more_than_one_lsb(length):
 @given(st.integers(0, (4 << 24) - 1), st.integers(0, 65535))
 def test_fk1_half_a_turn_negates(word, length):
     opposite = word + (2 << 24) & (4 << 24) - 1
-    here, there = (rational.fk1(ONE, in_j1=np.array([w]), cfg_l1=length) for w in (word, opposite))
+    here, there = (rational_fk1.fk1(ONE, in_j1=np.array([w]), cfg_l1=length) for w in (word, opposite))
     saturated = here["out_status"] | there["out_status"]
     for port in ("out_x", "out_y"):  # ties go upward, and -32768 has no opposite: one LSB at most
         assert saturated[0] or abs(int(here[port][0]) + int(there[port][0])) <= 1
@@ -73,9 +73,9 @@ def test_fk1_half_a_turn_negates(word, length):
 
 def test_fk1_saturates_with_a_flag():
     word = _words(24)
-    answer = rational.fk1(ONE, in_j1=word, cfg_l1=65535)
+    answer = rational_fk1.fk1(ONE, in_j1=word, cfg_l1=65535)
     x, y = truth.fk1(truth.spread_word_to_angle(word, 24), 65535)
-    away = bounds.rational.fk1(65535)
+    away = bounds.rational.fk1(ONE, 65535)
     for port, exact in (("out_x", x), ("out_y", y)):
         assert (np.abs(answer[port] - np.clip(exact, -32768, 32767)) <= away).all()
     outside = np.maximum.reduce([x - 32767, -32768 - x, y - 32767, -32768 - y])
@@ -142,7 +142,7 @@ def test_ik1_holds_the_last_word_where_there_is_no_direction():
 def test_one_joint_there_and_back(length):
     """ik1 of fk1 returns the direction within both bounds: the tip's distance, 1 LSB, and ik1's own."""
     word = _words(24)
-    tip = rational.fk1(ONE, in_j1=word, cfg_l1=length)
+    tip = rational_fk1.fk1(ONE, in_j1=word, cfg_l1=length)
     back = rational.ik1(ONE, in_x=tip["out_x"], in_y=tip["out_y"])["out_j1"]
     turned = _cell_error(*truth.fk1(truth.spread_word_to_angle(word, 24), length), back, 24)
     assert turned.max() <= 1.0 / (length - 1) + bounds.rational.DIRECTION
@@ -175,6 +175,28 @@ def test_roots_are_within_their_bound_in_every_quadrant(p: dict[str, int]) -> No
     for root, exact in zip(find(p, words), truth.unit(theta)):
         error = np.max(np.abs(root / 2.0 ** (p["U"] + 1) - exact)) * 2.0 ** p["U"]
         assert error <= bounds.codec.spread_chord(p["U"]) and (p["S"] < 36 or error > 0.65)
+
+
+@pytest.mark.parametrize("p", LONG, ids=lambda p: f"S{p['S']}U{p['U']}")
+def test_fk1_of_long_words(p: dict[str, int]) -> None:
+    """Every border, table ranges and the rest of the circle; a link a word has no room for saturates, with its flag."""
+    high, s = (1 << p["W"] - 1) - 1, p["S"]
+    borders = (np.arange(4)[:, None] * (1 << s) + np.arange(-4096, 4096)).ravel() & (4 << s) - 1
+    words = np.append(_angles(np.random.default_rng(5), s, 200_000), borders)
+    for length in (1, 1 << p["W"] - 2, high, 2 * high + 1):
+        out = rational_fk1.fk1(p, in_j1=words, cfg_l1=length)
+        exact = np.stack(truth.fk1(truth.spread_word_to_angle(words, s), length))
+        bound, got = bounds.rational.fk1(p, length), np.stack([out["out_x"], out["out_y"]])
+        error = np.abs(got - np.clip(exact, -high - 1, high))
+        assert error.max() <= bound and (s < 36 or error.max() > 0.6 * bound)
+        beyond = np.max(np.maximum(exact - high - 0.5, -high - 1.5 - exact), axis=0)
+        told = np.abs(beyond) > bound - 0.5
+        assert np.array_equal((out["out_status"] == 4)[told], (beyond > 0)[told])
+        if length == 1 << p["W"] - 2:
+            assert np.hypot(*(got - exact)).max() <= bounds.rational.fk1_tip(p, length)
+        for k, (c, n) in enumerate([(1, 0), (0, 1), (-1, 0), (0, -1)]):
+            border = rational_fk1.fk1(p, in_j1=np.array([k << s]), cfg_l1=length)
+            assert length > high or (border["out_x"][0], border["out_y"][0]) == (c * length, n * length)
 
 
 @pytest.mark.parametrize(("l1", "l2"), LINKS)

@@ -257,8 +257,9 @@ def test_words_of_random_arms_are_those_of_python(absolute, tmp_path):
 
 @pytest.mark.parametrize("w", [17, 20, 21, 24])
 def test_words_of_wide_coordinates_are_those_of_python(w, tmp_path):
-    some = [catalogue.find(name) for name in ("vector_ik2", "rational_ik2", "table_ik3r")]
-    check_arms(tmp_path, 200, 2026, False, [catalogue.at(core, core.params | {"W": w, "F": w - 8}) for core in some])
+    some = [catalogue.find(name) for name in ("vector_ik2", "rational_ik2", "table_ik3r", "arm_ik3", "arm_keep3")]
+    some = [catalogue.at(core, core.params | {"W": w, "F": w - 8}) for core in some]
+    check_arms(tmp_path, 200, 2026, False, fitting(some, False))
 
 
 def test_words_of_margins_are_those_of_python(tmp_path):

@@ -7,14 +7,15 @@
 // out_number, the first one a clock after out_take. in_done says that it has ended; in_c, in_n and in_status hold until
 // out_next.
 // Formats: c, n, mc, mn, h s2.U, joint 1 in the lowest bits. Products are truncated: a cosine is low by 2 LSB at most.
-// Latency and II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1 + PIPE). Status: that of the chosen branch;
-// out_beyond: no branch is within the limits. Models: arm_keep.keep2, arm_keep.keep3
+// Latency and II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1 + PIPE), with U above 16 PIPE once more.
+// Status: that of the chosen branch; out_beyond: no branch is within the limits. Models: arm_keep.keep2, arm_keep.keep3
 `default_nettype none
 module arm_choose #(
     parameter JOINTS = 3,   // joints, 2 or 3 (default 3)
     parameter BRANCHES = 4, // branches, 2: elbow, or 4: elbow and side of the shoulder (default 4)
-    parameter U = 16,       // fraction bits of cosine and sine, 8 to 16 (default 16)
-    parameter PIPE = 0      // 0 or 1 (default 0: fewest clocks); 1: registers behind the products
+    parameter U = 16,       // fraction bits of cosine and sine, 8 to 24 (default 16)
+    parameter PIPE = 0,     // 0 or 1 (default 0: fewest clocks); 1: registers behind the products, two with U above 16
+    parameter MULTIPLY = 18 // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
     input  wire                    clk,
     input  wire                    rst,
@@ -42,6 +43,7 @@ module arm_choose #(
     output reg  [3:0]              out_status
 );
     localparam N = U + 2, S = U + 6;  // bits of a word and of a sum of cosines
+    localparam LONG = PIPE == 1 && U > 16;
 
     // Schedule, a clock a line
     // Between branches the operands are those of the first line, joint 1 and the middle of its limits
@@ -88,28 +90,40 @@ module arm_choose #(
         /* limit 3 */ {MIDDLE1, LIMIT},
         /* step 3  */ {MIDDLE1, STEP},
         /* decide  */ {MIDDLE1, BETTER}};
+    // U above 16: and one more
+    localparam [7*6-1:0] TWO_2 = {
+        /* parts   */ {LAST1,   NONE},
+        /* product */ {MIDDLE2, NONE},
+        /* limit 1 */ {LAST2,   LIMIT},
+        /* step 1  */ {MIDDLE1, STEP},
+        /* limit 2 */ {MIDDLE1, LIMIT},
+        /* step 2  */ {MIDDLE1, STEP},
+        /* decide  */ {MIDDLE1, BETTER}};
+    localparam [9*6-1:0] THREE_2 = {
+        /* parts   */ {LAST1,   NONE},
+        /* product */ {MIDDLE2, NONE},
+        /* limit 1 */ {LAST2,   LIMIT},
+        /* step 1  */ {MIDDLE3, STEP},
+        /* limit 2 */ {LAST3,   LIMIT},
+        /* step 2  */ {MIDDLE1, STEP},
+        /* limit 3 */ {MIDDLE1, LIMIT},
+        /* step 3  */ {MIDDLE1, STEP},
+        /* decide  */ {MIDDLE1, BETTER}};
     wire [1:0] joint;
     wire       to_last, limit, step, better, idle;
     reg        busy, begun;     // a target is being solved; its first branch starts
     reg  [1:0] number;
     wire       last_one = number == (BRANCHES == 4 ? 2'd3 : 2'd1);
     wire       start = in_done && idle;
+    localparam         LINES = 2 * JOINTS + 1 + PIPE + LONG;
+    localparam [5:0]   NO_LINE = 6'd0;
+    localparam [9*6-1:0] TABLE =  // the last LINES lines
+        JOINTS == 2 ? (LONG ? {{2{NO_LINE}}, TWO_2} : PIPE == 1 ? {{3{NO_LINE}}, TWO_1} : {{4{NO_LINE}}, TWO})
+        : LONG ? THREE_2 : PIPE == 1 ? {NO_LINE, THREE_1} : {{2{NO_LINE}}, THREE};
     generate
-        if (JOINTS == 2 && PIPE == 0) begin : g_two
-            schedule #(.LINES(5), .BITS(6), .TABLE(TWO)) control (.clk(clk), .rst(rst), .in_start(start),
-                .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
-        end
-        if (JOINTS == 3 && PIPE == 0) begin : g_three
-            schedule #(.LINES(7), .BITS(6), .TABLE(THREE)) control (.clk(clk), .rst(rst), .in_start(start),
-                .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
-        end
-        if (JOINTS == 2 && PIPE == 1) begin : g_two_1
-            schedule #(.LINES(6), .BITS(6), .TABLE(TWO_1)) control (.clk(clk), .rst(rst), .in_start(start),
-                .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
-        end
-        if (JOINTS == 3 && PIPE == 1) begin : g_three_1
-            schedule #(.LINES(8), .BITS(6), .TABLE(THREE_1)) control (.clk(clk), .rst(rst), .in_start(start),
-                .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
+        if (PIPE >= 0) begin : g_control  // in a block, so that Yosys takes it before the products
+            schedule #(.LINES(LINES), .BITS(6), .TABLE(TABLE[LINES*6-1:0])) control (.clk(clk), .rst(rst),
+                .in_start(start), .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
         end
     endgenerate
     assign in_ready = !busy && (!out_valid || out_ready);
@@ -133,16 +147,32 @@ module arm_choose #(
             assign product2 = n * to_n;
             assign h = bound;
         end else begin : g_registered
-            reg signed [2*N-1:0] whole1, whole2;
-            reg        [N-1:0]   bound_1;
-            always @(posedge clk) begin
-                whole1  <= c * to_c;
-                whole2  <= n * to_n;
+            reg [N-1:0] bound_1;  // each limit stands for two clocks
+            always @(posedge clk)
                 bound_1 <= bound;
-            end
-            assign product1 = whole1;
-            assign product2 = whole2;
             assign h = bound_1;
+            if (!LONG) begin : g_short
+                reg signed [2*N-1:0] whole1, whole2;
+                always @(posedge clk) begin
+                    whole1 <= c * to_c;
+                    whole2 <= n * to_n;
+                end
+                assign product1 = whole1;
+                assign product2 = whole2;
+            end else begin : g_long
+                wire signed [2*N-1:0] whole1, whole2;
+                reg  signed [2*N-1:0] settled1, settled2;
+                product_parts #(.A(N), .B(N), .MULTIPLY(MULTIPLY)) multiplier1 (.clk(clk), .in_move(1'b1), .in_a(c),
+                    .in_b(to_c), .out_p(whole1));
+                product_parts #(.A(N), .B(N), .MULTIPLY(MULTIPLY)) multiplier2 (.clk(clk), .in_move(1'b1), .in_a(n),
+                    .in_b(to_n), .out_p(whole2));
+                always @(posedge clk) begin
+                    settled1 <= whole1;
+                    settled2 <= whole2;
+                end
+                assign product1 = settled1;
+                assign product2 = settled2;
+            end
         end
     endgenerate
     wire [S-1:0] cosine = {{2{product1[2*N-1]}}, product1[2*N-1:U]} + {{2{product2[2*N-1]}}, product2[2*N-1:U]};

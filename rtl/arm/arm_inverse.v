@@ -12,8 +12,8 @@
 `default_nettype none
 module arm_inverse #(
     parameter JOINTS = 2,  // joints, 2 or 3 (default 2); the third turns the plane of the others about an upright axis
-    parameter W = 16,      // bits of a length, a rate and a velocity, 8 to 18 (default 16)
-    parameter U = 16,      // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter W = 16,      // bits of a length, a rate and a velocity, 8 to 24 (default 16)
+    parameter U = 16,      // fraction bits of cosine and sine, 8 to 24 (default 16)
     parameter V = 12,      // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12)
     parameter R = 4,       // digits of a quotient in one clock, 1 to 5 (default 4)
     parameter PIPE = 0,    // 0 or 1 (default 0: fewest clocks); 1: registers around the products, behind quotients

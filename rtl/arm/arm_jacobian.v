@@ -11,8 +11,8 @@
 `default_nettype none
 module arm_jacobian #(
     parameter JOINTS = 2,  // joints, 2 or 3 (default 2); the third turns the plane of the others about an upright axis
-    parameter W = 16,      // bits of a length, a rate and a velocity, 8 to 18 (default 16)
-    parameter U = 16,      // fraction bits of cosine and sine, 8 to 18 (default 16)
+    parameter W = 16,      // bits of a length, a rate and a velocity, 8 to 24 (default 16)
+    parameter U = 16,      // fraction bits of cosine and sine, 8 to 24 (default 16)
     parameter V = 12,      // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad)
     parameter PIPE = 0,    // 0 or 1 (default 0: fewest clocks); 1: registers around the products
     parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1

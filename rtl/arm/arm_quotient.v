@@ -7,7 +7,7 @@
 // Error: 1/2 LSB, and 1 LSB of in_n where in_n is negative. Models: arm_velocity.rates2, arm_velocity.rates3
 `default_nettype none
 module arm_quotient #(
-    parameter W = 16,  // bits of a rate, 8 to 18 (default 16)
+    parameter W = 16,  // bits of a rate, 8 to 24 (default 16)
     parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 (default 12)
     parameter N = 27,  // bits of the numerator (default 27: a velocity inside arm_inverse)
     parameter D = 24,  // bits of the divisor (default 24: a length there)

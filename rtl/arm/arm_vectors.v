@@ -3,18 +3,20 @@
 // turned by a constant (elbow offset) and by joint 1 (elbow measured from the base).
 //   in_kept, then in_turned: (c2, n2) is turned by (cfg_ce, cfg_ne), or with in_by1 by (c1, n1); in_sine chooses the
 //   operands of the sine. PIPE = 0: in_sine is with in_turned. PIPE = 1: the operands precede in_kept and in_turned by
-//   two clocks, in which in_by1 is the same
+//   two clocks, three with I above 20, in which in_by1 is the same
 //   in_load: joints 1 and 3 are loaded from in_last_*, which they hold where they have no direction
-// Formats: in_word s4.20, rounded to U fraction bits; cfg_ce, cfg_ne, out_c, out_n s2.U, joint 1 in the lowest bits.
+// Formats: in_word s4.I, rounded to U fraction bits; cfg_ce, cfg_ne, out_c, out_n s2.U, joint 1 in the lowest bits.
 // Error of a turn: less than 1 LSB of U by truncation, and 1 LSB times the sine, since ~n replaces -n. Reset sets
-// joints 1 and 3 to (1, 0). Joint 2 is not reset: every sample writes it. Latency 1, of a turn 2, 4 with PIPE = 1.
+// joints 1 and 3 to (1, 0). Joint 2 is not reset: every sample writes it. Latency 1; of a turn 2, with PIPE = 1 4 or 5.
 // Models: kernel_vector_solve.unit_word, arm.turn
 `default_nettype none
 module arm_vectors #(
-    parameter U = 16,       // fraction bits of cosine and sine, 8 to 16 (default 16)
-    parameter ELBOW = 1,    // 1 (default): joint 2 is turned by the constant; 0: not
-    parameter ABSOLUTE = 1, // 1 (default): joint 2 is turned by joint 1; 0: not
-    parameter PIPE = 0      // 0 or 1 (default 0: fewest clocks); 1: registers in front of the products and behind them
+    parameter U = 16,        // fraction bits of cosine and sine, 8 to 16, to I - 2 with I above 20 (default 16)
+    parameter I = 20,        // fraction bits of in_word, 20, 22 or 26 (default 20)
+    parameter ELBOW = 1,     // 1 (default): joint 2 is turned by the constant; 0: not
+    parameter ABSOLUTE = 1,  // 1 (default): joint 2 is turned by joint 1; 0: not
+    parameter PIPE = 0,      // 0 or 1 (default 0: fewest clocks); 1: registers in front of the products and behind them
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1, I above 20
 ) (
     input  wire                clk,
     input  wire                rst,
@@ -22,7 +24,7 @@ module arm_vectors #(
     input  wire signed [U+1:0] cfg_ne,
     input  wire [2:0]          in_cos,
     input  wire [2:0]          in_sin,
-    input  wire [23:0]         in_word,
+    input  wire [I+3:0]        in_word,
     input  wire                in_flat,
     input  wire                in_negative,
     input  wire                in_none,
@@ -37,7 +39,7 @@ module arm_vectors #(
     output wire [3*(U+2)-1:0]  out_n
 );
     reg  signed [U+1:0] c1, n1, c2, n2, c3, n3;
-    wire        [U+1:0] word = in_word[21:20-U];
+    wire        [U+1:0] word = in_word[I+1:I-U];
     assign              out_c = {c3, c2, c1};
     assign              out_n = {n3, n2, n1};
 
@@ -53,16 +55,33 @@ module arm_vectors #(
             assign product1 = c2 * right1;
             assign product2 = n2 * right2;
         end else begin : g_registered
-            reg signed [U+1:0]   chosen1, chosen2;
-            reg signed [2*U+3:0] whole1, whole2;
+            reg signed [U+1:0] chosen1, chosen2;
             always @(posedge clk) begin
                 chosen1 <= right1;
                 chosen2 <= right2;
-                whole1  <= c2 * chosen1;
-                whole2  <= n2 * chosen2;
             end
-            assign product1 = whole1;
-            assign product2 = whole2;
+            if (I == 20) begin : g_short
+                reg signed [2*U+3:0] whole1, whole2;
+                always @(posedge clk) begin
+                    whole1 <= c2 * chosen1;
+                    whole2 <= n2 * chosen2;
+                end
+                assign product1 = whole1;
+                assign product2 = whole2;
+            end else begin : g_long
+                wire signed [2*U+3:0] whole1, whole2;
+                reg  signed [2*U+3:0] settled1, settled2;
+                product_parts #(.A(U+2), .B(U+2), .MULTIPLY(MULTIPLY)) multiplier1 (.clk(clk), .in_move(1'b1),
+                    .in_a(c2), .in_b(chosen1), .out_p(whole1));
+                product_parts #(.A(U+2), .B(U+2), .MULTIPLY(MULTIPLY)) multiplier2 (.clk(clk), .in_move(1'b1),
+                    .in_a(n2), .in_b(chosen2), .out_p(whole2));
+                always @(posedge clk) begin
+                    settled1 <= whole1;
+                    settled2 <= whole2;
+                end
+                assign product1 = settled1;
+                assign product2 = settled2;
+            end
         end
     endgenerate
     wire        [U+2:0] sum = product1[2*U+1:U-1] + product2[2*U+1:U-1] + {{(U+2){1'b0}}, 1'b1};

@@ -9,10 +9,11 @@
 // Model: arm_velocity.velocity2
 `default_nettype none
 module arm_velocity2 #(
-    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 18 (default 16)
+    parameter W = 16,  // bits of a length, a rate and a velocity, 8 to 24 (default 16)
     parameter F = 8,   // fraction bits of a length and a velocity, 0 to W - 1 (default 8); they change no logic
-    parameter U = 16,  // fraction bits of cosine and sine, 8 to 18 (default 16)
-    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad)
+    parameter U = 16,  // fraction bits of cosine and sine, 8 to 24 (default 16)
+    parameter V = 12,  // fraction bits of a rate, W - 8 to W - 1 and at most U (default 12: rates below 8 rad);
+                       // 2 W - 28 or more with PIPE = 1 and MULTIPLY = 18
     parameter PIPE = 0,      // registers around products, 0 or 1 (default 0: fewest clocks)
     parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with PIPE = 1
 ) (
@@ -35,9 +36,11 @@ module arm_velocity2 #(
     output wire [3:0]          out_status
 );
     generate
-        if (W < 8 || W > 18 || F < 0 || F >= W || U < 8 || U > 18 || V < W - 8 || V >= W || V > U
-            || PIPE < 0 || PIPE > 1 || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
-            arm_velocity2_needs_W_U_8_to_18_F_V_below_W_V_from_W_less_8_to_U_PIPE_0_or_1_MULTIPLY_18_or_27 rule ();
+        if (W < 8 || W > 24 || F < 0 || F >= W || U < 8 || U > 24 || V < W - 8 || V >= W || V > U
+            || 2 * W - V > 28 + 32 * (PIPE < 1) + 32 * (MULTIPLY > 18) || PIPE < 0 || PIPE > 1
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            arm_velocity2_needs_W_U_8_to_24_F_V_below_W_V_W_less_8_to_U_at_PIPE_1_by_18_2W_less_28_MULTIPLY_18_27
+                rule ();
         end
     endgenerate
 

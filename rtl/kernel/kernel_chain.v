@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forward kinematics of two or three joints, one after the other, on one table codec and two multipliers.
-//   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: z = y, then y = x n3, x = x c3
+// Forward kinematics of one to three joints, one after the other, on one table codec and two multipliers.
+//   x = A c1 - B n1, y = A n1 + B c1 with A = L1 + L2 c2, B = L2 n2; JOINTS = 3: z = y, then y = x n3, x = x c3;
+//   JOINTS = 1: A = L1, B = 0
 // out_want names a joint. Two clocks later in_chords holds its two roots as table segments (port of the table codecs,
-// rtl/codec/README.md); with PIPE = 1 and U above 18 three clocks later, and five their knots.
+// rtl/codec/README.md); with PIPE = 1 and U above 18 three clocks later, and five their knots and signs.
 // Formats: roots are odd integers of 2^-(U+1), so ~root is -root and 1.0 needs no extra bit. A and B are s(W+2+G) with
-// G bits below the LSB, to which every product is truncated. Outputs are rounded to nearest (ties upward) and
-// saturated.
+// G = 5 bits below the LSB, to which products are truncated. Outputs: nearest (ties upward), saturated, with overflow.
 // Error of a coordinate: 1/2 LSB, that of the roots (bounds.rational.chain), and 2^-5 LSB for each truncated product.
-// Latency and II: 7 + 6 PIPE with two joints, 10 + 8 PIPE with three, and PIPE more with U above 18. Overflow: a
-// coordinate was saturated.
-// Source: rational trigonometry paper, eqs. 84 and 96. Models: rational.fk2, rational.fk3
+// Latency and II: 7 + 6 PIPE with two joints, 10 + 8 PIPE with three, and PIPE more with U above 18; 5 + 5 PIPE with
+// one. Source: rational trigonometry paper, eqs. 84 and 96. Models: rational_fk1.fk1, rational.fk2, rational.fk3
 `default_nettype none
 module kernel_chain #(
-    parameter JOINTS = 2,    // joints, 2 or 3 (default 2); the third turns the plane of the others
+    parameter JOINTS = 2,    // joints, 2, 3 or with U above 18 1 (default 2); the third turns the plane of the others
     parameter W = 16,        // bits of a length and of a coordinate, 15 to 24 (default 16)
     parameter U = 16,        // fraction bits of a root, 13 to 24, at most W + 4 (default 16); above 18 of parabolas
     parameter PIPE = 0,      // 0 or 1 (default 0: fewest clocks); 1: registers before and behind the products
@@ -25,7 +24,8 @@ module kernel_chain #(
     input  wire [W-1:0]        cfg_l2,
     input  wire                in_valid,
     output wire                in_ready,
-    output wire [JOINTS:1]     out_want,  // the codec reads this word, or none: joint 2's; [2]: a sample is accepted
+    output wire [JOINTS:1]     out_want,  // the codec reads this word, or none: joint 2's; [2]: a sample is accepted,
+                                          // as [1] with one joint
     input  wire [4*U+2*D+5:0]  in_chords,
     output reg                 out_valid,
     input  wire                out_ready,
@@ -96,13 +96,31 @@ module kernel_chain #(
         /* c1, n1       */ {ROOTS | READ3},
         /* y            */ {WAIT},
         /* x            */ {READ3}};
+    // JOINTS = 1
+    localparam [OP*1-1:0] ALONE = {
+        /* joint 1      */ {WAIT}};
+    localparam [OP*7-1:0] ALONE_LONG = {
+        /* joint 1      */ {2{WAIT}},
+        /* joint 1      */ {CHORD},
+        /* c1, n1       */ {WAIT},
+        /* c1, n1       */ {ROOTS},
+        /* y            */ {WAIT},
+        /* x            */ {WAIT}};
     localparam LONG = U > 18;
     wire [OP-1:0] op;
     wire          idle;
     wire          decode = |(op & CHORD), place = |(op & PLACE), roots = |(op & ROOTS), placed = |(op & PLACED);
     wire          round = |(op & ROUND), yaw = |(op & YAW), last = |(op & LAST), cosine = |(op & COS);
-    wire          accept = in_valid && in_ready;
+    wire          accept = in_valid && in_ready, first = |(op & READ1);
     generate
+        if (JOINTS == 1 && PIPE == 0) begin : g_one
+            schedule #(.LINES(4), .BITS(OP), .TABLE({ALONE, TIP})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
+        if (JOINTS == 1 && PIPE == 1) begin : g_one_long
+            schedule #(.LINES(9), .BITS(OP), .TABLE({ALONE_LONG, TIP_1})) control (
+                .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
+        end
         if (JOINTS == 2 && PIPE == 0) begin : g_two
             schedule #(.LINES(6), .BITS(OP), .TABLE({ELBOW, TIP})) control (
                 .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
@@ -130,8 +148,13 @@ module kernel_chain #(
         if (JOINTS == 3) begin : g_third
             assign out_want[JOINTS] = |(op & READ3);
         end
+        if (JOINTS == 1) begin : g_first
+            assign out_want[1] = accept;
+            wire   unused = &{1'b0, first};
+        end else begin : g_both
+            assign out_want[2:1] = {accept, first};
+        end
     endgenerate
-    assign out_want[2:1] = {accept, |(op & READ1)};
     assign in_ready = idle && (!out_valid || out_ready);
 
     // The first multiplier forms the major root, A and one product of a turn; the second one the minor root, B and the
@@ -148,10 +171,11 @@ module kernel_chain #(
     reg  [U:0]   major, minor;  // roots with their signs, without the last bit, which is always 1
     reg          swap;          // the first multiplier has the minor root
     wire         turn = !decode && !place;
+    wire [N-1:0] along, across, other;  // A, B and the second product; with one joint L1, 0 and 0
     wire [N-1:0] right1 = {{(N-U-1){1'b0}}, major_offset, {(U+1-D){1'b0}}} & {N{decode}}
-                        | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | a & {N{turn}};
+                        | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | along & {N{turn}};
     wire [N-1:0] right2 = {{(N-U-1){1'b0}}, minor_offset, {(U+1-D){1'b0}}} & {N{decode}}
-                        | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | b & {N{turn}};
+                        | {2'd0, cfg_l2, {G{1'b0}}} & {N{place}} | across & {N{turn}};
     wire [U+1:0] left1 = decode ? {7'h7f, major_step} : {swap ? minor : major, 1'b1};
     wire [U+1:0] left2 = decode ? {3'd0, minor_step} : {swap ? major : minor, 1'b1};
     /* verilator lint_off UNUSEDSIGNAL */
@@ -174,8 +198,20 @@ module kernel_chain #(
     endgenerate
     wire [N-1:0] cut1 = product1[N+U:U+1], cut2 = product2[N+U:U+1];
     wire [N-1:0] addend = {{(N-U-3){1'b0}}, major_knot} & {N{roots}} | {2'd0, cfg_l1, {G{1'b0}}} & {N{placed}}
-                        | cut2 & {N{!roots && !placed}};
+                        | other & {N{!roots && !placed}};
     wire [N-1:0] sum = cut1 + addend;
+    generate
+        if (JOINTS == 1) begin : g_link
+            assign along = {2'd0, cfg_l1, {G{1'b0}}};
+            assign across = {N{1'b0}};
+            assign other = {N{1'b0}};
+            wire   unused = &{1'b0, a, b};
+        end else begin : g_links
+            assign along = a;
+            assign across = b;
+            assign other = cut2;
+        end
+    endgenerate
 
     /* verilator lint_off UNUSEDSIGNAL */
     wire [U-1:0] thin;

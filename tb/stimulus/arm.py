@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
-from quadrance import arm, arm_keep, kernel_vector_solve
+from quadrance import arm, arm_keep, kernel_vector_wide
 from quadrance.cores import Core
 from quadrance.fixed import to_fixed
 
 from tb.lib import stimulus
 from tb.lib.stimulus import Vectors
-from tb.stimulus import edges, rational, targets
+from tb.stimulus import edges, rational, targets, vector
 from tb.stimulus.vector import directions
 
 
 def configs(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
     """Lengths and constants: none, the greatest of both signs, ordinary ones."""
     if core.function == "keep2":
-        found = [*targets.configs(core, rng)[5:12], *_shifts(core)]
+        found = [*vector.configs(replace(core, function="ik2"), rng)[5:12], *_shifts(core)]
     elif core.function in ("arm_ik3", "keep3"):
         found = edges.joined(core, rng, _inverse(core, rng))
     else:
@@ -40,7 +42,7 @@ def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
         return {port.name: int(rng.integers(port.low, port.high, endpoint=True)) for port in core.cfg}
     cfg = {f"cfg_l{i}": stimulus.length(rng, p["W"]) for i in (1, 2)}
     if core.function == "keep2":
-        cfg |= kernel_vector_solve.config(p, **cfg)
+        cfg |= kernel_vector_wide.config(p, **cfg)
     else:
         turn = rng.uniform(-np.pi, np.pi)
         ends = {"cfg_base": half, "cfg_shoulder": half // 4, "cfg_lateral": half}
@@ -52,16 +54,19 @@ def draw(core: Core, rng: np.random.Generator) -> dict[str, int]:
 
 def _shifts(core: Core) -> list[dict[str, int]]:
     """Links with the cfg_e that others leave out: 1, 5, 9, 13; and two of more than 2^(W-1) LSB that reach targets."""
-    lengths = np.array([(40000, 30000), (33000, 9000), (1500, 1200), (100, 90), (6, 5)]) >> 16 - core.params["W"]
+    lengths = np.array([(40000, 30000), (33000, 9000), (1500, 1200), (100, 90), (6, 5)])
+    more = core.params["W"] - 16
+    lengths = lengths << more if more > 0 else lengths >> -more
     pairs = [{"cfg_l1": l1, "cfg_l2": l2} for l1, l2 in np.maximum(lengths, 1).tolist()]
-    return [pair | kernel_vector_solve.config(core.params, **pair) for pair in pairs]
+    return [pair | kernel_vector_wide.config(core.params, **pair) for pair in pairs]
 
 
 def _bends(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vectors:
     """Targets that bend two long links by every segment of the table that the root of v = 1 - c2^2 comes from."""
     half, l1, l2 = 1 << core.params["W"] - 1, cfg["cfg_l1"], cfg["cfg_l2"]
     v = (np.arange(512) + 0.5) / 512
-    v = np.concatenate([v, v / 32])
+    shifts = kernel_vector_wide.SHIFTS if core.params["W"] > 16 else (0, 5)
+    v = np.concatenate([v * 2.0**-shift for shift in shifts])
     c = np.sqrt(1 - v) * rng.choice([-1, 1], v.size)
     radius = np.sqrt(l1**2 + l2**2 + 2 * l1 * l2 * c)
     folded = np.sqrt(l1**2 + l2**2 - 2 * l1 * l2 * abs(c))

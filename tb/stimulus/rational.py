@@ -74,13 +74,25 @@ def targets(core: Core, cfg: dict[str, int], rng: np.random.Generator) -> Vector
     return dict(zip(axes, words)) | {"in_elbow": rng.integers(0, 2, 1027)}
 
 
+def _last(core: Core, cfg: dict[str, int]) -> Vectors:
+    """Of many words of coarse spreads those whose tip is the nearest to an end: a step of one moves it by thousands."""
+    rng = np.random.default_rng(2)
+    words = {port.name: rng.integers(port.low, port.high, 1 << 20, endpoint=True) for port in core.inputs}
+    answer = core.model(core.params, **words, **cfg)
+    fits = np.flatnonzero(answer["out_status"] == 0)
+    best = [fits[np.argmin(np.abs(answer[port.name][fits] - end))] for port in stimulus.coordinates(core)
+            for end in stimulus.ends(core, port)] if fits.size else []
+    return {name: word[best] for name, word in words.items()}
+
+
 def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     """Directed inputs of one core; a singular sample follows and precedes a regular one."""
     rng = np.random.default_rng(1)
     if core.function.startswith("fk"):
         borders = {name: rng.permutation(words) for joint in joints(core.inputs)
                    for name, words in codecs.border_words(joint).items()}
-        return stimulus.joined(borders, stimulus.saturation(core, cfg))
+        words = stimulus.joined(borders, stimulus.saturation(core, cfg))
+        return stimulus.joined(words, _last(core, cfg)) if core.params["S"] < 16 < core.params["W"] else words
     if core.function in ("ik2", "ik3"):
         words = targets(core, cfg, rng)
         return stimulus.joined(words, edges.targets(core, cfg, rng)) if core.params["MARGINS"] else words

@@ -36,7 +36,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
         and the folded arm (found; next to these see `rational.ik2` and `classic.ik`); forward, the coordinate's bound
         is cut at what was found over all links of the tests.
     """
-    p, (family, function) = core.params, core.model_name.split(".")
+    p, family, function = core.params, core.family, core.function
     joints = int(function[-1])
     forward = function.startswith("fk")
     if family == "paper" and joints == 1:
@@ -50,7 +50,7 @@ def tip(core: Core, l1: int, l2: int) -> float:
         return vector.tip(p, joints, l1, l2) if forward else 1e-9 * l1 if joints == 1 else 2.0  # ik1: float64 alone
     if joints == 1:
         if forward:
-            return 1.0 if family == "rational" else classic.fk1(p, l1)
+            return rational.fk1_tip(p, l1) if family == "rational" else classic.fk1(p, l1)
         return rational.direction(p) * l1 if family == "rational" else classic.ik1(p, l1)
     if not forward:
         return 2.0

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from quadrance import arm_velocity
 from quadrance.bounds import vector
+from quadrance.kernel_vector_wide import form
 from quadrance.truth import Floats, floats
 from quadrance.vector import GUARD
 
@@ -39,10 +40,19 @@ def radius(p: Params, rho: ArrayLike) -> Floats:
 
     x^2 + y^2 - b^2 is exact. 2/sqrt(q') errs as that of vector_ik3, its product is cut below 2^-21 of it. Without a
     lateral offset rho is that of vector_ik3, half a unit further off where the shoulder's offset takes the place of
-    what rounds it. 4 fraction bits, and a half below them that is dropped: 3/32.
+    what rounds it. 4 fraction bits, and a half below them that is dropped: 3/32. Of longer words the cut of x^2 + y^2 -
+    b^2, shifted by an even number of pairs, is not small beside that.
     """
-    rho = floats(rho) * 2.0 ** (16 - p["W"])
-    return (3 / 32 + rho * (vector.yaw(rho)[0] + 2**-18)) * 2.0 ** (p["W"] - 16)
+    f = form(p)
+    rho, unit = floats(rho) * 2.0 ** (f.bits - p["W"]), 2.0 ** (p["W"] - f.bits)
+    cut = 2.0 ** (f.bits - f.fraction + 2) if f.coefficient and p["LATERAL"] else 0.0
+    return (3 / 32 + cut + rho * (vector.yaw(rho, f)[0] + 2.0 ** -(f.bits + 2))) * unit
+
+
+def _products(p: Params, rho: ArrayLike) -> Floats:
+    """What the cut of its products turns the direction of joint 3 by, rad."""
+    f = form(p)
+    return vector.yaw(floats(rho) * 2.0 ** (f.bits - p["W"]), f)[1] if f.coefficient else floats(2.0**-18)
 
 
 def turned(p: Params) -> float:
@@ -68,15 +78,15 @@ def ik3(p: Params, l1: int, l2: int, rho: ArrayLike, height: ArrayLike, far: Arr
     Notes
     -----
     `vector_ik2` at either end of the error of rho, with the lengths of its words; that error, once for the arm that
-    reaches it and once for the direction of (rho, b); half a unit of the words of joint 3, and of its products 2^-18;
+    reaches it and once for the direction of (rho, b); half a unit of the words of joint 3, and its products;
     `turned` for every turn of joint 2. Nearer to the shoulder than 1 LSB and than the error of rho, all of it.
     """
     unit, off, far = 2.0 ** -p["U"], radius(p, rho), floats(far)
-    seen = ((2 * far + off) * off) * 4.0 ** (16 - p["W"]) + 1 / 8
+    seen = ((2 * far + off) * off) * 4.0 ** (form(p).bits - p["W"]) + 1 / 8
     plane = [vector.ik2(p, l1, l2, np.maximum(far + sign * off, 0), n2, seen) for sign in (-1, 1)]
     length = vector.ik2_length(p, l1, l2, np.maximum(far - off, 0.5), n2, seen) * unit
     words = np.minimum(length, 1) * far + l2 * 1.5 * unit
-    yaw = (np.abs(rho) + l1 + l2) * (math.sqrt(0.5) * unit + 2**-18)
+    yaw = (np.abs(rho) + l1 + l2) * (math.sqrt(0.5) * unit + _products(p, np.abs(rho)))
     return 1.001 * np.maximum(*plane) + words + 2 * off + yaw + (p["ELBOW"] + p["ABSOLUTE"]) * turned(p) * unit * l2
 
 
@@ -91,7 +101,7 @@ def ik3_nearest(p: Params, l1: int, l2: int, rho: ArrayLike, far: ArrayLike, axi
     """
     off, unit, far = radius(p, rho), 2.0 ** -p["U"], np.maximum(floats(far), 1)
     border = off * np.maximum((l1 + l2) / far, 1) + (vector.NEAREST + 2) * (l1 + l2) * unit
-    yaw = (axis + l1 + l2) * (math.sqrt(0.5) * unit + 2**-16)
+    yaw = (axis + l1 + l2) * (math.sqrt(0.5) * unit + 2.0 ** -form(p).bits)
     turns = (p["ELBOW"] + p["ABSOLUTE"]) * turned(p) * unit * l2
     return np.maximum(border + off + yaw + turns, ik3(p, l1, l2, rho, 0, far, n2))
 

@@ -14,12 +14,24 @@ from quadrance.truth import Floats, floats
 Params = dict[str, int]
 
 
-def fk1(l1: float) -> float:
+def fk1(p: Params, l1: float) -> float:
     """A coordinate: rounding 1/2, the cut of L1 w to 2^-5 times a slope of at most 2, and the root.
 
     As a distance at most 1 up to L1 = 2^14 (found: 0.95 over all 2^24 spreads there).
+
+    With W above 18 rounding 1/2, the cut of one product to 2^-5, and L1 times the error of a root of W fraction bits,
+    the greater of the minor and the major one, since either may be the cosine.
     """
+    if p["W"] > 18:
+        return 0.5 + 1 / 32 + codec.spread_chord(p["W"]) / 2 ** p["W"] * l1
     return 0.5 + 1 / 16 + codec.root_product() * l1
+
+
+def fk1_tip(p: Params, l1: float) -> float:
+    """`fk1` as a distance, up to L1 = 2^(W - 2): 1 found; with W above 18 that of both roots, one minor, one major."""
+    if p["W"] > 18:
+        return math.sqrt(2) * (0.5 + 1 / 32) + turn(p["W"]) * l1
+    return 1.0
 
 
 DIRECTION = 0.48 * 2.0**-14

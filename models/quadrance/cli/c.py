@@ -12,6 +12,7 @@ from quadrance.cli.around import KEEPS, folded
 from quadrance.cli.catalogue import Refused
 from quadrance.cores import STATUS_BITS, Core, Port
 from quadrance.cores import joints as joints_of
+from quadrance.kernel_vector_wide import form
 from quadrance.product_engine import ONE
 
 SHARED = Path(__file__).with_name("quadrance.h")
@@ -86,7 +87,7 @@ def _formulas(core: Core) -> tuple[list[str], dict[str, str]]:
              "far": "quadrance_square(l1 + l2)", "near": "quadrance_square(l1 - l2)",
              "f": f"quadrance_tangent({w}, l1, l2)",
              **{name: length(f"arm->{name}") for name in ("base", "shoulder", "lateral", "elbow")},
-             "bb": f"-quadrance_square({length('arm->lateral')} * {1 << max(16 - (w or 16), 0)})",
+             "bb": f"-quadrance_square({length('arm->lateral')} * {1 << (form(p).bits - w if w else 0)})",
              "ce": turn.format("cos"), "ne": turn.format("-sin"),
              "sine": f"quadrance_fixed(sin(quadrance_radians(arm->singular_elbow)), {u})",
              "radius": length("arm->singular_axis"),
