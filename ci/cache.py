@@ -166,7 +166,10 @@ def _docstring(node: ast.stmt) -> bool:
 
 @functools.cache
 def source(path: Path) -> Source:
-    """The statements of a file at its top; imports inside a function count as imports at the top."""
+    """The statements of a file at its top; imports inside a function count as imports at the top.
+
+    An import from outside the project defines its name like a constant: another library under it is another meaning.
+    """
     text = path.read_text()
     found = Source([], {}, {}, text.splitlines())
     statements = []
@@ -199,6 +202,8 @@ def source(path: Path) -> Source:
                     found.imported[name] = file, None
                 elif part and (file := _file(part)):
                     found.imported[name] = file, whole.rpartition(".")[2]
+                elif one is node:
+                    found.named.setdefault(name, []).append(node)
     return found
 
 

@@ -65,7 +65,8 @@ def test_only_what_is_used_is_followed(tmp_path, monkeypatch):
         "top.py": "from here import inner, other as o\nfrom here.inner import deep, first\nSIDE = effect()\n"
                   "effect()\ndef a():\n    return deep.two()\ndef b():\n    return first() + inner.deep.one()\n"
                   "@o.wrap\ndef c():\n    from here.other import late\n    return late\ndef d():\n    return run(o)\n",
-        "other.py": "def wrap(f):\n    'How.'\n    return f\nlate = 3\nclass Alone:\n    'Why.'\n"}
+        "other.py": "from math import floor as near\nimport json\ndef wrap(f):\n    'How.'\n    return f\n"
+                    "late = near(3)\nclass Alone:\n    'Why.'\n"}
     for name, text in files.items():
         (tmp_path / "here" / name).write_text(text)
     top, deep, other = (tmp_path / "here" / name for name in ("top.py", "inner/deep.py", "other.py"))
@@ -75,10 +76,11 @@ def test_only_what_is_used_is_followed(tmp_path, monkeypatch):
 
     assert names("a") == {"top.a", "deep.two", "deep.RIGHT", "deep.LEFT"}
     assert names("b") == {"top.b", "deep.one", "deep.LEFT"}
-    assert names("c") == {"top.c", "other.wrap", "other.late"}
-    assert names("d") == {"top.d", "other.wrap", "other.late", "other.Alone"}
+    assert names("c") == {"top.c", "other.wrap", "other.late", "other.near"}
+    assert names("d") == {"top.d"} | {f"other.{name}" for name in ("wrap", "late", "near", "json", "Alone")}
     found = cache.reached([(top, "c")])
     assert found[top, ""] == "effect()" and found[top, "c"].startswith("@o.wrap\ndef c")
+    assert found[other, "near"] == "from math import floor as near"
     assert found[other, "wrap"] == "def wrap(f):\n    return f"
     assert set(cache.reached([(top, "a")], {deep})) == {(top, ""), (top, "a")}
 

@@ -2,7 +2,7 @@
 // This core finds the tip of one joint: x = L1 cos = +-L1 sqrt(1 - s), y = L1 sin = +-L1 sqrt(s).
 // Formats: in_j1 is a turn-spread u2.S, cfg_l1 is u(W-F).F; out_x and out_y are s(W-F).F, nearest (ties up), saturated.
 // Error: a coordinate is within 1/2 + 1/16 + 0.52 L1 / 2^15 LSB, L1 in LSB: 0.83 LSB at 2^14 (64 units of Q7.8);
-// 1/2 + 1/32 + r L1 / 2^W with W above 18, r = 0.95, 0.97, 1.01, 1.11, 1.22, 1.76 at W = 19 to 24.
+// 1/2 + 1/32 + r L1 / 2^W with W above 18, r from bounds.rational.fk1.
 // Latency 2 + 3 PIPE, II 2: one table and two multipliers compute x, then y. Latency and II 5 + 5 PIPE with W above 18,
 // with the codec and the kernel of rational_fk2.
 // Status: overflow (a coordinate was saturated).
