@@ -7,7 +7,8 @@
 // out_number, the first one a clock after out_take. in_done says that it has ended; in_c, in_n and in_status hold until
 // out_next.
 // Formats: c, n, mc, mn, h s2.U, joint 1 in the lowest bits. Products are truncated: a cosine is low by 2 LSB at most.
-// Latency and II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1 + PIPE), with U above 16 PIPE once more.
+// Latency and II: 2 + BRANCHES (latency of the kernel + 2 JOINTS + 1 + PIPE); with PIPE = 1 and U above 16 one
+// multiplier takes both products of a cosine in turn: 2 + BRANCHES (latency of the kernel + 4 JOINTS + 3).
 // Status: that of the chosen branch; out_beyond: no branch is within the limits. Models: arm_keep.keep2, arm_keep.keep3
 `default_nettype none
 module arm_choose #(
@@ -90,40 +91,65 @@ module arm_choose #(
         /* limit 3 */ {MIDDLE1, LIMIT},
         /* step 3  */ {MIDDLE1, STEP},
         /* decide  */ {MIDDLE1, BETTER}};
-    // U above 16: and one more
-    localparam [7*6-1:0] TWO_2 = {
-        /* parts   */ {LAST1,   NONE},
-        /* product */ {MIDDLE2, NONE},
-        /* limit 1 */ {LAST2,   LIMIT},
-        /* step 1  */ {MIDDLE1, STEP},
-        /* limit 2 */ {MIDDLE1, LIMIT},
-        /* step 2  */ {MIDDLE1, STEP},
-        /* decide  */ {MIDDLE1, BETTER}};
-    localparam [9*6-1:0] THREE_2 = {
-        /* parts   */ {LAST1,   NONE},
-        /* product */ {MIDDLE2, NONE},
-        /* limit 1 */ {LAST2,   LIMIT},
-        /* step 1  */ {MIDDLE3, STEP},
-        /* limit 2 */ {LAST3,   LIMIT},
-        /* step 2  */ {MIDDLE1, STEP},
-        /* limit 3 */ {MIDDLE1, LIMIT},
-        /* step 3  */ {MIDDLE1, STEP},
-        /* decide  */ {MIDDLE1, BETTER}};
+    // U above 16: one product a clock, known three clocks later, the sines' behind the cosines'
+    localparam [3:0]        // operands of the next clock
+        C_MIDDLE1 = {MIDDLE1, 1'b0}, N_MIDDLE1 = {MIDDLE1, 1'b1}, C_LAST1 = {LAST1, 1'b0}, N_LAST1 = {LAST1, 1'b1},
+        C_MIDDLE2 = {MIDDLE2, 1'b0}, N_MIDDLE2 = {MIDDLE2, 1'b1}, C_LAST2 = {LAST2, 1'b0}, N_LAST2 = {LAST2, 1'b1},
+        C_MIDDLE3 = {MIDDLE3, 1'b0}, N_MIDDLE3 = {MIDDLE3, 1'b1}, C_LAST3 = {LAST3, 1'b0}, N_LAST3 = {LAST3, 1'b1};
+    localparam [3:0]        // what the product is
+        NOTHING = {NONE, 1'b0},    // not used, or added to the score
+        BELOW   = {NONE, 1'b1},    // added to what the limit takes off
+        LIMITED = {LIMIT, 1'b0},   // the second one of such a sum
+        STEPPED = {STEP, 1'b0},    // the second one of the score
+        DECIDE  = {BETTER, 1'b0};
+    localparam [11*8-1:0] TWO_2 = {
+        /* operands */ {N_MIDDLE1, NOTHING},
+        /* parts    */ {C_LAST1,   NOTHING},
+        /* limit 1  */ {N_LAST1,   BELOW},
+        /*          */ {C_MIDDLE2, LIMITED},
+        /* step 1   */ {N_MIDDLE2, NOTHING},
+        /*          */ {C_LAST2,   STEPPED},
+        /* limit 2  */ {N_LAST2,   BELOW},
+        /*          */ {C_MIDDLE1, LIMITED},
+        /* step 2   */ {C_MIDDLE1, NOTHING},
+        /*          */ {C_MIDDLE1, STEPPED},
+        /* decide   */ {C_MIDDLE1, DECIDE}};
+    localparam [15*8-1:0] THREE_2 = {
+        /* operands */ {N_MIDDLE1, NOTHING},
+        /* parts    */ {C_LAST1,   NOTHING},
+        /* limit 1  */ {N_LAST1,   BELOW},
+        /*          */ {C_MIDDLE2, LIMITED},
+        /* step 1   */ {N_MIDDLE2, NOTHING},
+        /*          */ {C_LAST2,   STEPPED},
+        /* limit 2  */ {N_LAST2,   BELOW},
+        /*          */ {C_MIDDLE3, LIMITED},
+        /* step 2   */ {N_MIDDLE3, NOTHING},
+        /*          */ {C_LAST3,   STEPPED},
+        /* limit 3  */ {N_LAST3,   BELOW},
+        /*          */ {C_MIDDLE1, LIMITED},
+        /* step 3   */ {C_MIDDLE1, NOTHING},
+        /*          */ {C_MIDDLE1, STEPPED},
+        /* decide   */ {C_MIDDLE1, DECIDE}};
     wire [1:0] joint;
-    wire       to_last, limit, step, better, idle;
+    wire       to_last, sines, limit, step, better, below, idle;
     reg        busy, begun;     // a target is being solved; its first branch starts
     reg  [1:0] number;
     wire       last_one = number == (BRANCHES == 4 ? 2'd3 : 2'd1);
     wire       start = in_done && idle;
-    localparam         LINES = 2 * JOINTS + 1 + PIPE + LONG;
-    localparam [5:0]   NO_LINE = 6'd0;
-    localparam [9*6-1:0] TABLE =  // the last LINES lines
-        JOINTS == 2 ? (LONG ? {{2{NO_LINE}}, TWO_2} : PIPE == 1 ? {{3{NO_LINE}}, TWO_1} : {{4{NO_LINE}}, TWO})
-        : LONG ? THREE_2 : PIPE == 1 ? {NO_LINE, THREE_1} : {{2{NO_LINE}}, THREE};
+    localparam             LINES = LONG ? 4 * JOINTS + 3 : 2 * JOINTS + 1 + PIPE;
+    localparam [5:0]       NO_LINE = 6'd0;
+    localparam [8*6-1:0]   TABLE =  // the last LINES lines
+        JOINTS == 2 ? (PIPE == 1 ? {{2{NO_LINE}}, TWO_1} : {{3{NO_LINE}}, TWO})
+        : PIPE == 1 ? THREE_1 : {NO_LINE, THREE};
+    localparam [15*8-1:0]  TABLE_2 = JOINTS == 2 ? {32'd0, TWO_2} : THREE_2;
     generate
-        if (PIPE >= 0) begin : g_control  // in a block, so that Yosys takes it before the products
+        if (!LONG) begin : g_control  // in a block, so that Yosys takes it before the products
             schedule #(.LINES(LINES), .BITS(6), .TABLE(TABLE[LINES*6-1:0])) control (.clk(clk), .rst(rst),
                 .in_start(start), .out_idle(idle), .out_op({joint, to_last, limit, step, better}));
+            assign {sines, below} = 2'b00;
+        end else begin : g_in_turn
+            schedule #(.LINES(LINES), .BITS(8), .TABLE(TABLE_2[LINES*8-1:0])) control (.clk(clk), .rst(rst),
+                .in_start(start), .out_idle(idle), .out_op({joint, to_last, sines, limit, step, better, below}));
         end
     endgenerate
     assign in_ready = !busy && (!out_valid || out_ready);
@@ -137,47 +163,50 @@ module arm_choose #(
     assign              out_last_c = last_c;
     assign              out_last_n = last_n;
     reg  signed [N-1:0] c, n, to_c, to_n, bound;
-    wire        [N-1:0] h;
+    reg  [S-1:0]        score, best_score;
+    wire [S-1:0]        cosine, added;  // added: the score, or what takes off the limit and 1
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [2*N-1:0] product1, product2;
     /* verilator lint_on UNUSEDSIGNAL */
     generate
-        if (PIPE == 0) begin : g_now
-            assign product1 = c * to_c;
-            assign product2 = n * to_n;
-            assign h = bound;
-        end else begin : g_registered
-            reg [N-1:0] bound_1;  // each limit stands for two clocks
-            always @(posedge clk)
-                bound_1 <= bound;
-            assign h = bound_1;
-            if (!LONG) begin : g_short
+        if (LONG) begin : g_long
+            wire signed [2*N-1:0] whole;
+            reg  signed [2*N-1:0] settled;
+            reg  [S-1:0]          first;
+            product_parts #(.A(N), .B(N), .MULTIPLY(MULTIPLY)) multiplier (.clk(clk), .in_move(1'b1), .in_a(c),
+                .in_b(to_c), .out_p(whole));
+            always @(posedge clk) begin
+                settled <= whole;
+                first   <= cosine + (below ? ~{{(S-N){bound[N-1]}}, bound} : score);
+            end
+            assign product1 = settled;
+            assign product2 = {(2*N){1'b0}};
+            assign added = first;
+            wire   unused = &{1'b0, n, to_n};
+        end else begin : g_short
+            wire         unused = below;
+            wire [N-1:0] h;
+            if (PIPE == 0) begin : g_now
+                assign product1 = c * to_c;
+                assign product2 = n * to_n;
+                assign h = bound;
+            end else begin : g_registered
+                reg [N-1:0] bound_1;  // each limit stands for two clocks
                 reg signed [2*N-1:0] whole1, whole2;
                 always @(posedge clk) begin
+                    bound_1 <= bound;
                     whole1 <= c * to_c;
                     whole2 <= n * to_n;
                 end
+                assign h = bound_1;
                 assign product1 = whole1;
                 assign product2 = whole2;
-            end else begin : g_long
-                wire signed [2*N-1:0] whole1, whole2;
-                reg  signed [2*N-1:0] settled1, settled2;
-                product_parts #(.A(N), .B(N), .MULTIPLY(MULTIPLY)) multiplier1 (.clk(clk), .in_move(1'b1), .in_a(c),
-                    .in_b(to_c), .out_p(whole1));
-                product_parts #(.A(N), .B(N), .MULTIPLY(MULTIPLY)) multiplier2 (.clk(clk), .in_move(1'b1), .in_a(n),
-                    .in_b(to_n), .out_p(whole2));
-                always @(posedge clk) begin
-                    settled1 <= whole1;
-                    settled2 <= whole2;
-                end
-                assign product1 = settled1;
-                assign product2 = settled2;
             end
+            assign added = limit ? ~{{(S-N){h[N-1]}}, h} : score;
         end
     endgenerate
-    wire [S-1:0] cosine = {{2{product1[2*N-1]}}, product1[2*N-1:U]} + {{2{product2[2*N-1]}}, product2[2*N-1:U]};
-    reg  [S-1:0] score, best_score;
-    wire [S-1:0] sum = cosine + (limit ? ~{{(S-N){h[N-1]}}, h} : score);  // cosine - h - 1 is not negative
+    assign       cosine = {{2{product1[2*N-1]}}, product1[2*N-1:U]} + {{2{product2[2*N-1]}}, product2[2*N-1:U]};
+    wire [S-1:0] sum = cosine + added;
     reg          allowed, best_allowed, best_reach;
     wire         reach = !in_status[0];
     // The greater key is the better answer. Inverting the sign bit makes the sum comparable as an unsigned number
@@ -186,9 +215,10 @@ module arm_choose #(
     wire         take = better && (number == 0 || key > best);
     assign       out_beyond = !best_allowed;
     always @(posedge clk) begin
-        c     <= in_c[joint*N +: N];
+        c     <= sines ? in_n[joint*N +: N] : in_c[joint*N +: N];
         n     <= in_n[joint*N +: N];
-        to_c  <= to_last ? last_c[joint*N +: N] : cfg_mc[joint*N +: N];
+        to_c  <= sines ? (to_last ? last_n[joint*N +: N] : cfg_mn[joint*N +: N])
+               : to_last ? last_c[joint*N +: N] : cfg_mc[joint*N +: N];
         to_n  <= to_last ? last_n[joint*N +: N] : cfg_mn[joint*N +: N];
         bound <= cfg_h[joint*N +: N];
         if (start || limit)

@@ -5,7 +5,7 @@
 // range and cfg_h* s2.U the cosine of half the range (arm_keep.limit); other cfg_* by kernel_vector_wide.config.
 // out_elbow is the chosen elbow.
 // Error of the tip: bounds.vector.ik2, 0.59 LSB at L1 = L2 = 2^13 from a quarter of the reach on.
-// Latency and II: 32 + 26 PIPE; with W above 16 32 + 32 PIPE, with U above 16, too, 32 + 34 PIPE.
+// Latency and II: 32 + 26 PIPE; with W above 16 32 + 32 PIPE, with U above 16, too, 32 + 42 PIPE.
 // Status: unreachable (the nearest point is answered), singular (x = y = 0: joint 1 takes its word from the last
 // answer). out_beyond: no branch is within the limits; the answer is not remembered.
 // Source: rational trigonometry paper, eqs. 18-23, in vector form. Model: arm_keep.keep2

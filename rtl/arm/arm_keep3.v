@@ -4,7 +4,7 @@
 // the last answer. Formats: those of arm_ik3; cfg_mc*, cfg_mn* s2.U the middle of a joint's range and cfg_h* s2.U the
 // cosine of half the range (arm_keep.limit). out_elbow and out_back are the chosen branch.
 // Error of the tip: bounds.arm.ik3. Latency and II: 106 + 20 LATERAL + 8 ABSOLUTE, with PIPE = 1 202 + 4 LATERAL +
-// 16 ABSOLUTE, with W above 16, too, 210 + 12 LATERAL + 20 ABSOLUTE, and 4 more with U above 16.
+// 16 ABSOLUTE, with W above 16, too, 210 + 12 LATERAL + 20 ABSOLUTE, and 28 more with U above 16.
 // Status: unreachable (the nearest point in the plane of the arm is answered), singular (a joint without a direction
 // takes its word from the last answer), overflow (z - base was saturated). out_beyond: no branch is within the limits;
 // the answer is not remembered.

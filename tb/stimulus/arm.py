@@ -165,7 +165,10 @@ def corners(core: Core, cfg: dict[str, int]) -> Vectors:
     if core.function == "arm_ik3":
         return _targets(core, cfg, rng)
     found = _motions(core, rng)
-    return stimulus.joined(found, stimulus.saturation(core, cfg, found))
+    found = stimulus.joined(found, stimulus.saturation(core, cfg, found))
+    if core.function.startswith("rates") and core.params["W"] > 16:  # divided by a small n2: a step is many LSB there
+        found = stimulus.joined(found, stimulus.saturation(core, cfg, _motions(core, rng)))
+    return found
 
 
 def _motions(core: Core, rng: np.random.Generator) -> Vectors:
