@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -29,7 +29,7 @@ def fk1(p: Params, l1: float) -> float:
     return float(math.sqrt(0.5) + np.max(off * l1 + units / 2**model.GUARD))
 
 
-@lru_cache(2)
+@cache
 def _one(width: int, turn_bits: int) -> tuple[Floats, Floats]:
     """Of classic_fk1 at every residual angle: relative error and units of the rounding."""
     parts = []
@@ -39,7 +39,10 @@ def _one(width: int, turn_bits: int) -> tuple[Floats, Floats]:
         off = np.abs(rest[0] * math.sqrt(2) * model.SHRINK / np.exp(1j * theta) - 1)
         parts.append((off, spread + np.abs(mean + (model.rounding(width) - 8) * (1 + 1j))))
     off, units = map(np.concatenate, zip(*parts))
-    return off, units
+    order = np.lexsort((units, off))[::-1]  # some length makes a word the worst only if no other has more of both
+    units = units[order]
+    worst = np.append(True, units[1:] > np.maximum.accumulate(units)[:-1])
+    return off[order][worst], units[worst]
 
 
 def ik1(p: Params, l1: float) -> float:
@@ -49,7 +52,6 @@ def ik1(p: Params, l1: float) -> float:
     return (fixed - 0.5) / turn * l1 + slope / turn
 
 
-@lru_cache(4)
 def _rotation(width: int, turn_bits: int, factors: int = 0) -> tuple[float, Floats, Floats, float]:
     """Of `cordic.turn` from a start word, over every residual angle: relative error, mean and spread of the rounding.
 
@@ -74,20 +76,33 @@ def chain(p: Params, joints: int, l1: float, l2: float) -> float:
     of the first turned by the second, off the mean that the constants take out; a unit for each start word.
     Up to L1 + L2 = 2^(W-2) at most 2 (two joints) and 2.9 (three) for W up to 16, 2.42 and 3.49 above.
     """
-    unit, gain = 2.0**-model.CHAIN_GUARD, 1.1645
-    in_plane, in_yaw = model.chain_rounding(p["W"])
-    off, mean, _, spread = _rotation(p["W"], p["A"])
-    centre = mean.mean()
-    turned = centre * gain * np.exp(2j * math.pi * np.linspace(-1, 1, mean.size) / 8) + mean
-    drift = np.abs(turned + in_plane * (1 + 1j))
-    drift = max(np.abs(drift.real).max(), np.abs(drift.imag).max()) + gain * np.abs(mean - centre).max()
-    plane = off * (l1 + 2 * l2) + unit * (gain * spread + spread + drift + 4)
+    off, units = _plane(p["W"], p["A"])
+    plane = off * (l1 + 2 * l2) + units
     if joints == 2:
         return float(plane + 0.5)
-    factors = len(model.yaw_factors(p["W"])) + 1
-    off, mean, start, spread = _rotation(p["W"], p["A"], factors)
-    flat = max(np.abs(mean + factors * turned * start + in_yaw * (1 + 1j)).max() for turned in (0, 1, 1j, 1 + 1j))
-    return float(plane + off * (l1 + l2) + unit * (spread + flat) + 0.5)
+    off, units = _yaw(p["W"], p["A"])
+    return float(plane + off * (l1 + l2) + units + 0.5)
+
+
+@cache
+def _plane(width: int, turn_bits: int) -> tuple[float, float]:
+    """Of the two rotations in the plane of the arm: relative error of each, and the roundings of both, LSB."""
+    gain, (taken, _) = 1.1645, model.chain_rounding(width)
+    off, mean, _, spread = _rotation(width, turn_bits)
+    centre = mean.mean()
+    turned = centre * gain * np.exp(2j * math.pi * np.linspace(-1, 1, mean.size) / 8) + mean
+    drift = np.abs(turned + taken * (1 + 1j))
+    drift = max(np.abs(drift.real).max(), np.abs(drift.imag).max()) + gain * np.abs(mean - centre).max()
+    return off, 2.0**-model.CHAIN_GUARD * (gain * spread + spread + drift + 4)
+
+
+@cache
+def _yaw(width: int, turn_bits: int) -> tuple[float, float]:
+    """The same of the rotation about the yaw axis."""
+    factors, (_, taken) = len(model.yaw_factors(width)) + 1, model.chain_rounding(width)
+    off, mean, start, spread = _rotation(width, turn_bits, factors)
+    flat = max(np.abs(mean + factors * turned * start + taken * (1 + 1j)).max() for turned in (0, 1, 1j, 1 + 1j))
+    return off, 2.0**-model.CHAIN_GUARD * (spread + flat)
 
 
 def _pass(p: Params, grows: int) -> tuple[float, float]:

@@ -80,6 +80,7 @@ PLACES = np.linspace(0, 1, 33)
 """The error of a chord is taken here."""
 
 
+@cache
 def sine(k: int, t: int) -> float:
     """Error of a sine or cosine from a table of 2^t chords a turn with knots of k fraction bits, by every chord.
 
