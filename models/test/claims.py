@@ -1,4 +1,4 @@
-"""What a kinematic core claims, by family: the bound of every answer, and the exact integers behind its flags.
+"""The sets that tests of models go through, and what a kinematic core claims: bounds, the integers behind its flags.
 
 No tests here. A new family is one more class in `CLAIMS`; `test_truth_of_cores.py` holds every core of rtl/cores.toml
 to it at every parameter set. Targets and tips are (axes, N), lengths and errors in LSB of a coordinate.
@@ -10,10 +10,22 @@ from abc import ABC, abstractmethod
 
 import numpy as np
 from quadrance import bounds, codecs
-from quadrance.cores import Core, joints
+from quadrance.cores import Core, all_cores, joints
 from quadrance.fixed import Ints
 from quadrance.kernel_vector_wide import form
 from quadrance.truth import Floats
+
+
+def distinct() -> list[Core]:
+    """Those of `all_cores` that may differ in a bit of an answer: of sets that PIPE or MULTIPLY tells apart the first.
+
+    The model of the programs asks for PIPE.
+    """
+    def bits(core: Core) -> tuple:
+        built = () if core.family == "program" else ("PIPE", "MULTIPLY")
+        return core.model_name, core.name, *((key, word) for key, word in core.params.items() if key not in built)
+
+    return list({bits(core): core for core in reversed(all_cores())}.values())[::-1]
 
 
 class Claim(ABC):

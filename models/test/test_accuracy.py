@@ -16,6 +16,8 @@ from quadrance.accuracy.primitives import PRIMITIVES
 from quadrance.cores import Core, joints
 from quadrance.fixed import Ints, to_fixed
 
+from models.test.claims import distinct
+
 PORTS = {"fk1": ("j1", "x y"), "fk2": ("j1 j2", "x y"), "fk3": ("j1 j2 j3", "x y z"),
          "ik1": ("x y", "j1"), "ik2": ("x y", "j1 j2"), "ik3": ("x y z", "j1 j2 j3")}
 JOINT = {"spread": "spread S", "angle": "angle A", "vector": "vector U"}
@@ -172,7 +174,7 @@ def test_an_unknown_function_has_no_truth():
 
 # What the cores are fed: the arm's day, the sweep, the workspace with its worst words, their configuration
 
-KINEMATIC = [one for one in cores.all_cores() if one.function in accuracy.JOINTS and one.params["W"] == 16]
+KINEMATIC = [one for one in distinct() if one.function in accuracy.JOINTS and one.params["W"] == 16]
 MODELS = list({(one.model_name, one.set_id): one for one in KINEMATIC}.values())
 
 
@@ -339,7 +341,7 @@ def test_bit_true_models_of_the_primitives_are_near_their_functions(one):
 # Bounds hold along a day of real arms, and give the figures that the pages of the cores print
 
 W16 = {"W": 16, "F": 8, "A": 16}
-CORES = {(one.model_name, one.set_id): one for one in cores.all_cores()
+CORES = {(one.model_name, one.set_id): one for one in distinct()
          if one.function in accuracy.JOINTS and (one.params["W"], one.params["F"]) == (16, 8)}
 
 

@@ -10,12 +10,13 @@ import pytest
 from quadrance import arm, arm_keep, arm_velocity, arms, bounds, kernel_vector_solve, truth, truth_arm, workspaces
 from quadrance.arms import ArmError
 from quadrance.bounds import arm as limits
-from quadrance.cores import all_cores
 from quadrance.kernel_vector_wide import form
+
+from models.test.claims import distinct
 
 W16 = {"W": 16, "F": 8, "U": 16}
 ALL = {name: 1 for name in arm.SWITCHES}
-SETS = {core.id: core.params for core in all_cores() if core.family == "arm" and core.function[-3:] in ("fk3", "ik3")}
+SETS = {core.id: core.params for core in distinct() if core.family == "arm" and core.function[-3:] in ("fk3", "ik3")}
 FORWARD = [p for name, p in SETS.items() if "fk3" in name]
 INVERSE = [p for name, p in SETS.items() if "ik3" in name]
 CASES = [pytest.param(W16 | arm.switches(arms.load(name)), arms.load(name), id=name) for name in arms.known()]
@@ -320,7 +321,7 @@ def test_a_room_of_a_turn_is_no_limit():
 # Velocities and rates against complex arithmetic in float64, near and at the singular poses too
 
 LINKS = [(0.5, 0.42), (0.3, 0.6), (0.9, 0.05)]  # of the coordinate's range, halved
-RATED = {core.id: core for core in all_cores() if core.family == "arm" and core.function[:-1] in ("velocity", "rates")}
+RATED = {core.id: core for core in distinct() if core.family == "arm" and core.function[:-1] in ("velocity", "rates")}
 RATED_CASES = [pytest.param(core, *links, id=f"{name}-{links[0]}") for name, core in RATED.items() for links in LINKS]
 
 

@@ -5,12 +5,14 @@ import pytest
 from quadrance import chain, codecs, truth
 from quadrance.bounds import chain as bounds
 from quadrance.bounds import paper
-from quadrance.cores import all_cores, joints
+from quadrance.cores import joints
 
-SPACE = [pytest.param(core, id=core.id) for core in all_cores() if core.params.get("SPACE")]
-CORES = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "chain"
+from models.test.claims import distinct
+
+SPACE = [pytest.param(core, id=core.id) for core in distinct() if core.params.get("SPACE")]
+CORES = [pytest.param(core, id=core.id) for core in distinct() if core.function == "chain"
          and not core.params.get("SPACE")]
-FIXED = [pytest.param(core, id=core.id) for core in all_cores() if core.function == "mff"]
+FIXED = [pytest.param(core, id=core.id) for core in distinct() if core.function == "mff"]
 VECTORS = [core for core in CORES if core.values[0].name == "vector_chain"]
 OVERFLOW = 4
 
@@ -304,7 +306,7 @@ def test_fixed_frames_beyond_the_word_and_the_parameter(core):
 # Joints on the forearm
 
 
-@pytest.mark.parametrize("core", [pytest.param(core, id=core.id) for core in all_cores() if core.function == "fk5"])
+@pytest.mark.parametrize("core", [pytest.param(core, id=core.id) for core in distinct() if core.function == "fk5"])
 def test_joints_four_and_five(core):
     """Each within paper_fk3's bound with its distance for L2; a joint out of range is flagged, the other is right."""
     p, rng = core.params, np.random.default_rng(9)

@@ -9,10 +9,11 @@ from quadrance.bounds import engine as bounds
 from quadrance.parallel import geometry, position
 from quadrance.parallel.geometry import PoseError
 
+from models.test.claims import distinct
 from tb.engine.rotation import matrices, quaternions
 from tb.engine.rus_ik import SCALE, spiral, workspace
 
-CORES = [core for core in cores.all_cores() if core.name == "engine_rus_ik"]
+CORES = [core for core in distinct() if core.name == "engine_rus_ik"]
 EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
 ROBOTS = pytest.mark.parametrize("name", sorted(SCALE))
 

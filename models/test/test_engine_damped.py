@@ -8,7 +8,9 @@ from quadrance import cores, truth
 from quadrance.bounds import iterative as bounds
 from quadrance.iterative import fixed, gradient, newton, newton_fixed
 
-CORES = [core for core in cores.all_cores() if core.name == "engine_quaternion_dls"]
+from models.test.claims import distinct
+
+CORES = [core for core in distinct() if core.name == "engine_quaternion_dls"]
 EACH = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
 PLAIN = next(core for core in cores.all_cores() if core.name == "engine_quaternion_gd")
 

@@ -11,13 +11,14 @@ from quadrance.bounds import rus_fk as rus_bounds
 from quadrance.parallel import delta, geometry, position
 from quadrance.parallel.geometry import PoseError
 
+from models.test.claims import distinct
 from tb.engine.delta import MM, scale, words, workspace
 from tb.engine.rus_fk import UNIT, assembled, poses
 from tb.engine.rus_ik import spiral
 
 # Six rods: engine_rus_fk
 
-CORES = [core for core in cores.all_cores() if core.name == "engine_rus_fk"]
+CORES = [core for core in distinct() if core.name == "engine_rus_fk"]
 EVERY = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
 ROBOTS = pytest.mark.parametrize("name", sorted(UNIT))
 SOLUTION = 8  # samples: solve, and seven that read
@@ -226,7 +227,7 @@ def test_words_that_do_not_fit_are_refused():
 
 # The delta on the product engine
 
-DELTAS = [core for core in cores.all_cores() if core.name == "engine_delta_fk" and not core.params["PIPE"]]
+DELTAS = [core for core in distinct() if core.name == "engine_delta_fk"]
 EVERY_DELTA = pytest.mark.parametrize("core", DELTAS, ids=lambda core: core.id)
 DELTA_ROBOTS = pytest.mark.parametrize("name", sorted(MM))
 

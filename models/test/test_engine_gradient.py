@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from quadrance import cores, truth
+from quadrance import truth
 from quadrance.bounds import iterative as bounds
 from quadrance.cores import Core
 from quadrance.iterative import fixed, gradient
 
+from models.test.claims import distinct
+
 NAMES = ("engine_quaternion_gd", "engine_quaternion_gd_vector", "engine_quaternion_gd_touch")
-CORES = [core for core in cores.all_cores() if core.name in NAMES]
+CORES = [core for core in distinct() if core.name in NAMES]
 EACH = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
 PLANAR = ((0.0292, 0.1267), (-100, 30), 0.33, 0.1)  # target, start in degrees, gain, length of a link in m
 TOUCH = ((0, -0.025, 0.17), np.degrees((1, -1, 0)), 19 * 0.135**2, 0.135)

@@ -9,7 +9,9 @@ from quadrance.bounds import iterative as bounds
 from quadrance.iterative import gradient, space
 from quadrance.iterative.gradient import Joint
 
-CORES = [core for core in cores.all_cores() if core.name == "engine_quaternion_gd_n"]
+from models.test.claims import distinct
+
+CORES = [core for core in distinct() if core.name == "engine_quaternion_gd_n"]
 FIRST = pytest.mark.parametrize("core", CORES[:1], ids=lambda core: core.id)
 EACH = pytest.mark.parametrize("core", CORES, ids=lambda core: core.id)
 TOL = 512  # 2^-16 of the unit of length: one LSB of a coordinate of 16 bits

@@ -10,7 +10,7 @@ import pytest
 from quadrance import srs, tool, truth_six, truth_srs
 from quadrance.bounds import srs as srs_bounds
 from quadrance.bounds import tool as tool_bounds
-from quadrance.cores import ROOT, RTL, all_cores
+from quadrance.cores import ROOT, RTL
 from quadrance.fixed import wrap
 from quadrance.kinematics_engine import ENDS, INFO, LINE, READ, RUN, SEAL, WRITE, crc16, kinematics_engine
 from quadrance.product_engine import ONE
@@ -20,10 +20,11 @@ from quadrance.six import AXES
 from quadrance.truth_srs import Srs
 
 from models.test import frames
+from models.test.claims import distinct
 
 # Seven axes: truth and text against a chain of matrices, the bit-true model against chain and bounds
 
-INVERSE = pytest.mark.parametrize("core", [core for core in all_cores() if core.function == "srs_ik"
+INVERSE = pytest.mark.parametrize("core", [core for core in distinct() if core.function == "srs_ik"
                                            and not core.params["PIPE"]], ids=lambda core: core.id)
 # KUKA LBR iiwa 7 R800 and 14 R820: base to shoulder, to elbow, to wrist, to flange, mm
 MAKER = {"iiwa7": (340, 400, 400, 126), "iiwa14": (360, 420, 400, 126)}
@@ -261,7 +262,7 @@ def test_no_rotation_is_told(core):
 
 # Machine tools: the bit-true models against LinuxCNC's formulas, and these against a chain of frames
 
-TOOLS = [core for core in all_cores() if core.family == "tool" and not core.params["PIPE"]]
+TOOLS = [core for core in distinct() if core.family == "tool"]
 MODELS = pytest.mark.parametrize("kind", ["xyzac", "xyzbc"])
 EACH_TOOL = pytest.mark.parametrize("core", TOOLS, ids=lambda core: core.id)
 

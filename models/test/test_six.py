@@ -14,13 +14,14 @@ from quadrance.program import meaning, parser, table
 from quadrance.truth_six import Six
 
 from models.test import frames
+from models.test.claims import distinct
 from tb.lib import stimulus
 
-CORES = [core for core in all_cores() if core.family == "six" and core.name.startswith("vector")]
+CORES = [core for core in distinct() if core.family == "six" and core.name.startswith("vector")]
 FORWARD = [core for core in CORES if core.function == "fk6"]
 INVERSE = [core for core in CORES if core.function == "ik6"]
 ALL = [core for core in CORES if core.function == "ik6_all"]
-ANGLES = [core for core in all_cores() if core.function.endswith("_to_angles") and not core.params["PIPE"]]
+ANGLES = [core for core in distinct() if core.function.endswith("_to_angles")]
 ROBOTS = pytest.mark.parametrize("robot", truth_six.known())
 
 
@@ -480,7 +481,7 @@ def test_program_reads_what_is_written(name):
 # Velocities: the models against numerical Jacobians of a chain of frames, flags and factors
 
 TIP = "vx", "vy", "vz", "wx", "wy", "wz"
-VELOCITY, RATES = ([core for core in all_cores() if core.name == name and not core.params["PIPE"]]
+VELOCITY, RATES = ([core for core in distinct() if core.name == name]
                     for name in ("vector_velocity6", "vector_rates6"))
 
 

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from quadrance import bounds, codec_wide, codecs, cores, table, truth
 
-LISTED = {core.id: core for core in cores.all_cores() if core.family == "table"}
+from models.test.claims import distinct
+
+LISTED = {core.id: core for core in distinct() if core.family == "table"}
 FINE = {"W": 18, "F": 8, "A": 20}
 SHARES = [(0.5, 0.5), (1.0, 0.0), (0.0, 1.0), (0.62, 0.38), (0.05, 0.03)]
 DEFAULT = {"W": 16, "F": 8, "A": 18}

@@ -14,12 +14,12 @@ import pytest
 from quadrance import accuracy, bounds, classic, codecs, cordic, truth
 from quadrance.cores import Core, all_cores, at, joints
 
-from models.test.claims import CLAIMS, Claim, angles
+from models.test.claims import CLAIMS, Claim, angles, distinct
 from tb.lib import legal
 from tb.lib.suite import SEED
 
 UNREACHABLE, SINGULAR, OVERFLOW = 1, 2, 4
-KINEMATIC = [core for core in all_cores() if core.function in accuracy.JOINTS]
+KINEMATIC = [core for core in distinct() if core.function in accuracy.JOINTS]
 CORES = list({(core.model_name, core.set_id): core for core in KINEMATIC if core.family in CLAIMS}.values())
 INVERSE = [core for core in CORES if core.function in ("ik2", "ik3")]
 SHARES = [(0.25, 0.25), (0.3, 0.14), (0.1, 0.35), (0.02, 0.4)]  # of 2^(W - 1): equal, either longer, a large hole

@@ -10,11 +10,13 @@ import pytest
 from quadrance import arms, truth_six, truth_ur, ur
 from quadrance.accuracy import pose
 from quadrance.bounds import ur as bounds
-from quadrance.cores import ROOT, all_cores, find
+from quadrance.cores import ROOT, find
 from quadrance.program import assembler, image, meaning, parser
 from quadrance.truth_ur import Ur
 
-CORES = [core for core in all_cores() if core.family == "ur" and not core.params["PIPE"]]  # it changes no bit
+from models.test.claims import distinct
+
+CORES = [core for core in distinct() if core.family == "ur"]
 FORWARD, INVERSE, ALL = ([core for core in CORES if core.function == name] for name in ("ur_fk", "ur_ik", "ur_ik_all"))
 AXES = [f"{row}{column}" for row in "123" for column in "123"]
 POLISH = ROOT / "docs" / "polish.kin"

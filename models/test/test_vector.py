@@ -18,14 +18,16 @@ from quadrance import (
     truth,
     vector,
 )
-from quadrance.cores import Core, all_cores, at, find, joints
+from quadrance.cores import Core, at, find, joints
+
+from models.test.claims import distinct
 
 # One joint, and forward, at every listed set
 
 
 def listed(*functions: str) -> pytest.MarkDecorator:
     """Every set of every vector core of these functions."""
-    found = [core for core in cores.all_cores() if core.family == "vector" and core.function in functions]
+    found = [core for core in distinct() if core.family == "vector" and core.function in functions]
     assert len(found) >= 2 * len(functions)
     return pytest.mark.parametrize("core", found, ids=lambda core: core.id)
 
@@ -214,7 +216,7 @@ def test_one_joint_there_and_back(name):
 
 LINKS = [(8192, 8192), (8320, 7040), (12000, 4384), (4384, 12000), (16000, 300), (300, 16000), (768, 512), (30, 20),
          (5, 2), (1, 1), (100, 100), (16384, 16384), (30000, 2000), (20000, 25000), (60000, 60000)]
-SETS = {core.id: core.params for core in all_cores() if core.model_name == "vector.ik2"}
+SETS = {core.id: core.params for core in distinct() if core.model_name == "vector.ik2"}
 P = {"W": 16, "F": 8, "U": 16}
 SHORT = {"W": 18, "F": 8, "U": 12}  # words shorter than their kernel's
 CASES = [pytest.param(p, *((length << p["W"]) >> 16 for length in pair), id=f"{name}-{pair[0]}-{pair[1]}")
@@ -393,7 +395,7 @@ def test_the_reciprocal_never_reaches_four() -> None:
         assert np.max(kernel_vector_solve.inverse_product(q, np.full(q.shape, root)) >> 23) < 1 << 26
 
 
-SPACE = {core.id: core.params for core in all_cores() if core.model_name == "vector.ik3"}
+SPACE = {core.id: core.params for core in distinct() if core.model_name == "vector.ik3"}
 SPACE_CASES = [pytest.param(p, *((length << p["W"]) >> 16 for length in pair), id=f"{name}-{pair[0]}-{pair[1]}")
                for name, p in (SPACE | {"short": SHORT}).items() for pair in LINKS]
 WIDE = [{"W": 20, "F": 12, "U": 20}, {"W": 22, "F": 14, "U": 21}, {"W": 24, "F": 16, "U": 24}]
