@@ -473,7 +473,7 @@ def inverse_case(core: Core, arm: Machine, text: Printed, rng: np.random.Generat
     axes = "xyz" if space else "xy"
     for axis in axes:
         fine &= np.abs(target[axis]) < end
-    pick = np.flatnonzero(fine)[:FEW]
+    pick = np.flatnonzero(fine)[:FEW // 2 if space else FEW]
     assert len(pick) > FEW // 3, (core.name, arm.id, len(pick))
     angles = {name: angle[pick] for name, angle in angles.items()}
     target = {name: np.broadcast_to(value, len(rho))[pick] for name, value in target.items()}

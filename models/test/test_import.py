@@ -17,6 +17,7 @@ import sys
 import tempfile
 import tomllib
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from xml.etree import ElementTree
 from xml.sax.saxutils import quoteattr
@@ -71,6 +72,7 @@ def turn(axis, angle):
     return found
 
 
+@cache
 def rpy(roll, pitch, yaw):
     return turn(Z, yaw) @ turn(Y, pitch) @ turn(X, roll)
 
