@@ -237,6 +237,15 @@ def _target(path: Path, chain: list[str]) -> tuple[Path, str | None] | None:
     return _target(file, chain[1:]) or (file, None)
 
 
+@functools.cache
+def _meant(path: Path, name: str) -> tuple[str, tuple[tuple[Path, str | None], ...]]:
+    """Text of what defines a name at the top of a file, "" of what always counts, and where what it uses is defined."""
+    here = source(path)
+    nodes = here.named[name] if name else here.always
+    used = (_target(path, chain) for node in nodes for chain in _chains(node))
+    return "\n".join(map(here.text, nodes)), tuple(filter(None, used))
+
+
 def reached(starts: Iterable[tuple[Path, str | None]], leave: Container[Path] = ()) -> dict[tuple[Path, str], str]:
     """(file, name) -> text of every function, class and constant that `starts` use, directly or not.
 
@@ -249,18 +258,17 @@ def reached(starts: Iterable[tuple[Path, str | None]], leave: Container[Path] = 
         if (path, name) in seen or path in leave:
             continue
         seen.add((path, name))
-        here, nodes = source(path), []
+        here = source(path)
         if (path, "") not in found:
-            found[path, ""] = "\n".join(map(here.text, here.always))
-            nodes += here.always
+            found[path, ""], used = _meant(path, "")
+            todo += used
         if name is None:
             todo += [(path, one) for one in here.named]
         elif name in here.named:
-            found[path, name] = "\n".join(map(here.text, here.named[name]))
-            nodes += here.named[name]
+            found[path, name], used = _meant(path, name)
+            todo += used
         else:
             todo.append(_target(path, [name]) or (path, None))
-        todo += [target for node in nodes for chain in _chains(node) if (target := _target(path, chain))]
     return found
 
 
