@@ -91,3 +91,16 @@ def test_the_digest_is_that_of_what_is_used(monkeypatch):
     assert (path, "_turn") in found and (path, "ik2") not in found
     monkeypatch.setattr(cover, "python", lambda _: found | {(path, "_turn"): "def _turn(): pass"})
     assert cover._follows(core) != before
+
+
+def asks(core) -> bool:
+    """Whether the model of a core names PIPE or MULTIPLY, in what it reaches."""
+    start = Path(sys.modules[core.model.__module__].__file__), core.model.__name__
+    texts = cache.reached([start], {tools.ROOT / name for name in cover.LIST})
+    return any('"PIPE"' in text or '"MULTIPLY"' in text for text in texts.values())
+
+
+def test_models_of_programs_alone_ask_how_a_core_is_built():
+    """So every other model is tested at one set of those that `claims.distinct` takes for the same."""
+    wrong = {core.name for core in cover.cores() if asks(core) and core.family != "program"}
+    assert not wrong and any(asks(core) for core in cover.cores() if core.family == "program")

@@ -91,17 +91,17 @@ module arm_choose #(
         /* limit 3 */ {MIDDLE1, LIMIT},
         /* step 3  */ {MIDDLE1, STEP},
         /* decide  */ {MIDDLE1, BETTER}};
-    // U above 16: one product a clock, known three clocks later, the sines' behind the cosines'
+    // U above 16: one product a clock. It is known three clocks after its operands; that of the sines comes second
     localparam [3:0]        // operands of the next clock
         C_MIDDLE1 = {MIDDLE1, 1'b0}, N_MIDDLE1 = {MIDDLE1, 1'b1}, C_LAST1 = {LAST1, 1'b0}, N_LAST1 = {LAST1, 1'b1},
         C_MIDDLE2 = {MIDDLE2, 1'b0}, N_MIDDLE2 = {MIDDLE2, 1'b1}, C_LAST2 = {LAST2, 1'b0}, N_LAST2 = {LAST2, 1'b1},
         C_MIDDLE3 = {MIDDLE3, 1'b0}, N_MIDDLE3 = {MIDDLE3, 1'b1}, C_LAST3 = {LAST3, 1'b0}, N_LAST3 = {LAST3, 1'b1};
     localparam [3:0]        // what the product is
-        NOTHING = {NONE, 1'b0},    // not used, or added to the score
-        BELOW   = {NONE, 1'b1},    // added to what the limit takes off
-        LIMITED = {LIMIT, 1'b0},   // the second one of such a sum
-        STEPPED = {STEP, 1'b0},    // the second one of the score
-        DECIDE  = {BETTER, 1'b0};
+        NOTHING = {NONE, 1'b0},    // the first one of a step, added to the score; or not used
+        BELOW   = {NONE, 1'b1},    // the first one of a limit, which is taken off
+        LIMITED = {LIMIT, 1'b0},   // the second one of a limit: the sum is negative beyond it
+        STEPPED = {STEP, 1'b0},    // the second one of a step
+        DECIDE  = {BETTER, 1'b0};  // not used; the branch is the answer if the best so far
     localparam [11*8-1:0] TWO_2 = {
         /* operands */ {N_MIDDLE1, NOTHING},
         /* parts    */ {C_LAST1,   NOTHING},
