@@ -214,13 +214,17 @@ module arm_choose #(
     wire [S+1:0] best = {best_allowed, best_reach, !best_score[S-1], best_score[S-2:0]};
     wire         take = better && (number == 0 || key > best);
     assign       out_beyond = !best_allowed;
+    function [N-1:0] of_joint;  // the word of the joint whose turn it is
+        input [JOINTS*N-1:0] words;
+        of_joint = joint[1] ? words[JOINTS*N-1 -: N] : joint[0] ? words[2*N-1:N] : words[N-1:0];
+    endfunction
     always @(posedge clk) begin
-        c     <= sines ? in_n[joint*N +: N] : in_c[joint*N +: N];
-        n     <= in_n[joint*N +: N];
-        to_c  <= sines ? (to_last ? last_n[joint*N +: N] : cfg_mn[joint*N +: N])
-               : to_last ? last_c[joint*N +: N] : cfg_mc[joint*N +: N];
-        to_n  <= to_last ? last_n[joint*N +: N] : cfg_mn[joint*N +: N];
-        bound <= cfg_h[joint*N +: N];
+        c     <= sines ? of_joint(in_n) : of_joint(in_c);
+        n     <= of_joint(in_n);
+        to_c  <= sines ? (to_last ? of_joint(last_n) : of_joint(cfg_mn))
+               : to_last ? of_joint(last_c) : of_joint(cfg_mc);
+        to_n  <= to_last ? of_joint(last_n) : of_joint(cfg_mn);
+        bound <= of_joint(cfg_h);
         if (start || limit)
             allowed <= start || allowed && !sum[S-1];
         if (start || step)

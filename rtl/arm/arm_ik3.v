@@ -4,7 +4,7 @@
 //   rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2), vector_ik2 on (rho - a, z - base)
 // Formats: in_*, cfg_base, cfg_lateral s(W-F).F; cfg_shoulder s(W-F-2).F; out_c*, out_n* s2.U, rounded to nearest;
 // other cfg_* by arm.config. Error of the tip: bounds.arm.ik3. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE; with
-// PIPE = 1 42 + LATERAL + 4 ABSOLUTE, with W above 16 44 + 3 LATERAL + 5 ABSOLUTE.
+// PIPE = 1 42 + LATERAL + 4 ABSOLUTE, with W above 16 44 + 3 LATERAL + 6 ABSOLUTE.
 // Status: unreachable (by more than cfg_slack, 2^-14 of cos j2, 2^-18 and 2^-22 with W above 16 and 20, or nearer to
 // the yaw axis than b; the nearest point in the plane of the arm is answered), singular (within cfg_margin, LSB, of a
 // stretched or folded elbow, or rho is; joint 1 or 3 has no direction and holds its last word, (1, 0) after a reset),
@@ -73,7 +73,7 @@ module arm_ik3 #(
     wire [N-2:0]        margin = {cfg_margin, {(N-W){1'b0}}};
     wire [2:0]          cosine, sine;
     wire [I+3:0]        word;
-    wire                flat, negative, none, sin2, by1, kept, turned;
+    wire                flat, negative, none, sin2, n2, by1, kept, turned;
     generate
         if (N == 16) begin : g_narrow
             arm_solve #(.U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE),
@@ -85,6 +85,7 @@ module arm_ik3 #(
                 .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat), .out_negative(negative),
                 .out_none(none), .out_sine(sin2), .out_by1(by1), .out_kept(kept), .out_turned(turned),
                 .out_status(out_status));
+            assign n2 = 1'b0;
         end else begin : g_wide
             arm_solve_wide #(.N(N), .U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE),
                 .MARGINS(MARGINS), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
@@ -93,15 +94,15 @@ module arm_ik3 #(
                 .cfg_slack(cfg_slack), .in_valid(in_valid), .in_ready(in_ready), .in_x(x), .in_y(y), .in_z(z),
                 .in_elbow(in_elbow), .in_back(in_back), .out_valid(out_valid), .out_ready(out_ready),
                 .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat), .out_negative(negative),
-                .out_none(none), .out_sine(sin2), .out_by1(by1), .out_kept(kept), .out_turned(turned),
-                .out_status(out_status));
+                .out_none(none), .out_sine(sin2), .out_n2(n2), .out_by1(by1), .out_kept(kept),
+                .out_turned(turned), .out_status(out_status));
         end
         if (PIPE >= 0) begin : g_words  // in a block, too, so that Yosys takes them after the solver
             arm_vectors #(.U(U), .I(I), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) codec (
                 .clk(clk), .rst(rst), .cfg_ce(cfg_ce), .cfg_ne(cfg_ne), .in_cos(cosine), .in_sin(sine), .in_word(word),
-                .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(sin2), .in_by1(by1), .in_kept(kept),
-                .in_turned(turned), .in_load(1'b0), .in_last_c({(3*(U+2)){1'b0}}), .in_last_n({(3*(U+2)){1'b0}}),
-                .out_c({out_c3, out_c2, out_c1}), .out_n({out_n3, out_n2, out_n1}));
+                .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(sin2), .in_n2(n2), .in_by1(by1),
+                .in_kept(kept), .in_turned(turned), .in_load(1'b0), .in_last_c({(3*(U+2)){1'b0}}),
+                .in_last_n({(3*(U+2)){1'b0}}), .out_c({out_c3, out_c2, out_c1}), .out_n({out_n3, out_n2, out_n1}));
         end
     endgenerate
 endmodule

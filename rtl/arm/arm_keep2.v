@@ -87,8 +87,8 @@ module arm_keep2 #(
         if (PIPE >= 0) begin : g_words  // in a block, too, so that Yosys takes them after the solver
             arm_vectors #(.U(U), .I(I), .ELBOW(0), .ABSOLUTE(0), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) codec (
                 .clk(clk), .rst(rst), .cfg_ce({T{1'b0}}), .cfg_ne({T{1'b0}}), .in_cos(cosine), .in_sin(sine),
-                .in_word(word), .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(1'b0), .in_by1(1'b0),
-                .in_kept(1'b0), .in_turned(1'b0), .in_load(go), .in_last_c({{T{1'b0}}, last_c}),
+                .in_word(word), .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(1'b0), .in_n2(1'b0),
+                .in_by1(1'b0), .in_kept(1'b0), .in_turned(1'b0), .in_load(go), .in_last_c({{T{1'b0}}, last_c}),
                 .in_last_n({{T{1'b0}}, last_n}), .out_c(c), .out_n(n));
             arm_choose #(.JOINTS(2), .BRANCHES(2), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) choice (
                 .clk(clk), .rst(rst), .cfg_mc({cfg_mc2, cfg_mc1}), .cfg_mn({cfg_mn2, cfg_mn1}),

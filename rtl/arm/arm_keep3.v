@@ -4,7 +4,7 @@
 // the last answer. Formats: those of arm_ik3; cfg_mc*, cfg_mn* s2.U the middle of a joint's range and cfg_h* s2.U the
 // cosine of half the range (arm_keep.limit). out_elbow and out_back are the chosen branch.
 // Error of the tip: bounds.arm.ik3. Latency and II: 106 + 20 LATERAL + 8 ABSOLUTE, with PIPE = 1 202 + 4 LATERAL +
-// 16 ABSOLUTE, with W above 16, too, 210 + 12 LATERAL + 20 ABSOLUTE, and 28 more with U above 16.
+// 16 ABSOLUTE, with W above 16, too, 210 + 12 LATERAL + 24 ABSOLUTE, and 28 more with U above 16.
 // Status: unreachable (the nearest point in the plane of the arm is answered), singular (a joint without a direction
 // takes its word from the last answer), overflow (z - base was saturated). out_beyond: no branch is within the limits;
 // the answer is not remembered.
@@ -76,7 +76,7 @@ module arm_keep3 #(
     wire [N-1:0]        l1 = {cfg_l1, {(N-W){1'b0}}}, l2 = {cfg_l2, {(N-W){1'b0}}};
     wire signed [N-1:0] base = {cfg_base, {(N-W){1'b0}}}, lateral = {cfg_lateral, {(N-W){1'b0}}};
     wire signed [N-3:0] shoulder = {cfg_shoulder, {(N-W){1'b0}}};
-    wire                take, go, done, next, ready, flat, negative, none, sin2, by1, kept, turned;
+    wire                take, go, done, next, ready, flat, negative, none, sin2, n2, by1, kept, turned;
     wire [1:0]          number;
     wire [2:0]          cosine, sine;
     wire [I+3:0]        word;
@@ -100,6 +100,7 @@ module arm_keep3 #(
                 .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat),
                 .out_negative(negative), .out_none(none), .out_sine(sin2), .out_by1(by1), .out_kept(kept),
                 .out_turned(turned), .out_status(status));
+            assign n2 = 1'b0;
         end else begin : g_wide
             arm_solve_wide #(.N(N), .U(U), .BASE(BASE), .SHOULDER(SHOULDER), .LATERAL(LATERAL), .ABSOLUTE(ABSOLUTE),
                 .PIPE(PIPE), .MULTIPLY(MULTIPLY)) kernel (
@@ -108,14 +109,15 @@ module arm_keep3 #(
                 .cfg_margin({(N-1){1'b0}}), .cfg_slack({(N-3){1'b0}}), .in_valid(go), .in_ready(ready),
                 .in_x(x), .in_y(y), .in_z(z), .in_elbow(number[0]), .in_back(number[1]), .out_valid(done),
                 .out_ready(next), .out_cos(cosine), .out_sin(sine), .out_word(word), .out_flat(flat),
-                .out_negative(negative), .out_none(none), .out_sine(sin2), .out_by1(by1), .out_kept(kept),
-                .out_turned(turned), .out_status(status));
+                .out_negative(negative), .out_none(none), .out_sine(sin2), .out_n2(n2), .out_by1(by1),
+                .out_kept(kept), .out_turned(turned), .out_status(status));
         end
         if (PIPE >= 0) begin : g_words  // in a block, too, so that Yosys takes them after the solver
             arm_vectors #(.U(U), .I(I), .ELBOW(ELBOW), .ABSOLUTE(ABSOLUTE), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) codec (
                 .clk(clk), .rst(rst), .cfg_ce(cfg_ce), .cfg_ne(cfg_ne), .in_cos(cosine), .in_sin(sine), .in_word(word),
-                .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(sin2), .in_by1(by1), .in_kept(kept),
-                .in_turned(turned), .in_load(go), .in_last_c(last_c), .in_last_n(last_n), .out_c(c), .out_n(n));
+                .in_flat(flat), .in_negative(negative), .in_none(none), .in_sine(sin2), .in_n2(n2), .in_by1(by1),
+                .in_kept(kept), .in_turned(turned), .in_load(go), .in_last_c(last_c), .in_last_n(last_n), .out_c(c),
+                .out_n(n));
             arm_choose #(.JOINTS(3), .BRANCHES(4), .U(U), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) choice (
                 .clk(clk), .rst(rst), .cfg_mc({cfg_mc3, cfg_mc2, cfg_mc1}), .cfg_mn({cfg_mn3, cfg_mn2, cfg_mn1}),
                 .cfg_h({cfg_h3, cfg_h2, cfg_h1}), .in_valid(in_valid), .in_ready(in_ready), .out_take(take),

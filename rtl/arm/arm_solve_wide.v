@@ -3,9 +3,9 @@
 // lateral offset b and either side of the shoulder.
 //   rho = +-sqrt(x^2 + y^2 - b^2), (c3, n3) = (x + i y)(rho - i b) / (x^2 + y^2); rho - a and z - base replace x and y
 // Formats: in_* sN.0; cfg_* by arm.config; out_word s4.(N+2) and what belongs to it as in kernel_vector_wide. out_sine,
-// out_by1, out_kept, out_turned as in arm_solve; with PIPE = 1 operands of a turn come three clocks before.
+// out_by1, out_kept, out_turned as in arm_solve; with PIPE = 1 operands of a turn come one by one, as in arm_vectors.
 // Error of the tip: bounds.arm.ik3. Latency and II: 19 + 5 LATERAL + 2 ABSOLUTE, with PIPE = 1 44 + 3 LATERAL +
-// 5 ABSOLUTE. Status: unreachable (the nearest point in the plane of the arm is answered), singular (within the margin,
+// 6 ABSOLUTE. Status: unreachable (the nearest point in the plane of the arm is answered), singular (within the margin,
 // or joint 1 or 3 has no direction), overflow (z - base was saturated).
 // Source: rational trigonometry paper, eqs. 32-40, in vector form, with the offsets of real arms. Model: arm.ik3
 `default_nettype none
@@ -50,6 +50,7 @@ module arm_solve_wide #(
     output wire                  out_negative,
     output wire                  out_none,
     output wire                  out_sine,
+    output wire                  out_n2,
     output wire                  out_by1,
     output wire                  out_kept,
     output wire                  out_turned,
@@ -80,30 +81,31 @@ module arm_solve_wide #(
         NONE    = 2'b00,          // nothing
         HALF    = 2'b01,          // the half that rounds a word
         LENGTH  = 2'b10;          // L1
-    localparam [20:0]             // the rest
-        OTHER   = 21'h000000,     // nothing
-        BYTES   = 21'h000001,     // bytes that q can spare
-        PAIRS   = 21'h000002,     // pairs of bits that q can spare
-        GAP     = 21'h000004,     // sign and range of q - Q1 - Q2
-        ROOT    = 21'h000008,     // read n2
-        READ    = 21'h000010,     // read 1/q'
-        INVERSE = 21'h000020,     // first factor of 1/q'
-        COS2    = 21'h000040,     // the product is c2
-        SIN2    = 21'h000080,     // the product is n2
-        HALVE   = 21'h000100,     // not q is shifted but its root: out of reach, and for joint 3
-        COS1    = 21'h000200,     // the product is c1
-        SIN1    = 21'h000400,     // the product is n1
-        FIRST   = 21'h000800,     // the next sum is the gap
-        COS3    = 21'h001000,     // the product is c3
-        SIN3    = 21'h002000,     // the product is n3
-        NEAREST = 21'h004000,     // half a unit is added to the next sum, rho
-        LAST    = 21'h008000,     // of the last line: the words are valid in the next clock
-        PLAIN   = 21'h010000,     // the next sums are q, not q - b^2, and less than b^2 it wants no root
-        SINE    = 21'h020000,     // operands of the sine of joint 2 turned, not of its cosine
-        BY1     = 21'h040000,     // joint 2 is turned by joint 1, not by the elbow's constant
-        KEPT    = 21'h080000,     // the turned cosine is kept
-        TURNED  = 21'h100000;     // the turned cosine and sine go to joint 2
-    localparam OP = 35;           // bits of a line
+    localparam [21:0]             // the rest
+        OTHER   = 22'h000000,     // nothing
+        BYTES   = 22'h000001,     // bytes that q can spare
+        PAIRS   = 22'h000002,     // pairs of bits that q can spare
+        GAP     = 22'h000004,     // sign and range of q - Q1 - Q2
+        ROOT    = 22'h000008,     // read n2
+        READ    = 22'h000010,     // read 1/q'
+        INVERSE = 22'h000020,     // first factor of 1/q'
+        COS2    = 22'h000040,     // the product is c2
+        SIN2    = 22'h000080,     // the product is n2
+        HALVE   = 22'h000100,     // not q is shifted but its root: out of reach, and for joint 3
+        COS1    = 22'h000200,     // the product is c1
+        SIN1    = 22'h000400,     // the product is n1
+        FIRST   = 22'h000800,     // the next sum is the gap
+        COS3    = 22'h001000,     // the product is c3
+        SIN3    = 22'h002000,     // the product is n3
+        NEAREST = 22'h004000,     // half a unit is added to the next sum, rho
+        LAST    = 22'h008000,     // of the last line: the words are valid in the next clock
+        PLAIN   = 22'h010000,     // the next sums are q, not q - b^2, and less than b^2 it wants no root
+        SINE    = 22'h020000,     // operands of the sine of joint 2 turned, not of its cosine
+        BY1     = 22'h040000,     // joint 2 is turned by joint 1, not by the elbow's constant
+        KEPT    = 22'h080000,     // the turned cosine is kept
+        TURNED  = 22'h100000,     // the turned cosine and sine go to joint 2
+        N2      = 22'h200000;     // operands of the product of n2, not of c2 (PIPE = 1)
+    localparam OP = 36;           // bits of a line
     //                       operands  left     right   addend  rest
     localparam [9*OP-1:0] YAW = {
         /* x^2 + y^2   */ {KEEP,     HOLD,    SAME,   NONE,   BYTES},
@@ -197,32 +199,33 @@ module arm_solve_wide #(
         /* n2          */ {KEEP,     PRODUCT, CFG_L2, HALF,   OTHER},
         /* k2; square  */ {KEEP,     SHIFTED, CFG_R,  NONE,   SIN2},
         /* k2; slope   */ {K2,       FACTOR,  SLOPE,  NONE,   OTHER},
-        /* 1/q'; b     */ {TURN,     SHIFTED, CFG_R,  NONE,   SINE},
-        /* 1/q'; b, a  */ {KEEP,     SHIFTED, RESULT, NONE,   OTHER},
+        /* 1/q'; b     */ {TURN,     SHIFTED, CFG_R,  NONE,   N2},
+        /* 1/q'; b, a  */ {KEEP,     SHIFTED, RESULT, NONE,   SINE},
+        /* b, a        */ {KEEP,     SHIFTED, SAME,   NONE,   SINE | N2},
         /* b, a        */ {KEEP,     SHIFTED, SAME,   NONE,   KEPT},
-        /* b, a        */ {KEEP,     SHIFTED, SAME,   NONE,   TURNED},
         /* c1          */ STAY,
-        /* c1, n1      */ {KEEP,     SHIFTED, CFG_R,  HALF,   OTHER},
+        /* c1, n1      */ {KEEP,     SHIFTED, CFG_R,  HALF,   TURNED},
         /* n1          */ {KEEP,     SHIFTED, CFG_R,  HALF,   COS1},
-        /* n1          */ {KEEP,     SHIFTED, CFG_R,  NONE,   SIN1}};
-    localparam [5*OP-1:0] TOGETHER_1 = {
-        /* cos 1 + 2   */ {KEEP,     SHIFTED, CFG_R,  NONE,   BY1},
-        /* sin 1 + 2   */ {KEEP,     SHIFTED, CFG_R,  NONE,   BY1 | SINE},
-        /* both        */ {KEEP,     SHIFTED, CFG_R,  NONE,   BY1},
+        /* n1; c1 c2   */ {KEEP,     SHIFTED, CFG_R,  NONE,   SIN1 | BY1}};
+    localparam [6*OP-1:0] TOGETHER_1 = {
+        /* n1 n2       */ {KEEP,     SHIFTED, CFG_R,  NONE,   BY1 | N2},
+        /* n1 c2       */ {KEEP,     SHIFTED, CFG_R,  NONE,   BY1 | SINE},
+        /* c1 n2       */ {KEEP,     SHIFTED, CFG_R,  NONE,   BY1 | SINE | N2},
         /* cos 1 + 2   */ {KEEP,     SHIFTED, CFG_R,  NONE,   BY1 | KEPT},
+        /* both        */ {KEEP,     SHIFTED, CFG_R,  NONE,   BY1},
         /* sin 1 + 2   */ {KEEP,     SHIFTED, CFG_R,  NONE,   BY1 | TURNED}};
-    wire [OP-1:0] op; wire [20:0] rest;
+    wire [OP-1:0] op; wire [21:0] rest;
     wire [6:0]    operands; wire [2:0] right_from; wire [1:0] left_from, addend;
     assign        {operands, left_from, right_from, addend, rest} = op;
     wire          idle; wire accept = in_valid && in_ready;
-    localparam LINES = PIPE == 0 ? 18 + 5 * LATERAL + 2 * ABSOLUTE : 43 + 3 * LATERAL + 5 * ABSOLUTE;
+    localparam LINES = PIPE == 0 ? 18 + 5 * LATERAL + 2 * ABSOLUTE : 43 + 3 * LATERAL + 6 * ABSOLUTE;
     localparam [46*OP-1:0] ANSWER =
         PIPE == 0 ? (LATERAL ? {{23{WAIT}}, BESIDE, SOLVE} : {{28{WAIT}}, YAW, SOLVE})
         : LATERAL ? {BESIDE_1, SOLVE_1} : {{3{WAIT}}, YAW_1, SOLVE_1};
-    localparam [51*OP-1:0] TABLE =  // the last LINES lines
-        ABSOLUTE == 0 ? {{5{WAIT}}, ANSWER} : PIPE == 0 ? {{3{WAIT}}, ANSWER, TOGETHER} : {ANSWER, TOGETHER_1};
+    localparam [52*OP-1:0] TABLE =  // the last LINES lines
+        ABSOLUTE == 0 ? {{6{WAIT}}, ANSWER} : PIPE == 0 ? {{4{WAIT}}, ANSWER, TOGETHER} : {ANSWER, TOGETHER_1};
     // LAST is added to the last line, whichever that is
-    schedule #(.LINES(LINES), .BITS(OP), .TABLE(TABLE[LINES*OP-1:0] | {{(LINES*OP-21){1'b0}}, LAST})) control (
+    schedule #(.LINES(LINES), .BITS(OP), .TABLE(TABLE[LINES*OP-1:0] | {{(LINES*OP-22){1'b0}}, LAST})) control (
         .clk(clk), .rst(rst), .in_start(accept), .out_idle(idle), .out_op(op));
     assign        in_ready = idle && (!out_valid || out_ready);
     always @(posedge clk)
@@ -294,7 +297,7 @@ module arm_solve_wide #(
     assign out_status = {1'b0, over_z, zero || zero3 || near, far || LATERAL && near_axis};
 
     assign {out_turned, out_kept} = {|(rest & TURNED), |(rest & KEPT)};
-    assign {out_by1, out_sine} = {|(rest & BY1), |(rest & SINE)};
+    assign {out_by1, out_sine, out_n2} = {|(rest & BY1), |(rest & SINE), |(rest & N2)};
     wire   unused = &{1'b0, cfg_base, cfg_shoulder, cfg_lateral, cfg_bb, length};
     always @(posedge clk) begin
         addend1 <= {{(N+8){1'b0}}, |(rest & NEAREST), {(N-7){1'b0}}};

@@ -3,11 +3,11 @@
 // turned by a constant (elbow offset) and by joint 1 (elbow measured from the base).
 //   in_kept, then in_turned: (c2, n2) is turned by (cfg_ce, cfg_ne), or with in_by1 by (c1, n1); in_sine chooses the
 //   operands of the sine. PIPE = 0: in_sine is with in_turned. PIPE = 1: the operands precede in_kept and in_turned by
-//   two clocks, three with I above 20, in which in_by1 is the same
+//   two clocks. I above 20: one multiplier takes the product of c2, then with in_n2 that of n2; four and three clocks
 //   in_load: joints 1 and 3 are loaded from in_last_*, which they hold where they have no direction
 // Formats: in_word s4.I, rounded to U fraction bits; cfg_ce, cfg_ne, out_c, out_n s2.U, joint 1 in the lowest bits.
 // Error of a turn: less than 1 LSB of U by truncation, and 1 LSB times the sine, since ~n replaces -n. Reset sets
-// joints 1 and 3 to (1, 0). Joint 2 is not reset: every sample writes it. Latency 1; of a turn 2, with PIPE = 1 4 or 5.
+// joints 1 and 3 to (1, 0). Joint 2 is not reset: every sample writes it. Latency 1; of a turn 2, with PIPE = 1 4 or 7.
 // Models: kernel_vector_solve.unit_word, arm.turn
 `default_nettype none
 module arm_vectors #(
@@ -29,6 +29,7 @@ module arm_vectors #(
     input  wire                in_negative,
     input  wire                in_none,
     input  wire                in_sine,
+    input  wire                in_n2,
     input  wire                in_by1,
     input  wire                in_kept,
     input  wire                in_turned,
@@ -55,39 +56,39 @@ module arm_vectors #(
             assign product1 = c2 * right1;
             assign product2 = n2 * right2;
         end else begin : g_registered
-            reg signed [U+1:0] chosen1, chosen2;
-            always @(posedge clk) begin
-                chosen1 <= right1;
-                chosen2 <= right2;
-            end
+            reg signed [U+1:0] chosen1;
             if (I == 20) begin : g_short
+                reg signed [U+1:0]   chosen2;
                 reg signed [2*U+3:0] whole1, whole2;
                 always @(posedge clk) begin
+                    chosen1 <= right1;
+                    chosen2 <= right2;
                     whole1 <= c2 * chosen1;
                     whole2 <= n2 * chosen2;
                 end
                 assign product1 = whole1;
                 assign product2 = whole2;
-            end else begin : g_long
-                wire signed [2*U+3:0] whole1, whole2;
-                reg  signed [2*U+3:0] settled1, settled2;
-                product_parts #(.A(U+2), .B(U+2), .MULTIPLY(MULTIPLY)) multiplier1 (.clk(clk), .in_move(1'b1),
-                    .in_a(c2), .in_b(chosen1), .out_p(whole1));
-                product_parts #(.A(U+2), .B(U+2), .MULTIPLY(MULTIPLY)) multiplier2 (.clk(clk), .in_move(1'b1),
-                    .in_a(n2), .in_b(chosen2), .out_p(whole2));
+            end else begin : g_in_turn
+                reg  signed [U+1:0]   left;
+                wire signed [2*U+3:0] whole;
+                reg  signed [2*U+3:0] settled, settled_c2;
+                product_parts #(.A(U+2), .B(U+2), .MULTIPLY(MULTIPLY)) multiplier (.clk(clk), .in_move(1'b1),
+                    .in_a(left), .in_b(chosen1), .out_p(whole));
                 always @(posedge clk) begin
-                    settled1 <= whole1;
-                    settled2 <= whole2;
+                    left       <= in_n2 ? n2 : c2;
+                    chosen1    <= in_n2 ? right2 : right1;
+                    settled    <= whole;
+                    settled_c2 <= settled;
                 end
-                assign product1 = settled1;
-                assign product2 = settled2;
+                assign product1 = settled_c2;
+                assign product2 = settled;
             end
         end
     endgenerate
     wire        [U+2:0] sum = product1[2*U+1:U-1] + product2[2*U+1:U-1] + {{(U+2){1'b0}}, 1'b1};
     reg         [U+1:0] kept;
-    wire               unused = &{1'b0, in_word, product1, product2, sum[0], in_by1, in_sine, in_kept, in_turned,
-                                  cfg_ce, cfg_ne, in_last_c, in_last_n};
+    wire               unused = &{1'b0, in_word, product1, product2, sum[0], in_by1, in_sine, in_n2, in_kept,
+                                  in_turned, cfg_ce, cfg_ne, in_last_c, in_last_n};
     always @(posedge clk) begin
         if (in_load) begin
             {c3, c1} <= {in_last_c[2*(U+2) +: U+2], in_last_c[U+1:0]};
