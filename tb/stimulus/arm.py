@@ -89,25 +89,33 @@ def _limited(core: Core, cfg: dict[str, int], i: int, rng: np.random.Generator) 
 def _bordered(core: Core, cfg: dict[str, int]) -> list[dict[str, int]]:
     """Limits that one answer keeps by the last unit in every joint, then those that it misses by it in one of them.
 
-    The three lowest bits of a limit that is kept are 0: it is another limit if the core leaves out one of them.
+    A limit of 1/2 is kept; limits of 1/2 and a unit, and of 1/2 less a unit, are missed. Below the first bit these are
+    all zeros or all ones, so with one bit stuck in the core some answer is on the other side.
     """
-    number = int(core.function[-1])
+    number, half = int(core.function[-1]), 1 << core.params["U"] - 1
     free = cfg | {name: word for i in range(1, number + 1) for name, word in
                   arm_keep.limit(core.params, i, -np.pi, np.pi).items()}
     free = {port.name: free[port.name] for port in core.cfg}
     answer = core.model(core.params, **corners(core, free), **free)
     joint = np.array([[answer[f"out_{letter}{i}"] for letter in "cn"] for i in range(1, number + 1)])
     clear = np.where(answer["out_status"] == 0, np.abs(joint).min(axis=(0, 1)), 0)  # the farthest from every axis
-    inside = {}
-    for i, (c, n) in enumerate(joint[:, :, np.argmax(clear)].tolist(), 1):
-        for off in np.arange(0.7, 0.9, 0.001):
-            angle = np.arctan2(n, c) + off
-            words = arm_keep.limit(core.params, i, angle - 1, angle + 1)
-            cosine = (c * words[f"cfg_mc{i}"] >> core.params["U"]) + (n * words[f"cfg_mn{i}"] >> core.params["U"])
-            if cosine % 8 == 1:
-                break
-        inside |= words | {f"cfg_h{i}": cosine - 1}
-    return [free | inside, *(free | inside | {f"cfg_h{i}": inside[f"cfg_h{i}"] + 1} for i in range(1, number + 1))]
+    farthest = joint[:, :, np.argmax(clear)].tolist()
+    kept = free | {name: word for i, words in enumerate(farthest, 1)
+                   for name, word in _limit(core, i, *words, half + 1, half).items()}
+    return [kept, *(kept | _limit(core, i, *words, limit, limit) for limit in (half + 1, half - 1)
+                    for i, words in enumerate(farthest, 1))]
+
+
+def _limit(core: Core, joint: int, c: int, n: int, cosine: int, limit: int) -> dict[str, int]:
+    """A limit of a joint, and a middle of its range whose cosine with the word (c, n) is `cosine` to the last unit."""
+    u = core.params["U"]
+    angle = np.arctan2(n, c) + np.arccos(cosine / (1 << u))
+    middle = {"c": int(to_fixed(np.cos(angle), u)), "n": int(to_fixed(np.sin(angle), u))}
+    # A unit more of the middle changes a product by one at most, so one of the two words reaches every cosine
+    solved, by, rest = ("c", c, n * middle["n"] >> u) if abs(c) > abs(n) else ("n", n, c * middle["c"] >> u)
+    wanted = cosine - rest << u
+    middle[solved] = -(-wanted // by) if by > 0 else wanted // by
+    return {f"cfg_m{name}{joint}": word for name, word in middle.items()} | {f"cfg_h{joint}": limit}
 
 
 def _forward(core: Core, rng: np.random.Generator) -> list[dict[str, int]]:
