@@ -37,7 +37,7 @@ $(VENV)/ready: requirements.lock pyproject.toml ci/setup.sh
 	@touch $@
 
 lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pages and reports complete; CORE=name: one core
-	@$(PY) -m ci.lint $(if $(filter file,$(origin CORE)),,--core $(CORE))
+	@$(PY) -m ci.lint $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(FRESH),--fresh)
 
 test: setup ## benches and bulk runs of every core, all model tests; CORE=name: all sets of that core; SIM=icarus|verilator: those of them
 	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(PATHS)

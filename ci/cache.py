@@ -16,6 +16,7 @@ import inspect
 import io
 import json
 import re
+import subprocess
 import tokenize
 import tomllib
 import uuid
@@ -105,6 +106,12 @@ def changes(old: dict, new: dict, what: str) -> list[str]:
     return [f"{what} {key} " + ("is not in the report" if key not in old else
                                 "is in the report but gone" if key not in new else "changed")
             for key in sorted(set(old) | set(new)) if old.get(key) != new.get(key)]
+
+
+def commit() -> str:
+    """The commit of the checkout, which draws what a check runs again; "" where there is none."""
+    done = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, capture_output=True, text=True)
+    return done.stdout.strip() if done.returncode == 0 else ""
 
 
 # What a result follows from

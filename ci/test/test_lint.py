@@ -13,7 +13,7 @@ from types import SimpleNamespace
 import pytest
 from quadrance import cores
 
-from ci import cache, lint
+from ci import cache, elaborate, lint
 from tb.lib import tools
 
 # What it finds and keeps
@@ -34,7 +34,7 @@ def asked(monkeypatch, tmp_path):
         return ask
 
     for name in ("verilator", "icarus", "slang", "yosys"):
-        monkeypatch.setattr(lint, name, tool(name))
+        monkeypatch.setattr(elaborate if name == "yosys" else lint, name, tool(name))
     monkeypatch.setattr(lint, "ports", lint.contract)
     return SimpleNamespace(calls=calls, answers=answers)
 
@@ -42,7 +42,8 @@ def asked(monkeypatch, tmp_path):
 CORE = cores.find("vector_fk1-U16")
 
 
-@pytest.mark.parametrize(("check", "tools"), [(lint.check_core, {"verilator", "slang"}), (lint.check_sets, {"yosys"})])
+@pytest.mark.parametrize(("check", "tools"), [(lint.check_core, {"verilator", "slang"}),
+                                              (elaborate.check_sets, {"yosys"})])
 def test_what_passed_is_kept_until_something_changes(asked, monkeypatch, tmp_path, check, tools):
     assert lint.kept(check, CORE) == [] and tools <= {name for name, *_ in asked.calls}
     asked.calls.clear()
@@ -64,7 +65,7 @@ def test_what_fails_is_not_kept(asked):
 
 
 def test_the_first_illegal_set_stops_every_tool_and_each_one_slang(asked):
-    assert lint.check_core(CORE) == lint.check_sets(CORE) == []
+    assert lint.check_core(CORE) == elaborate.check_sets(CORE) == []
     wrong = [name for name, _, legal in asked.calls if not legal]
     assert len(CORE.illegal) > 1 and wrong.count("slang") == len(CORE.illegal)
     assert wrong.count("verilator") == wrong.count("yosys") == 1
@@ -104,13 +105,13 @@ def test_yosys_elaborates_a_table_once_and_finds_what_is_wrong_in_it(monkeypatch
     monkeypatch.setattr(cache, "FOLDER", tmp_path / "cache")
     folder = tools.BUILD / "test_lint" / tmp_path.name
     folder.mkdir(parents=True, exist_ok=True)
-    asked, run = [], lint._yosys
-    monkeypatch.setattr(lint, "_yosys", lambda work, name, *more: asked.append(name) or run(work, name, *more))
+    asked, run = [], elaborate._yosys
+    monkeypatch.setattr(elaborate, "_yosys", lambda work, name, *more: asked.append(name) or run(work, name, *more))
 
     def said(table):
         for name, text in (("top", TOP), ("squares", table)):
             (folder / f"{name}.v").write_text(text)
-        return lint.yosys(replace(CORE, name="top", sources=(folder / "top.v", folder / "squares.v")), {})
+        return elaborate.yosys(replace(CORE, name="top", sources=(folder / "top.v", folder / "squares.v")), {})
 
     assert said(TABLE) == said(TABLE) == (0, "") and asked == ["top", "squares", "top"]
     assert "none' is implicitly declared" in said(TABLE.replace("i * i", "none"))[1]
@@ -120,10 +121,11 @@ def test_yosys_elaborates_a_table_once_and_finds_what_is_wrong_in_it(monkeypatch
 def test_yosys_leaves_tables_to_the_report_but_one_of_each_module(monkeypatch, tmp_path):
     monkeypatch.setattr(cache, "FOLDER", tmp_path)
     asked = []
-    monkeypatch.setattr(lint, "_yosys", lambda work, name, sets, sources: asked.append((name, list(sets))) or (0, ""))
+    monkeypatch.setattr(elaborate, "_yosys",
+                        lambda work, name, sets, sources: asked.append((name, list(sets))) or (0, ""))
     first, other = cores.find("angle_to_vector"), cores.find("table_fk1")
     for core, params in ((first, first.params), (other, other.params), (other, other.params | {"A": 20})):
-        assert lint.yosys(core, params) == (0, "")
+        assert elaborate.yosys(core, params) == (0, "")
     assert [name for name, _ in asked] == ["angle_to_vector", "angle_chord", "table_fk1", "table_fk1", "angle_chord"]
 
 
@@ -134,11 +136,47 @@ def test_a_set_that_yosys_refuses_is_named_and_the_others_are_not(monkeypatch):
     def yosys(core, *params):
         return (0, "Warning: x") if bad.params in params else (0, "") if core.params in params else (1, "needs_needs_")
 
-    monkeypatch.setattr(lint, "yosys", yosys)
-    assert len(sets) > 1 and lint.check_sets(*sets) == [f"{bad.id}: yosys: Warning: x"]
-    monkeypatch.setattr(lint, "yosys", lambda core, *params: (0, "Warning: y" * (len(params) > 1)))
-    assert lint.check_sets(*sets)[0] == "vector_fk1: yosys: Warning: y"
-    assert "accepts illegal" in lint.check_sets(*sets)[1]
+    monkeypatch.setattr(elaborate, "yosys", yosys)
+    assert len(sets) > 1 and elaborate.check_sets(*sets) == [f"{bad.id}: yosys: Warning: x"]
+    monkeypatch.setattr(elaborate, "yosys", lambda core, *params: (0, "Warning: y" * (len(params) > 1)))
+    assert elaborate.check_sets(*sets)[0] == "vector_fk1: yosys: Warning: y"
+    assert "accepts illegal" in elaborate.check_sets(*sets)[1]
+
+
+def test_a_verdict_of_yosys_stands_until_the_core_means_something_else(asked, monkeypatch, tmp_path):
+    def run(*words):
+        asked.calls.clear()
+        shutil.rmtree(cache.FOLDER, ignore_errors=True)  # a fresh clone
+        monkeypatch.setattr(sys, "argv", ["lint", "--core", CORE.name, *words])
+        return lint.main(), {name for tool, name, _ in asked.calls if tool == "yosys"}
+
+    monkeypatch.setattr(cache, "FOLDER", tmp_path / "cache")
+    monkeypatch.setattr(cache, "SINCE", 0.0)
+    monkeypatch.setattr(elaborate, "STORE", tmp_path / "lint.json")
+    monkeypatch.setattr(lint, "all_cores", lambda: (CORE,))
+    asked.answers["yosys"] = (0, "Warning: x")
+    assert run() == (1, {CORE.id}) and elaborate.standing() == {}
+    del asked.answers["yosys"]
+    assert run() == (0, {CORE.id}) and elaborate.standing() == {CORE.name: elaborate.follows(CORE)}
+    assert run() == (0, set()) and run("--fresh") == (0, {CORE.id})
+    source = tmp_path / "vector_fk1.v"
+    for text, again in ((CORE.sources[0].read_text() + "// a comment\n", False),
+                        (CORE.sources[0].read_text().replace("endmodule", "wire more; endmodule"), True)):
+        source.write_text(text)
+        changed = replace(CORE, sources=(source, *CORE.sources[1:]))
+        assert (elaborate.follows(changed) != elaborate.follows(CORE)) == again
+    wider = replace(CORE, params=CORE.params | {"W": 15})
+    assert len({elaborate.follows(CORE), elaborate.follows(wider), elaborate.follows(CORE, wider),
+                elaborate.follows(replace(CORE, illegal=CORE.illegal[1:]))}) == 4
+
+
+def test_the_commit_draws_cores_whose_verdict_stands(monkeypatch):
+    names = [f"core_{i}" for i in range(50)]
+    monkeypatch.setattr(cache, "commit", lambda: "a" * 40)
+    one = elaborate.drawn(names)
+    assert len(one) == elaborate.DRAWN and elaborate.drawn(reversed(names)) == one
+    monkeypatch.setattr(cache, "commit", lambda: "b" * 40)
+    assert elaborate.drawn(names) != one
 
 
 def test_progress_is_a_line_now_and_then(monkeypatch, capsys):
@@ -167,7 +205,7 @@ STEPS = re.split(r"^\d\. ", WRITE, flags=re.M)[1:]
 COMMANDS = re.findall(r"^\d\. `(make [^`]+)`", RUN, re.M)
 NOT_RUN = {"make report": "it places the core", "make lint": "it checks all other cores"}
 LESS = {"make test CORE=midpoint": "SIM=icarus PATHS=tb/test_cores.py"}  # `make cover` runs it in Verilator
-MADE = {"reports/cover.json", "reports/proofs.json"}  # by the commands
+MADE = {"reports/cover.json", "reports/lint.json", "reports/proofs.json"}  # by the commands
 PROSE = {"rtl/arith/README.md": "\n## midpoint\n\nThe mean of two words, rounded.\n", "CHANGELOG.md": "- `midpoint`\n"}
 
 
