@@ -439,3 +439,15 @@ def test_no_determinant_at_all_stands_still_and_says_so():
     assert np.array_equal(out["out_w3"][:2], [0, 0])
     still = core.model(core.params, **words, cfg_l1=0, cfg_l2=0, cfg_sine=0, cfg_radius=0)
     assert all(np.all(still[f"out_w{i}"] == 0) for i in (1, 2, 3)) and np.all(still["out_status"] == 2)
+
+
+@pytest.mark.parametrize("u", [8, 16, 20])
+def test_a_turn_is_rounded_from_products_of_one_bit_more(u):
+    rng = np.random.default_rng(u)
+    c, n, by_c, by_n = rng.integers(-1 << u, 1 << u, (4, 100_000), endpoint=True)
+    cosine, sine = arm.turn({"U": u}, c, n, by_c, by_n)
+    for found, exact in ((cosine, c * by_c - n * by_n - n), (sine, c * by_n + n * by_c)):
+        off = np.asarray(found - exact / (1 << u), float)
+        inside = np.abs(exact) < 1.9 * 4.0**u  # the word does not wrap
+        # Each product loses less than a half, their sum is a multiple of a half and rounded to the next word
+        assert -1 < off[inside].min() < -0.9 and 0.4 < off[inside].max() <= 0.5
