@@ -183,4 +183,5 @@ def keep(verdicts: dict[str, str]) -> None:
 
 def drawn(names: Iterable[str]) -> set[str]:
     """The cores that the commit draws."""
-    return set(sorted(names, key=lambda name: cache.digest([cache.commit(), name]))[:DRAWN])
+    commit = cache.commit()
+    return set(sorted(names, key=lambda name: cache.digest([commit, name]))[:DRAWN])

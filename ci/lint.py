@@ -304,7 +304,7 @@ def main() -> int:
         code, text = call("ruff", "check", "--quiet", "models", "tb", "ci")
         wrong += [text] if code else []
     print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")
-    print(f"lint: Yosys elaborated {asked} of {len(elaborated)} cores; the others stand (reports/lint.json)")
+    print(f"lint: Yosys elaborated {asked} of {len(elaborated)} cores, verdicts of others stand (reports/lint.json)")
     if named:
         print("lint: one core; schedules, reports and Python are checked without CORE")
     if not available("icarus"):

@@ -242,8 +242,7 @@ module arm_solve_wide #(
     reg         [2*N+1:0] addend1; reg [4:0] s; reg [N-1:0] l1;
     reg  signed [F+1:0]  left, right;
     wire        [N+5:0]  result; wire [N+1:0] k2;
-    wire        [2*N+4:0] total; wire [F+1:0] word; wire [2:0] coarse; wire [1:0] fine;
-    wire                 over, none, axis;
+    wire        [2*N+4:0] total; wire [F+1:0] word; wire [2:0] coarse; wire [1:0] fine; wire over, none, axis;
     /* verilator lint_off UNUSEDSIGNAL */
     wire signed [2*F+3:0] product, settled;
     /* verilator lint_on UNUSEDSIGNAL */
@@ -286,8 +285,7 @@ module arm_solve_wide #(
 
     assign out_cos = {|(rest & COS3), |(rest & COS2), |(rest & COS1)};
     assign out_sin = {|(rest & SIN3), |(rest & SIN2), |(rest & SIN1)};
-    assign out_none = zero; assign out_word = result;
-    assign out_flat = outside; assign out_negative = short;
+    assign out_none = zero; assign out_word = result; assign out_flat = outside; assign out_negative = short;
 
     wire near, far; wire plain = |(rest & PLAIN);
     arm_edges_wide #(.N(N), .MARGINS(MARGINS)) edges (.clk(clk), .cfg_margin(cfg_margin), .cfg_slack(cfg_slack),

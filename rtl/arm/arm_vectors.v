@@ -2,8 +2,8 @@
 // Registers of the unit vectors that arm_solve gives coordinate by coordinate, as in unit_vectors. Joint 2 is also
 // turned by a constant (elbow offset) and by joint 1 (elbow measured from the base).
 //   in_kept, then in_turned: (c2, n2) is turned by (cfg_ce, cfg_ne), or with in_by1 by (c1, n1); in_sine chooses the
-//   operands of the sine. PIPE = 0: in_sine is with in_turned. PIPE = 1: the operands precede in_kept and in_turned by
-//   two clocks. I above 20: one multiplier takes the product of c2, then with in_n2 that of n2; four and three clocks
+//   operands of the sine. With PIPE = 0 it is high with in_turned; with PIPE = 1 the operands come two clocks earlier.
+//   With I above 20, too, one multiplier takes the product of c2 four clocks earlier, and with in_n2 that of n2 three
 //   in_load: joints 1 and 3 are loaded from in_last_*, which they hold where they have no direction
 // Formats: in_word s4.I, rounded to U fraction bits; cfg_ce, cfg_ne, out_c, out_n s2.U, joint 1 in the lowest bits.
 // Error of a turn: less than 1 LSB of U by truncation, and 1 LSB times the sine, since ~n replaces -n. Reset sets
