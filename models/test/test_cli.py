@@ -106,6 +106,12 @@ def test_timing_is_shown_of_cores_whose_error_nothing_measures_too(quadrance, na
     assert quadrance("instance", name).startswith(f"// {cores.find(name).id}: {timing}\n")
 
 
+@pytest.mark.parametrize("name", ["arm_keep3", "vector_ik6"])
+def test_an_error_that_depends_on_the_arm_has_its_command(sampled, name):
+    command, = re.findall(r"^worst error of an arm: quadrance (accuracy \w+ --arm )ARM$", sampled("show", name), re.M)
+    assert "total at the tip, worst" in sampled(*command.split(), "puma560")
+
+
 def test_instances_elaborate_with_the_computed_words(tmp_path):
     """Every kinematic core as printed; two of them, declared, in one top without a warning of a width."""
     from tb.lib import tools
@@ -578,8 +584,8 @@ def test_the_accuracy_of_one_core(sampled):
     assert "wrist within 20 mm of axis 1" in sampled("accuracy", "vector_ik6", "--arm", "kr6_r700")
 
 
-@pytest.mark.parametrize("name", ["arm_fk3", "arm_ik3", "vector_fk6", "table_fk6", "vector_ik6", "table_ik6",
-                                  "vector_ik6_all"])
+@pytest.mark.parametrize("name", ["arm_fk3", "arm_ik3", "arm_keep2", "arm_keep3", "vector_fk6", "table_fk6",
+                                  "vector_ik6", "table_ik6", "vector_ik6_all"])
 def test_the_error_of_whole_arms_is_that_of_their_words(name, monkeypatch):
     """About half an LSB a coordinate; a model that is off by 64 LSB in one port is seen."""
     arm = arms.load("kr6_r700")

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quadrance import codecs, six, truth_arm, truth_six, truth_srs, truth_ur
+from quadrance import codecs, six, truth, truth_arm, truth_six, truth_srs, truth_ur
 from quadrance.accuracy.arm import config
 from quadrance.accuracy.of_core import modelled
 from quadrance.arms import Arm
@@ -26,7 +26,8 @@ from quadrance.cores import Core, Joint, joints
 from quadrance.fixed import Ints, to_fixed, to_float
 from quadrance.truth import Floats
 
-FUNCTIONS = {"arm_fk3": 3, "arm_ik3": 3, "fk6": 6, "fk6_of_angles": 6, "ik6": 6, "ik6_all": 6, "ik6_to_angles": 6,
+FUNCTIONS = {"arm_fk3": 3, "arm_ik3": 3, "keep2": 2, "keep3": 3,
+             "fk6": 6, "fk6_of_angles": 6, "ik6": 6, "ik6_all": 6, "ik6_to_angles": 6,
              "ur_fk": 6, "ur_fk_of_angles": 6, "ur_ik": 6, "ur_ik_all": 6, "ur_ik_to_angles": 6,
              "srs_ik": 7, "srs_ik_to_angles": 7}
 AT_ONCE = 8192  # samples: a model of six axes holds all its words
@@ -94,16 +95,26 @@ def _place(core: Core, words: dict[str, Ints]) -> Floats:
 
 
 def _target(core: Core, tip: Floats) -> dict[str, Ints]:
-    return {f"in_{axis}": to_fixed(tip[:, i], core.params["F"]) for i, axis in enumerate("xyz")}
+    return {f"in_{axis}": to_fixed(place, core.params["F"]) for axis, place in zip("xyz", tip.T)}
 
 
 Errors = tuple[Floats, Floats, np.ndarray]  # mm, degrees, and which poses are beside axis 1
 
 
 def _three(core: Core, arm: Arm, theta: Floats) -> Errors:
-    """Errors of arm_fk3 and arm_ik3, which have no degrees."""
+    """Errors of the cores of rtl/arm, which have no degrees.
+
+    A core that chooses a branch may leave that of `theta`. What it calls out of reach, a straight arm whose words
+    round to beyond its reach, has no error: with an offset of the shoulder it may take the other side.
+    """
     frame, cfg = truth_arm.frame(arm), config(core, arm)
     shoulder, elbow, yaw = theta[:, :3].T
+    if core.function == "keep2":
+        def plane(angles: Floats) -> Floats:
+            return np.stack(truth.fk2(*angles.T, *arm.links), axis=-1)
+        tip = plane(theta[:, :2])
+        words = modelled(core, _target(core, tip), cfg)
+        return _off(plane(_decoded(list(joints(core.outputs)), words)), tip, arm, words["out_status"] & 1 == 0)
     machine = np.stack([shoulder, elbow - frame.turn + (shoulder if frame.absolute else 0), yaw], axis=-1)
 
     def reached(angles: Floats) -> Floats:
@@ -114,9 +125,19 @@ def _three(core: Core, arm: Arm, theta: Floats) -> Errors:
         answer = _place(core, modelled(core, _encoded(core, machine), cfg))
     else:
         rho = arm.links[0] * np.cos(shoulder) + arm.links[1] * np.cos(shoulder + elbow) + frame.shoulder
-        words = _target(core, tip) | {"in_elbow": to_fixed(np.sin(elbow) < 0, 0), "in_back": to_fixed(rho < 0, 0)}
-        answer = reached(_decoded(list(joints(core.outputs)), modelled(core, words, cfg)))
-    return np.linalg.norm(answer - tip, axis=-1) * arm.mm_per_unit, np.zeros(0), np.zeros(0, dtype=bool)
+        words = _target(core, tip)
+        if core.function == "arm_ik3":
+            words |= {"in_elbow": to_fixed(np.sin(elbow) < 0, 0), "in_back": to_fixed(rho < 0, 0)}
+        words = modelled(core, words, cfg)
+        answer = reached(_decoded(list(joints(core.outputs)), words))
+        if core.function == "keep3":
+            return _off(answer, tip, arm, words["out_status"] & 1 == 0)
+    return _off(answer, tip, arm)
+
+
+def _off(answer: Floats, tip: Floats, arm: Arm, kept: np.ndarray | slice = slice(None)) -> Errors:
+    """The errors of places alone."""
+    return np.linalg.norm(answer - tip, axis=-1)[kept] * arm.mm_per_unit, np.zeros(0), np.zeros(0, dtype=bool)
 
 
 def _six(core: Core, arm: Arm, theta: Floats) -> Errors:

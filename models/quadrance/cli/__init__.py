@@ -162,7 +162,10 @@ def _show(args: argparse.Namespace) -> None:
         out.print("iCE40       {lc} LC, {ff} FF, {ram4k} RAM4K".format(**f["ice40"]))
         error = [text.format(**f) for key, text in (("error_lsb", "{error_lsb:.3g} LSB"),
                                                     ("error_mm", "{error_mm:.3g} mm on {arm}")) if f[key] is not None]
-        out.print(f"worst error {', '.join(error) or 'not measured'}")
+        if not error and core.function in tip.SERVED:
+            out.print(f"worst error of an arm: quadrance accuracy {core.name} --arm ARM")
+        else:
+            out.print(f"worst error {', '.join(error) or 'not measured'}")
     out.print()
     control = [("clk", "input", 1, ""), ("rst", "input", 1, "synchronous, active high; one clock is enough")]
     rows = control if core.clocked else []

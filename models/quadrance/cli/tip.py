@@ -9,7 +9,7 @@ from quadrance.cli.catalogue import Refused, timing
 from quadrance.cores import Core
 
 # functions that have an error in mm
-SERVED = (*accuracy.JOINTS, "arm_fk3", "arm_ik3", "fk6", "ik6", "ur_fk", "ur_ik", "srs_ik")
+SERVED = (*accuracy.JOINTS, "arm_fk3", "arm_ik3", "keep2", "keep3", "fk6", "ik6", "ur_fk", "ur_ik", "srs_ik")
 
 
 def measured(core: Core, arm: Arm) -> dict:
