@@ -258,8 +258,7 @@ module arm_inverse #(
 
     // Quotients v'x / |f|, (v'y - e s) / L1 and v_t / |rho|; lengths fit L bits
     wire [L-1:0] size = p[L-1:0] ^ {L{p[N-1]}}, radius = {4'd0, cfg_radius, {G{1'b0}}};
-    wire         close = size < radius;
-    reg          was_close;
+    reg          close, was_close;  // |rho| is below the least radius; it was so for w3
     wire         start = |(to & START), by_p = |(to & BY_P), by_l1 = |(to & BY_L1);
     wire [L-1:0] divisor = by_p ? (close ? radius : size) : by_l1 ? l1[L-1:0] : b[L-1:0];
     arm_quotient #(.W(W), .V(V), .N(N), .D(L), .R(R), .PIPE(PIPE)) divider (
@@ -301,6 +300,7 @@ module arm_inverse #(
             a <= cut1;
         if (|(to & TO_B))
             b <= cut2;
+        close <= size < radius;
         if (start)
             was_close <= by_p && close;
         if (|(to & GET_S))
