@@ -280,7 +280,10 @@ def _timed(what: Proof | Core | Reset, proved: frozenset[str], end: float) -> tu
     if start > end:
         return None, "", 0.0
     limit = min(TIMEOUT, end - start)
-    verdict, found = judge(what, proved, limit)
+    try:
+        verdict, found = judge(what, proved, limit)
+    except tools.ToolError as error:  # said at once, and the other proofs go on
+        verdict, found = Verdict("ERROR", str(error)), ""
     cut = verdict.word == "TIMEOUT" and limit < TIMEOUT
     return None if cut else verdict, found, time.monotonic() - start
 
