@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kinematics coprocessor: it plays programs of equations that its user loads, on words of up to eight contexts.
-//   in_kind 0 WRITE a word, 1 READ a register, 2 RUN, 3 INFO, 4 LOAD, 5 LINE, 6 SEAL: rtl/program/README.md
+//   in_kind 0 WRITE a word, 1 READ a register, 2 RUN, 3 INFO, 4 LOAD, 5 SEAL, 6 LINE: rtl/program/README.md
 // Formats: words s2.25; a line is {last, in_op of product_engine}; a program is a header and lines. Every command has
 // one result. out_word: register in_at of in_context, 0 before its first run (RUN, INFO, LINE: any). out_version,
 // out_crc: of the header at in_at; for INFO. out_refused: nothing was done. Latency: 2; LOAD, LINE, SEAL 67; RUN 6 +
