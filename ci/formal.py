@@ -163,7 +163,8 @@ def _sby(name: str, text: str, seconds: float) -> tuple[str, str]:
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     verdict = re.findall(r"DONE \((\w+), rc=(\d+)\)", done.stdout)
     sound = verdict and (verdict[-1][0] == "PASS") == (done.returncode == 0)
-    return verdict[-1][0] if sound else "ERROR", done.stdout
+    cut = "Reached TIMEOUT" in done.stdout  # sby does not end its log where it cuts the first Yosys
+    return verdict[-1][0] if sound else "TIMEOUT" if cut else "ERROR", done.stdout
 
 
 def _properties(name: str, log: str, engine: str) -> str:

@@ -85,6 +85,14 @@ CONTRACT = [  # what breaks the contract of paper_fk1, and must be found whateve
 ]
 
 
+@pytest.mark.parametrize(("log", "word"), [
+    ("DONE (PASS, rc=0)", "ERROR"), ("Reached TIMEOUT (23 seconds).\nterminating process", "TIMEOUT"),
+    ("DONE (FAIL, rc=2)", "FAIL"), ("", "ERROR")])
+def test_a_run_that_ends_badly_is_no_pass(monkeypatch, log, word):
+    monkeypatch.setattr(formal.subprocess, "run", lambda *_, **__: subprocess.CompletedProcess("", 1, log))
+    assert formal._sby("ends-badly", "[options]\n", 1.0) == (word, log)
+
+
 def _contract(tmp_path: Path, sound: str, broken: str) -> formal.Verdict:
     core = cores.find("paper_fk1")
     text = core.sources[0].read_text()
