@@ -106,10 +106,14 @@ def test_timing_is_shown_of_cores_whose_error_nothing_measures_too(quadrance, na
     assert quadrance("instance", name).startswith(f"// {cores.find(name).id}: {timing}\n")
 
 
-@pytest.mark.parametrize("name", ["arm_keep3", "vector_ik6"])
-def test_an_error_that_depends_on_the_arm_has_its_command(sampled, name):
-    command, = re.findall(r"^worst error of an arm: quadrance (accuracy \w+ --arm )ARM$", sampled("show", name), re.M)
-    assert "total at the tip, worst" in sampled(*command.split(), "puma560")
+@pytest.mark.parametrize("asked", ["arm_keep3-W20U20", "vector_ik6", "table_ik6", "vector_ik6_all -p PIPE=2"])
+def test_an_error_that_depends_on_the_arm_has_its_command(sampled, asked):
+    """It is for the parameters that were shown; the switches of rtl/arm are those of the arm."""
+    shown = ("show", *asked.split())
+    command, = re.findall(r"^worst error of an arm: quadrance (accuracy .+ --arm )ARM$", sampled(*shown), re.M)
+    about = json.loads(sampled(*command.split(), "puma560", "--json"))
+    params = json.loads(sampled(*shown, "--json"))["params"]
+    assert about["total_mm"] > 0 and all(about["params"][key] == params[key] for key in ("W", "F", "PIPE"))
 
 
 def test_instances_elaborate_with_the_computed_words(tmp_path):

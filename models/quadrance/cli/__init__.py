@@ -162,8 +162,9 @@ def _show(args: argparse.Namespace) -> None:
         out.print("iCE40       {lc} LC, {ff} FF, {ram4k} RAM4K".format(**f["ice40"]))
         error = [text.format(**f) for key, text in (("error_lsb", "{error_lsb:.3g} LSB"),
                                                     ("error_mm", "{error_mm:.3g} mm on {arm}")) if f[key] is not None]
-        if not error and core.function in tip.SERVED:
-            out.print(f"worst error of an arm: quadrance accuracy {core.name} --arm ARM")
+        if not error and core.function in tip.pose.FUNCTIONS:
+            asked = " ".join([args.core, *(f"-p {param}" for param in args.param or ())])
+            out.print(f"worst error of an arm: quadrance accuracy {asked} --arm ARM", soft_wrap=True)
         else:
             out.print(f"worst error {', '.join(error) or 'not measured'}")
     out.print()

@@ -8,8 +8,8 @@ from quadrance.arms import Arm
 from quadrance.cli.catalogue import Refused, timing
 from quadrance.cores import Core
 
-# functions that have an error in mm
-SERVED = (*accuracy.JOINTS, "arm_fk3", "arm_ik3", "keep2", "keep3", "fk6", "ik6", "ur_fk", "ur_ik", "srs_ik")
+# functions that have an error in mm, by the names that a user gives
+SERVED = (*accuracy.JOINTS, *(name for name in pose.FUNCTIONS if not name.endswith(("_all", "_angles"))))
 
 
 def measured(core: Core, arm: Arm) -> dict:
