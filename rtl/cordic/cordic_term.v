@@ -4,7 +4,7 @@
 //   in_shift = 3: t = in_word
 // Shifts are in base 3, because a multiplexer of three words is one five-input cell: 27 shifts and the sign cost three
 // cells a bit. The free fourth input of one multiplexer serves the other word, so the vector registers need no load
-// multiplexer. Written in pairs and in this order, in which Yosys' mapping for ECP5 is the smallest and the fastest.
+// multiplexer. Written in pairs and in this order, because Yosys maps it to the fewest cells of an ECP5.
 `default_nettype none
 module cordic_term #(
     parameter D = 23  // bits of the vector, guard bits included, 8 or more (default 23 = W + 7 at W = 16)
