@@ -9,7 +9,7 @@
 // clock after its line. The file is stored four times, for four reads a clock. Models: product_engine.dot, .unit, .root
 `default_nettype none
 module engine_datapath #(
-    parameter PIPE = 0,      // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 27 x 17 bits too
+    parameter PIPE = 0,      // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 18 x 18 bits too
     parameter ROOTS = 1,     // 0 or 1 (default 1); 0: sums only, without ACT, ALIGN and root tables
     parameter WRIST = 12,    // lowest bit that counts with act WRIST, 0 to 25 (default 12, 8 units of 2^-16)
     parameter SLACK = 13,    // lowest bit that is an error with act CHECK, 0 to 25 (default 13, 16 units of 2^-16)
@@ -154,8 +154,8 @@ module engine_datapath #(
     wire [31:0]        sum;
     wire               outside, minus1;  // a LOW product is beyond +-1, below 0
     wire [19:0]        argument;        // of a root
-    engine_products #(.PIPE(PIPE)) products (.clk(clk), .in_a(a), .in_b(b), .in_c(c), .in_d(d), .out_ab(product1),
-        .out_cd(product2));
+    engine_products #(.PIPE(PIPE)) products (.clk(clk), .in_a(a), .in_b(b), .in_c(c), .in_d(d), .in_invert(queue[37]),
+        .out_ab(product1), .out_cd(product2));
     generate
         if (PIPE < 2) begin : g_three
             wire [31:0] term = product2[53:22] ^ {32{subtract}};
@@ -169,8 +169,8 @@ module engine_datapath #(
         end else begin : g_two  // the products are aligned and added before the register, one clock before the sum
             reg  [31:0] both;
             reg         wide, negative;
-            wire        low1 = queue[34] && ROOTS != 0, mid1 = queue[35] && ROOTS != 0, subtract1 = queue[37];
-            wire [31:0] added = product1[53:22] + (product2[53:22] ^ {32{subtract1}});
+            wire        low1 = queue[34] && ROOTS != 0, mid1 = queue[35] && ROOTS != 0;
+            wire [31:0] added = product1[53:22] + product2[53:22];
             assign sum      = both + kept;
             assign word     = sum[29:3];
             assign outside  = wide;

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // The two products of engine_datapath, with registers.
-//   out_ab = in_a in_b, out_cd = in_c in_d, one clock later with PIPE; the second clock of PIPE 2 lies behind them
+//   out_ab = in_a in_b, out_cd = in_c in_d, one clock later with PIPE; the second clock of PIPE 2 lies behind them.
+//   PIPE 2: in_invert, of that later clock, inverts every bit of out_cd
+// PIPE 2 cuts each factor into 10 upper bits and 17 lower ones: four multipliers of 18 bits, no sum before a register
 // Formats: factors s2.25, products s4.50. Exact. Latency 0 or 1. Model: product_engine.dot
 `default_nettype none
 module engine_products #(
-    parameter PIPE = 0  // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 27 x 17 bits too
+    parameter PIPE = 0  // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 18 x 18 bits too
 ) (
     input  wire               clk,
     input  wire signed [26:0] in_a,
     input  wire signed [26:0] in_b,
     input  wire signed [26:0] in_c,
     input  wire signed [26:0] in_d,
+    input  wire               in_invert,
     output wire signed [53:0] out_ab,
     output wire signed [53:0] out_cd
 );
+    genvar i;
     generate
         case (PIPE)
             0: begin : g_product
@@ -28,22 +32,36 @@ module engine_products #(
                     p2 <= in_c * in_d;
                 end
             end
-            default: begin : g_partial
-                reg signed [44:0] low1, low2;
-                reg signed [36:0] high1, high2;
-                wire       [36:0] top1 = high1 + {{9{low1[44]}}, low1[44:17]};
-                wire       [36:0] top2 = high2 + {{9{low2[44]}}, low2[44:17]};
-                assign out_ab = {top1, low1[16:0]};
-                assign out_cd = {top2, low2[16:0]};
-                always @(posedge clk) begin
-                    low1  <= in_a * $signed({1'b0, in_b[16:0]});
-                    high1 <= in_a * $signed(in_b[26:17]);
-                    low2  <= in_c * $signed({1'b0, in_d[16:0]});
-                    high2 <= in_c * $signed(in_d[26:17]);
+            default: begin : g_parts
+                wire [107:0] both;
+                assign {out_cd, out_ab} = both;
+                for (i = 0; i < 2; i = i + 1) begin : g_each
+                    wire signed [26:0] x = i == 0 ? in_a : in_c, y = i == 0 ? in_b : in_d;
+                    reg  signed [19:0] high;   // of the ten upper bits of both
+                    reg  signed [26:0] left;   // of the upper bits of x and the 17 lower ones of y
+                    reg  signed [26:0] right;  // of the lower bits of x and the upper ones of y
+                    reg         [33:0] low;    // of the lower bits of both
+                    wire        [36:0] whole = {high, low[33:17]}, l = {{10{left[26]}}, left};
+                    wire        [36:0] r = {{10{right[26]}}, right};
+                    // Bits of a sum of three without their carries, and the carries: one adder for three words.
+                    // A sum is inverted in the words that are added: the adder behind has no gate in front
+                    wire               invert = i == 1 && in_invert;
+                    wire        [36:0] odd = whole ^ l ^ r ^ {37{invert}};
+                    wire        [35:0] two = (whole[35:0] & l[35:0] | (whole[35:0] | l[35:0]) & r[35:0]) ^ {36{invert}};
+                    /* verilator lint_off UNUSEDSIGNAL */
+                    wire        [37:0] top = {odd, invert} + {two, {2{invert}}};  // inverted: two units more
+                    /* verilator lint_on UNUSEDSIGNAL */
+                    assign             both[54*i +: 54] = {top[37:1], low[16:0] ^ {17{invert}}};
+                    always @(posedge clk) begin
+                        high  <= $signed(x[26:17]) * $signed(y[26:17]);
+                        left  <= $signed(x[26:17]) * $signed({1'b0, y[16:0]});
+                        right <= $signed({1'b0, x[16:0]}) * $signed(y[26:17]);
+                        low   <= x[16:0] * y[16:0];
+                    end
                 end
             end
         endcase
     endgenerate
-    wire unused = &{1'b0, clk};
+    wire unused = &{1'b0, clk, in_invert};
 endmodule
 `default_nettype wire

@@ -9,7 +9,7 @@
 // Models: product_engine.dot, .unit, .root
 `default_nettype none
 module product_engine #(
-    parameter PIPE = 0,      // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 27 x 17 bits too
+    parameter PIPE = 0,      // 0 to 2 (default 0); 1: registers behind products, 2: behind products of 18 x 18 bits too
     parameter ROOTS = 1,     // 0 or 1 (default 1); 0: sums only, without ACT, ALIGN and root tables
     parameter WRIST = 12,    // lowest bit that counts with act WRIST, 0 to 25 (default 12, 8 units of 2^-16)
     parameter SLACK = 13,    // lowest bit that is an error with act CHECK, 0 to 25 (default 13, 16 units of 2^-16)

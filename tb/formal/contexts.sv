@@ -250,9 +250,9 @@ module engine_file #(parameter N = 6, CLEAR = 0) (
     assign {out_d, out_c, out_b, out_a} = any;
 endmodule
 
-// Products of any value, but 0 where a factor is
+// Products of any value, but 0 where a factor is; PIPE 2 can invert the second one
 module engine_products #(parameter PIPE = 0) (
-    input clk, input signed [26:0] in_a, in_b, in_c, in_d, output signed [53:0] out_ab, out_cd
+    input clk, input signed [26:0] in_a, in_b, in_c, in_d, input in_invert, output signed [53:0] out_ab, out_cd
 );
     (* anyseq *) wire [107:0] now;
     reg [107:0] later;
@@ -262,7 +262,7 @@ module engine_products #(parameter PIPE = 0) (
         if (in_b == 0) assume (now[107:54] == 0);
         if (in_d == 0) assume (now[53:0] == 0);
     end
-    assign {out_ab, out_cd} = late;
+    assign {out_ab, out_cd} = late ^ {54'd0, {54{PIPE == 2 && in_invert}}};
 endmodule
 
 // Factors of any value; the second one is held

@@ -93,7 +93,7 @@ module any_program #(parameter LINES = 95, PIPE = 2) (
 endmodule
 
 module engine_products #(parameter PIPE = 0) (
-    input clk, input [26:0] in_a, in_b, in_c, in_d, output [53:0] out_ab, out_cd
+    input clk, input [26:0] in_a, in_b, in_c, in_d, input in_invert, output [53:0] out_ab, out_cd
 );
     (* anyseq *) wire [107:0] any;
     assign {out_ab, out_cd} = any;
