@@ -68,9 +68,19 @@ module kinematics_engine #(
     assign {out_version, out_crc} = line[47:0];
 
     // A load: LOAD, LINE ..., SEAL, without another command between them. The CRC, x^16 + x^12 + x^5 + 1, is of lines
-    // and header as they stand in memory, the highest bit first; the last 16 bits of the header are that of all before
-    wire [63:0]         bits = {16'd0, line[47:0]};
-    wire                odd = crc[15] ^ bits[~count];
+    // and header as they stand in memory, the highest bit first; the last 16 bits of the header are that of all before.
+    // A bit is selected in two steps, with registers between them: one of each four, and one of these
+    wire [1:0]          place = ~(count[1:0] + 2'd1);  // of the next count, in each four
+    reg  [11:0]         one;
+    wire [15:0]         ones = {4'd0, one};
+    wire                odd = crc[15] ^ ones[~count[5:2]];
+    genvar              i;
+    generate
+        for (i = 0; i < 12; i = i + 1) begin : g_four
+            wire [3:0] four = line[4*i +: 4];
+            always @(posedge clk) one[i] <= four[place];
+        end
+    endgenerate
     wire                next = in_kind[2:1] == 2'd3;  // LINE
     wire                last = loading && kind[1] && data[47];  // the command before was the last line of a load
     always @(posedge clk) begin
@@ -110,7 +120,6 @@ module kinematics_engine #(
     end
 
     wire [N-1:0] carry;  // as an adder it takes a cell more a bit, for the multiplexer before it
-    genvar       i;
     generate
         for (i = 0; i < N; i = i + 1) begin : g_carry
             assign carry[i] = i == 0 || &(at | {N{1'b1}} << i);

@@ -34,6 +34,7 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
     (* hierconn *) wire [2:0] \l.kind , \r.kind ;
     (* hierconn *) wire [5:0] \l.count , \r.count ;
     (* hierconn *) wire [15:0] \l.crc , \r.crc ;
+    (* hierconn *) wire [11:0] \l.one , \r.one ;
     (* hierconn *) wire [N-1:0] \l.at , \r.at ;
     (* hierconn *) wire [B-1:0] \l.bank , \r.bank ;
     (* hierconn *) wire [CONTEXTS-1:0] \l.ran , \r.ran ;
@@ -70,9 +71,9 @@ module contexts_props #(parameter N = 6, CONTEXTS = 2, PIPE = 0) (
 
     // control is the same at every clock; flags and words of the engine are where this context is served
     wire control = {l_valid, \l.sweep , \l.busy , \l.begun , \l.entered , \l.live , \l.loading , \l.lap , \l.stored ,
-            \l.match , \l.bad , \l.tail , \l.kind , \l.count , \l.crc , \l.at , \l.bank , \l.ran }
+            \l.match , \l.bad , \l.tail , \l.kind , \l.count , \l.crc , \l.one , \l.at , \l.bank , \l.ran }
         == {r_valid, \r.sweep , \r.busy , \r.begun , \r.entered , \r.live , \r.loading , \r.lap , \r.stored , \r.match ,
-            \r.bad , \r.tail , \r.kind , \r.count , \r.crc , \r.at , \r.bank , \r.ran };
+            \r.bad , \r.tail , \r.kind , \r.count , \r.crc , \r.one , \r.at , \r.bank , \r.ran };
     wire flags = {\l.engine.g_roots.long , \l.engine.g_roots.below , \l.engine.g_roots.sign ,
             \l.engine.g_roots.unknown , \l.engine.g_roots.check , \l.engine.g_roots.beyond , \l.engine.g_roots.off ,
             \l.engine.g_roots.one , \l.engine.g_roots.held , \l.engine.g_roots.roots.seen }
