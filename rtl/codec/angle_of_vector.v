@@ -112,9 +112,9 @@ module angle_of_vector #(
             always @(posedge clk) begin
                 if (read != 0)
                     concave <= m[I] ^ minus;
-                moved <= all[D-10:0] ^ {(D-9){!concave}};
+                moved <= all[D-10:0];
             end
-            assign bent = found[D-10:0] + moved;
+            assign bent = found[D-10:0] + (moved ^ {(D-9){!concave}});
         end else begin : g_straight
             assign bent = found[D-10:0];
         end
