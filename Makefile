@@ -22,7 +22,7 @@ unexport PYTHONDONTWRITEBYTECODE
 export PYTHONPATH := $(CURDIR):$(CURDIR)/models
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint test smoke report accuracy figures verdict report-check packages formal netlist coverage cover cover-check waves mutants exhaustive worker dist clean
+.PHONY: help setup lint test test-scripts smoke report accuracy figures verdict report-check packages formal netlist coverage cover cover-check waves mutants exhaustive worker dist clean
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' Makefile | sed 's/:.*##/\t/' | expand -t 16
@@ -40,10 +40,13 @@ lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pa
 	@$(PY) -m ci.lint $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(FRESH),--fresh)
 
 test: setup ## benches and bulk runs of every core, all model tests; CORE=name: all sets of that core; SIM=icarus|verilator: those of them
-	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(PATHS)
+	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(or $(PATHS),models tb)
+
+test-scripts: setup ## lint, proofs, mutants and report find what they must; the tutorials, the C drivers, the soft-CPU system
+	@$(TESTS) -m "not slow" --junitxml build/test.xml ci
 
 smoke: setup ## the first parameter set of every core: what make test has of its bench under Icarus, bulk run
-	@$(TESTS) -m smoke $(CHOSEN)
+	@$(TESTS) -m smoke $(CHOSEN) models tb
 
 report: setup ## latency, area, clock and accuracy of every core on ARM (another one: a minute); FRESH=1 measures all again
 	@$(PY) -m ci.report --arm "$(ARM)" $(if $(OUT),--out "$(OUT)") $(if $(FRESH),--fresh)
