@@ -43,7 +43,7 @@ test: setup ## benches and bulk runs of every core, all model tests; CORE=name: 
 	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(or $(PATHS),models tb)
 
 test-scripts: setup ## lint, proofs, mutants and report find what they must; the tutorials, the C drivers, the soft-CPU system
-	@$(TESTS) -m "not slow" --junitxml build/test.xml ci
+	@$(TESTS) -m "not slow" --junitxml build/test-scripts.xml ci
 
 smoke: setup ## the first parameter set of every core: what make test has of its bench under Icarus, bulk run
 	@$(TESTS) -m smoke $(CHOSEN) models tb

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The two products of engine_datapath, with registers.
 //   out_ab = in_a in_b, out_cd = in_c in_d, one clock later with PIPE; the second clock of PIPE 2 lies behind them.
-//   PIPE 2: in_invert, of that later clock, inverts every bit of out_cd
-// PIPE 2 cuts each factor into 10 upper bits and 17 lower ones: four multipliers of 18 bits, no sum before a register
+//   With PIPE 2 in_invert, which comes in the clock of out_cd, inverts every bit of it.
+// PIPE 2 cuts each factor into 10 upper bits and 17 lower ones. Each of the four partial products has a register.
 // Formats: factors s2.25, products s4.50. Exact. Latency 0 or 1. Model: product_engine.dot
 `default_nettype none
 module engine_products #(
@@ -43,13 +43,13 @@ module engine_products #(
                     reg         [33:0] low;    // of the lower bits of both
                     wire        [36:0] whole = {high, low[33:17]}, l = {{10{left[26]}}, left};
                     wire        [36:0] r = {{10{right[26]}}, right};
-                    // Bits of a sum of three without their carries, and the carries: one adder for three words.
-                    // A sum is inverted in the words that are added: the adder behind has no gate in front
+                    // Three words are added by one adder: `odd` is their sum without carries, `two` the carries.
+                    // Both are inverted before it, so that the adder of engine_datapath has no gate in front
                     wire               invert = i == 1 && in_invert;
                     wire        [36:0] odd = whole ^ l ^ r ^ {37{invert}};
                     wire        [35:0] two = (whole[35:0] & l[35:0] | (whole[35:0] | l[35:0]) & r[35:0]) ^ {36{invert}};
                     /* verilator lint_off UNUSEDSIGNAL */
-                    wire        [37:0] top = {odd, invert} + {two, {2{invert}}};  // inverted: two units more
+                    wire        [37:0] top = {odd, invert} + {two, {2{invert}}};  // ~(s + t) is ~s + ~t + 1, a carry
                     /* verilator lint_on UNUSEDSIGNAL */
                     assign             both[54*i +: 54] = {top[37:1], low[16:0] ^ {17{invert}}};
                     always @(posedge clk) begin

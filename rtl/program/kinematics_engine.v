@@ -69,8 +69,8 @@ module kinematics_engine #(
 
     // A load: LOAD, LINE ..., SEAL, without another command between them. The CRC, x^16 + x^12 + x^5 + 1, is of lines
     // and header as they stand in memory, the highest bit first; the last 16 bits of the header are that of all before.
-    // A bit is selected in two steps, with registers between them: one of each four, and one of these
-    wire [1:0]          place = ~(count[1:0] + 2'd1);  // of the next count, in each four
+    // Two steps select a bit: one bit of each four goes into a register, and the next clock takes one of these twelve
+    wire [1:0]          place = ~(count[1:0] + 2'd1);  // of the next count's bit in its four
     reg  [11:0]         one;
     wire [15:0]         ones = {4'd0, one};
     wire                odd = crc[15] ^ ones[~count[5:2]];
