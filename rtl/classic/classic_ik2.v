@@ -10,10 +10,11 @@
 // Paper: the parallel CORDIC of its table V. Model: classic.ik2
 `default_nettype none
 module classic_ik2 #(
-    parameter MODE = 0,  // 0: iterative, 1: combinational between its registers (default 0)
-    parameter W    = 16, // bits of a coordinate, 8 to 24 (default 16)
-    parameter F    = 8,  // fraction bits of a coordinate, 0 to W - 1 (default 8: Q7.8, the paper's word)
-    parameter A    = 16  // bits of an angle, 4 to 24, 2^A to the turn (default 16, as sharp as the coordinates)
+    parameter MODE     = 0,  // 0: iterative, 1: combinational between its registers (default 0)
+    parameter W        = 16, // bits of a coordinate, 8 to 24 (default 16)
+    parameter F        = 8,  // fraction bits of a coordinate, 0 to W - 1 (default 8: Q7.8, the paper's word)
+    parameter A        = 16, // bits of an angle, 4 to 24, 2^A to the turn (default 16, as sharp as the coordinates)
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18); used with MODE = 0
 ) (
     input  wire                  clk,
     input  wire                  rst,
@@ -41,14 +42,15 @@ module classic_ik2 #(
         out_valid <= !rst && (done || (out_valid && !out_ready));
 
     generate
-        if (MODE < 0 || MODE > 1 || W < 8 || W > 24 || F < 0 || F >= W || A < 4 || A > 24) begin : g_illegal
-            classic_ik2_needs_MODE_0_or_1_and_W_from_8_to_24_and_F_below_W_and_A_from_4_to_24 rule ();
+        if (MODE < 0 || MODE > 1 || W < 8 || W > 24 || F < 0 || F >= W || A < 4 || A > 24
+            || MULTIPLY < 18 || MULTIPLY > 27 || MULTIPLY % 9 != 0) begin : g_illegal
+            classic_ik2_needs_MODE_0_or_1_W_from_8_to_24_F_below_W_A_from_4_to_24_and_MULTIPLY_18_or_27 rule ();
         end
         if (MODE == 0) begin : g_iterative
-            classic_solve_iter #(.W(W), .A(A), .JOINTS(2)) solver (.clk(clk), .rst(rst), .in_start(start),
-                .in_far(cfg_far), .in_near(cfg_near), .in_f(cfg_f), .in_x(in_x), .in_y(in_y), .in_z({W{1'b0}}),
-                .in_elbow(in_elbow), .out_busy(busy), .out_done(done), .out_j1(out_j1), .out_j2(out_j2), .out_j3(j3),
-                .out_singular(out_status[1]), .out_unreachable(out_status[0]));
+            classic_solve_iter #(.W(W), .A(A), .JOINTS(2), .MULTIPLY(MULTIPLY)) solver (.clk(clk), .rst(rst),
+                .in_start(start), .in_far(cfg_far), .in_near(cfg_near), .in_f(cfg_f), .in_x(in_x), .in_y(in_y),
+                .in_z({W{1'b0}}), .in_elbow(in_elbow), .out_busy(busy), .out_done(done), .out_j1(out_j1),
+                .out_j2(out_j2), .out_j3(j3), .out_singular(out_status[1]), .out_unreachable(out_status[0]));
         end else begin : g_combinational
             classic_solve_comb #(.W(W), .A(A), .JOINTS(2)) solver (.clk(clk), .rst(rst), .in_start(start),
                 .in_far(cfg_far), .in_near(cfg_near), .in_f(cfg_f), .in_x(in_x), .in_y(in_y), .in_z({W{1'b0}}),

@@ -10,8 +10,9 @@
 // Rounding: the roots and the products are truncated. Status: out_unreachable. Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_legs #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 24 (default 16)
-    parameter JOINTS = 2    // 2 (default): in the plane, in_z is not used; 3: in space
+    parameter W        = 16, // bits of a coordinate, 8 to 24 (default 16)
+    parameter JOINTS   = 2,  // 2 (default): in the plane, in_z is not used; 3: in space
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18)
 ) (
     input  wire                  clk,
     input  wire                  rst,
@@ -82,11 +83,12 @@ module classic_legs #(
 
     // Squares, one a clock
     reg  signed [W-1:0] side, next_side, last_side;
-    reg  [2*W-1:0]      square;
+    wire [2*W-1:0]      square;
+    product_parts #(.A(W), .B(W), .MULTIPLY(MULTIPLY)) squares (.clk(clk), .in_move(1'b1), .in_a(side),
+        .in_b(side), .out_p(square));
     assign begun = in_ask;
     always @(posedge clk) begin
         {side, next_side, last_side} <= in_start ? {in_x, in_y, in_z} : {next_side, last_side, last_side};
-        square <= side * side;
         if (in_start) q <= {2*W{1'b0}};
         else if (in_add) q <= q + square;
     end

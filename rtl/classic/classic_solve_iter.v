@@ -11,9 +11,10 @@
 // Model: classic.ik2, classic.ik3
 `default_nettype none
 module classic_solve_iter #(
-    parameter W      = 16,  // bits of a coordinate, 8 to 24 (default 16)
-    parameter A      = 16,  // bits of an angle, a turn is 2^A, 4 to 24 (default 16)
-    parameter JOINTS = 2    // 2 (default): in the plane, in_z and out_j3 are not used; 3: in space
+    parameter W        = 16, // bits of a coordinate, 8 to 24 (default 16)
+    parameter A        = 16, // bits of an angle, a turn is 2^A, 4 to 24 (default 16)
+    parameter JOINTS   = 2,  // 2 (default): in the plane, in_z and out_j3 are not used; 3: in space
+    parameter MULTIPLY = 18  // bits of the chip's multiplier, 18 or 27 (default 18)
 ) (
     input  wire                  clk,
     input  wire                  rst,
@@ -102,9 +103,9 @@ module classic_solve_iter #(
 
     wire        [W+G:0] a, b;
     wire signed [W+7:0] product;
-    classic_legs #(.W(W), .JOINTS(JOINTS)) legs (.clk(clk), .rst(rst), .in_start(in_start), .in_far(in_far),
-        .in_near(in_near), .in_f(in_f), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_add(add), .in_ask(ask),
-        .in_taken(to_phi), .out_a(a), .out_b(b), .out_product(product),
+    classic_legs #(.W(W), .JOINTS(JOINTS), .MULTIPLY(MULTIPLY)) legs (.clk(clk), .rst(rst), .in_start(in_start),
+        .in_far(in_far), .in_near(in_near), .in_f(in_f), .in_x(in_x), .in_y(in_y), .in_z(in_z), .in_add(add),
+        .in_ask(ask), .in_taken(to_phi), .out_a(a), .out_b(b), .out_product(product),
         .out_unreachable(out_unreachable));
 
     wire [Z-1:0] z, next_z, joint1;
