@@ -16,7 +16,7 @@ import time
 
 from quadrance import arms, cores
 
-from ci.report import DEFAULT_ARM, README, REPORTS, documents, run, search
+from ci.report import DEFAULT_ARM, README, REPORTS, documents, run, search, up5k
 from tb.lib import tools
 
 REFRESH = "run `make report` and commit reports/ and README.md"
@@ -24,7 +24,7 @@ REFRESH = "run `make report` and commit reports/ and README.md"
 
 def check() -> None:
     """Exit with the reasons where the committed report is stale."""
-    if problems := [*run.check(), *search.check()]:
+    if problems := [*run.check(), *search.check(), *up5k.check()]:
         raise SystemExit("\n".join(["The committed report no longer follows from the sources:",
                                     *(f"  {problem}" for problem in problems), f"To refresh: {REFRESH}."]))
     print("The committed report follows from the sources.")
@@ -40,6 +40,7 @@ def report(arm: str, fresh: bool, verdict: bool = False, out: str | None = None)
     made, maps, kept = run.put_together(arm, listed, committed, fresh)
     if folder == REPORTS:
         made["engines"] = run.engines(listed, None if fresh else committed)
+        made["up5k"] = up5k.put_together(made, listed, committed, fresh)
         made |= {"verdict": search.put_together(arm, committed, fresh)} if verdict else search.standing(arm, committed)
     run.write(made, maps, folder, README)
     documents.show(made)

@@ -110,7 +110,8 @@ HEADLINE = {"vector": "unit vector: `vector_*`", "table": "binary angle: `table_
             "classic": "binary angle, CORDIC: `classic_*`", "rational": "spread: `rational_*`"}
 
 DEVICES = {  # words of a head or a cell that belong to one device: our times are those of ECP5
-    "ECP5": r"LUT|LUTs|LUTRAM|MULT18X18|EBR|MHz|ns", "Cyclone V": r"ALUT|ALUTs|DSP|M10K|MLAB", "iCE40": r"LC|RAM4K"}
+    "ECP5": r"LUT|LUTs|LUTRAM|MULT18X18|EBR|(?<!UP5K )(?:MHz|ns)", "Cyclone V": r"ALUT|ALUTs|DSP|M10K|MLAB",
+    "iCE40": r"LC|RAM4K|MAC16|UP5K"}
 METRICS: tuple[tuple[str, Callable[[Row], float | None]], ...] = (
     ("ECP5 LUT", lambda row: row["area"]["ecp5"]["lut"]),
     ("ECP5 MULT18X18", lambda row: row["area"]["ecp5"]["dsp"]),
@@ -184,6 +185,17 @@ def cost_tables(title: str, rows: Iterable[Row]) -> list[Table]:
         table("ECP5", {"lut": "LUT", "ff": "FF", "dsp": "MULT18X18", "mem": "EBR"}, times, "ecp5"),
         table("Cyclone V", {"lut": "ALUT", "ff": "FF", "dsp": "DSP", "mem": "M10K"}, {}, "cyclonev"),
         table("iCE40", {"lut": "LC", "mem": "RAM4K"}, {}, "ice40")]
+
+
+def up5k_table(report: dict) -> Table:
+    """Area, clock and latency of the cores of the headline on an iCE40 UP5K."""
+    rows, lines = report.get("up5k", {"rows": {}})["rows"], []
+    for one in (one for of in leaders(report).values() for one in of.values() if name(one) in rows):
+        row = rows[name(one)]
+        took = max(one["latency_cycles"], 1) * 1000 / row["mhz"] if row["mhz"] else None
+        lines.append((f"`{name(one)}`", *(str(row[key]) for key in ("lut", "dsp", "mem")), number(row["mhz"]),
+                      number(took)))
+    return Table("Kinematic cores: iCE40 UP5K", ("core", "LC", "MAC16", "RAM4K", "UP5K MHz", "UP5K ns"), tuple(lines))
 
 
 def accuracy_table(title: str, rows: Iterable[Row]) -> Table:

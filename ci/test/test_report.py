@@ -111,10 +111,20 @@ def test_markdown_has_every_core_and_well_formed_tables(made):
 def test_every_column_is_explained(made):
     kinematic = tables.pick(made, tables.KINEMATIC)
     for table, words in (*((one, documents.COST_COLUMNS) for one in tables.cost_tables("", kinematic)),
+                         (tables.up5k_table(made), documents.COST_COLUMNS),
                          (tables.accuracy_table("", kinematic), documents.ERROR_COLUMNS)):
         for head in table.head:
             word = head.removesuffix(" LSB").removesuffix(" mm")
             assert word == "core" or f"**{word}**" in words, head
+
+
+def test_the_small_chip_has_a_row_a_core_of_the_headline(made):
+    row = {"lut": 700, "ff": 551, "dsp": 8, "mem": 10, "mhz": 30.0}
+    made["up5k"] = {"rows": {"rational_fk1-S24": row, "rational_ik1-S24": row | {"mhz": None}}}
+    text = documents.markdown(made)
+    for line in ("`rational_fk1-S24` | 700 | 8 | 10 | 30 | 66.7", "`rational_ik1-S24` | 700 | 8 | 10 | – | –"):
+        assert f"\n{line}\n" in text
+    assert tables.mixed(text, "x") == []
 
 
 def test_blocks_that_no_core_takes_have_no_column(made):
@@ -161,7 +171,8 @@ def test_a_row_speaks_of_one_device(made):
         assert tables.mixed(text, "x") == []
     for head, cell in (("| core | ALUT | ns |", "| a | 1 | 2 |"), ("core | ALUT | ns", "a | 1 | 2"),
                        ("| core | ALUT |", "| a | 3, 12 ns |"),
-                       ("|  | area |", "| a | 380 LUT + 2 DSP |"), ("| MHz | LC |", "| 1 | 2 |")):
+                       ("|  | area |", "| a | 380 LUT + 2 DSP |"), ("| MHz | LC |", "| 1 | 2 |"),
+                       ("| LUT | UP5K MHz |", "| 1 | 2 |")):
         text = f"text\n\n{head}\n|---|---|\n{cell}\n"
         assert any("x:5: one row, one device: " in one for one in tables.mixed(text, "x")), head
     assert tables.mixed("| core | `ns` | ALUT, no DSP |\n|--|--|--|\n| a | 1 | 2 |", "x") == []

@@ -9,7 +9,7 @@ import pytest
 from quadrance import cores
 from quadrance.iterative import convergence
 
-from ci.report import PLOTS, __main__, figures, run
+from ci.report import PLOTS, __main__, figures, run, up5k
 from tb.lib import tools
 
 README = "# Title\n<!-- report:headline -->\nold\n<!-- /report:headline -->\n"
@@ -195,6 +195,9 @@ def test_a_figure_changed_by_hand_is_not_kept(report, listed):
     assert kept(report, listed) == ([], [], [])
 
 
+SMALL = {"lut": 700, "ff": 551, "dsp": 8, "mem": 10, "mhz": 28.4}
+
+
 @pytest.fixture
 def measured(monkeypatch, report):
     """Stands in for the workers; records the jobs."""
@@ -204,7 +207,7 @@ def measured(monkeypatch, report):
         jobs.append((list(wanted), since))
         row = report["cores"][1]
         figure = {"area": row["area"], "clock": 50.0, "simulate": row, "map": {}}
-        return {job: figure[job[0]] for job in jobs[-1][0]}
+        return {job: figure.get(job[0], SMALL) for job in jobs[-1][0]}
 
     monkeypatch.setattr(run.pool, "run", answers)
     return jobs
@@ -233,6 +236,32 @@ def test_fresh_measures_everything_and_says_what_differs(report, listed, measure
     assert run.differences(report, new) == [f"a-{one} {what}" for one in ("S8", "S24") for what in (
         "fmax_mhz.ecp5: 100.0 -> 50.0", "latency_ns: 20.0 -> 40.0")]
     assert run.differences(report, report) == run.differences(None, new) == []
+
+
+# The cores of the headline on a small chip
+
+
+def test_only_a_core_that_changed_is_placed_on_the_small_chip(report, listed, measured):
+    report["cores"] = report["cores"][-2:]
+    assert up5k.check(report, listed) == ["up5k is missing"]
+    report["up5k"] = up5k.put_together(report, listed, None)
+    assert report["up5k"]["rows"] == {"a-S8": SMALL} and measured.pop() == ([("a-S8",)], 0.0)
+    assert up5k.check(report, listed) == []
+    assert up5k.put_together(report, listed, report) == report["up5k"] and measured.pop() == ([], 0.0)
+    listed[0].sources[0].write_text("module a; wire b; endmodule\n")
+    assert up5k.check(report, listed) == ["up5k: a-S8 changed"]
+    assert up5k.put_together(report, listed, report)["rows"] == {"a-S8": SMALL}
+    assert measured.pop() == ([("a-S8",)], 0.0)
+    report["up5k"]["rows"]["a-S8"] = SMALL | {"mhz": 60.0}
+    assert up5k.check(report, listed) == ["up5k: a-S8 changed", "up5k: a figure was changed by hand"]
+    up5k.put_together(report, listed, report, fresh=True)
+    assert measured.pop()[1] > 1e9
+
+
+def test_a_core_that_the_small_chip_does_not_hold_has_no_clock(monkeypatch):
+    monkeypatch.setitem(up5k.HAS, "dsp", 0)
+    found = up5k.measured("vector_fk1-W12U10")
+    assert found["dsp"] > 0 and found["mhz"] is None
 
 
 # Where it goes

@@ -363,9 +363,12 @@ def test_a_design_is_confirmed_by_its_errors(monkeypatch, tmp_path):
         assert search.confirmed(design, "cobra600", picks) == {"same": same}
 
 
-def test_report_check_covers_the_verdict(report, monkeypatch):
+def test_report_check_covers_the_verdict_and_the_small_chip(report, monkeypatch):
     monkeypatch.setattr(run, "check", list)
     monkeypatch.setattr(run, "committed", lambda: report)
+    with pytest.raises(SystemExit, match="up5k is missing"):
+        __main__.check()
+    monkeypatch.setattr(__main__.up5k, "check", list)
     __main__.check()
     report["verdict"]["parts"]["table_fk1-W15F8A18"]["ii"] = 9
     with pytest.raises(SystemExit, match="verdict: part table_fk1-W15F8A18 changed"):

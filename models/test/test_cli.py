@@ -75,6 +75,15 @@ def test_show_names_every_port(quadrance):
     assert [port["width"] for port in other["ports"] if port["name"] == "out_c1"] == [16]
 
 
+@pytest.mark.parametrize(("mhz", "told"), [(28.44, "28.44 MHz"), (None, "it does not fit")])
+def test_show_has_a_line_of_the_small_chip_where_it_was_measured(quadrance, monkeypatch, mhz, told):
+    rows = {"vector_ik2-U16": {"lut": 700, "ff": 551, "dsp": 8, "mem": 10, "mhz": mhz}}
+    whole = catalogue.report() | {"up5k": {"rows": rows}}
+    monkeypatch.setattr(catalogue, "report", lambda: whole)
+    assert f"\niCE40 UP5K  700 LC, 551 FF, 8 MAC16, 10 RAM4K; {told}\n" in quadrance("show", "vector_ik2")
+    assert "UP5K" not in quadrance("show", "vector_ik2", "-p", "PIPE=1")
+
+
 @pytest.mark.parametrize("name", sorted({core.name for core in cores.all_cores()}))
 def test_files_come_after_what_they_instantiate(name):
     core = cores.find(name)

@@ -160,6 +160,9 @@ def _show(args: argparse.Namespace) -> None:
         out.print("Cyclone V   {alut} ALUT, {ff} FF, {dsp} DSP, {m10k} M10K; {alut_no_dsp} ALUT without DSP".format(
             **f["cyclonev"]))
         out.print("iCE40       {lc} LC, {ff} FF, {ram4k} RAM4K".format(**f["ice40"]))
+        if small := f.get("up5k"):
+            clock = f"{small['mhz']:.4g} MHz" if small["mhz"] else "it does not fit"
+            out.print("iCE40 UP5K  {lc} LC, {ff} FF, {mac16} MAC16, {ram4k} RAM4K; ".format(**small) + clock)
         error = [text.format(**f) for key, text in (("error_lsb", "{error_lsb:.3g} LSB"),
                                                     ("error_mm", "{error_mm:.3g} mm on {arm}")) if f[key] is not None]
         if not error and core.function in tip.pose.FUNCTIONS:

@@ -114,7 +114,11 @@ def report() -> dict:
 
 
 def figures(core: Core) -> dict | None:
-    """Measured figures of a core: area by device, clock and latency on ECP5, errors; None where there is no row."""
+    """Measured figures of a core: area by device, clock and latency on ECP5, errors; None where there is no row.
+
+    ``up5k``, area and clock on an iCE40 UP5K, is there for the cores of the README's headline; its ``mhz`` is None
+    where the core does not fit.
+    """
     for row in report().get("cores", ()):
         if (row["core"], row["params"]) == (core.name, core.params):
             area = row["area"]
@@ -122,7 +126,10 @@ def figures(core: Core) -> dict | None:
                             (area["ecp5"][key] for key in ("lut", "ff", "dsp", "mem", "lutram"))))
             alm = {"alut": area["cyclonev"]["lut"], "ff": area["cyclonev"]["ff"], "dsp": area["cyclonev"]["dsp"],
                    "m10k": area["cyclonev"]["mem"], "alut_no_dsp": area["cyclonev_nodsp"]["lut"]}
-            return {"ecp5": ecp5 | {"mhz": row["fmax_mhz"]["ecp5"], "ns": row["latency_ns"]}, "cyclonev": alm,
+            small = report().get("up5k", {}).get("rows", {}).get(core.id)
+            up5k = {"up5k": dict(zip(("lc", "ff", "mac16", "ram4k", "mhz"),
+                                     (small[key] for key in ("lut", "ff", "dsp", "mem", "mhz"))))} if small else {}
+            return up5k | {"ecp5": ecp5 | {"mhz": row["fmax_mhz"]["ecp5"], "ns": row["latency_ns"]}, "cyclonev": alm,
                     "ice40": {"lc": area["ice40"]["lut"], "ff": area["ice40"]["ff"], "ram4k": area["ice40"]["mem"]},
                     "error_mm": row["total_mm"],
                     "error_lsb": (row["total_lsb"] if row["total_lsb"] is not None else
