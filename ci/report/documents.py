@@ -49,7 +49,7 @@ Cyclone V (`synth_intel_alm`):
 - **ALUT, no DSP**: with multipliers in logic, mapped by a short ABC script, at most 8 % above the default on the
   one-joint cores and 18 % on the smallest primitive.
 
-iCE40 (`synth_ice40`), without `PIPE`, which is for the registers of multipliers:
+iCE40 (`synth_ice40`), with multipliers in logic, at `PIPE` = 0:
 
 - **LC**: logic cells with plain `abc -lut 4`, within 20 % of its default, either way; cells that hold a register alone
   come on top. **RAM4K**: memories of 4 kbit.
