@@ -94,7 +94,10 @@ def check(report: dict | None = None, listed: tuple[cores.Core, ...] | None = No
     if not report:
         return []
     if not (made := report.get("up5k")):
-        return ["up5k is missing"]
-    now = sources(report, cores.reported() if listed is None else listed)
-    return [*(problem for part in now for problem in cache.changes(made["sources"][part], now[part], "up5k:")),
-            *["up5k: a figure was changed by hand"] * (made["figures"] != cache.digest(made["rows"]))]
+        return ["report.json: up5k is missing"]
+    try:
+        now = sources(report, cores.reported() if listed is None else listed)
+        return [*(problem for part in now for problem in cache.changes(made["sources"][part], now[part], "up5k:")),
+                *["up5k: a figure was changed by hand"] * (made["figures"] != cache.digest(made["rows"]))]
+    except (KeyError, TypeError, AttributeError) as error:
+        return [f"report.json: up5k: {type(error).__name__}: {error}"]

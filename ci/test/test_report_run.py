@@ -243,7 +243,7 @@ def test_fresh_measures_everything_and_says_what_differs(report, listed, measure
 
 def test_only_a_core_that_changed_is_placed_on_the_small_chip(report, listed, measured):
     report["cores"] = report["cores"][-2:]
-    assert up5k.check(report, listed) == ["up5k is missing"]
+    assert up5k.check(report, listed) == ["report.json: up5k is missing"]
     report["up5k"] = up5k.put_together(report, listed, None)
     assert report["up5k"]["rows"] == {"a-S8": SMALL} and measured.pop() == ([("a-S8",)], 0.0)
     assert up5k.check(report, listed) == []
@@ -256,6 +256,8 @@ def test_only_a_core_that_changed_is_placed_on_the_small_chip(report, listed, me
     assert up5k.check(report, listed) == ["up5k: a-S8 changed", "up5k: a figure was changed by hand"]
     up5k.put_together(report, listed, report, fresh=True)
     assert measured.pop()[1] > 1e9
+    del report["up5k"]["rows"]
+    assert up5k.check(report, listed) == ["report.json: up5k: KeyError: 'rows'"]
 
 
 def test_a_core_that_the_small_chip_does_not_hold_has_no_clock(monkeypatch):
