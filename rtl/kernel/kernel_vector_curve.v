@@ -12,7 +12,7 @@
 module kernel_vector_curve #(
     parameter N = 20,                // bits of the kernel's coordinate, 20 or 24 (default 20)
     parameter ROOTS = 1,             // 0: 2/sqrt(q) alone, of in_inverse with in_clamped; 1 (default): all three
-    parameter PIPE = 0,              // 0 or 1 (default 0); 1: three registers, behind memory, square and its product
+    parameter PIPE = 0,              // 0 or 1 (default 0); 1: three registers, behind memory, square and product
     parameter V = N == 24 ? 30 : 26  // bits of v, of one value (default 26)
 ) (
     input  wire                clk,
@@ -135,37 +135,40 @@ module kernel_vector_curve #(
     wire [M-1:0]        found_square = squares[distance] & {M{!none}};
     wire [M-1:0]        square;
     localparam          P = C + M;
-    reg  [C*P-1:0]      rows;  // of the product, added in pairs
+    reg  [C*P-1:0]      rows;  // of the product, added up in two halves: rows 0 to 3, and those above
     integer             i, j;
     always @* begin
         for (i = 0; i < C; i = i + 1)
             rows[P*i +: P] = {{C{1'b0}}, square & {M{entry[SLOPE+i]}}} << i;
-        for (j = 1; j < C; j = 2 * j)
+        for (j = 1; j < 4; j = 2 * j)
             for (i = 0; i + j < C; i = i + 2 * j)
                 rows[P*i +: P] = rows[P*i +: P] + rows[P*(i+j) +: P];
     end
-    wire [P-1:0]        product = rows[P-1:0];
-    wire [P-1:0]  shifted = root ? product >> SCALE : product >> SCALE + 1;
-    wire [P-1:0]  moved;
+    wire [P-1:0]        low, high;
     generate
         if (PIPE == 0) begin : g_now
             assign entry = found;
             assign square = found_square;
-            assign moved = shifted;
+            assign low = rows[P-1:0];
+            assign high = rows[4*P +: P];
         end else begin : g_registers
             reg [C+SLOPE-1:0] entry_1;
             reg [M-1:0]       square_1;
-            reg [P-1:0]       moved_1;
+            reg [P-1:0]       low_1, high_1;
             always @(posedge clk) begin
                 entry_1  <= found;
                 square_1 <= found_square;
-                moved_1  <= shifted;
+                low_1    <= rows[P-1:0];
+                high_1   <= rows[4*P +: P];
             end
             assign entry = entry_1;
             assign square = square_1;
-            assign moved = moved_1;
+            assign low = low_1;
+            assign high = high_1;
         end
     endgenerate
+    wire [P-1:0]   product = low + high;
+    wire [P-1:0]   moved = root ? product >> SCALE : product >> SCALE + 1;
     wire           down = root && !negative;
     assign         out_left = {negative, factor, 1'b1} + ({{(V+1-P){1'b0}}, moved} ^ {(V+1){down}})
                               + {{V{1'b0}}, down};
