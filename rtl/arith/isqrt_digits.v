@@ -5,6 +5,7 @@
 // next R bit pairs of the radicand, the first one on top, the lower bit of each inverted: a register in front of it can
 // store that for nothing.
 // The invariant 0 <= rem <= 2 root keeps t inside K+2 bits of the carry chain, so its sign bit is the digit. Exact.
+// Of two digits behind more than 24, the second is tried for both values of the first: a longer word needs the time.
 // Model: arith.isqrt
 `default_nettype none
 module isqrt_digits #(
@@ -29,7 +30,8 @@ module isqrt_digits #(
             wire         high = in_pairs[2*(R-1-i)+1], none = in_pairs[2*(R-1-i)];  // none: the lower bit is 0
             wire [D+1:0] trial;
             wire         digit = ~trial[D+1];
-            wire [D+1:0] next_rem = digit ? {trial[D:0], none} : {rem[D-1:0], high, ~none};
+            wire [D+1:0] rem_1 = {trial[D:0], none}, rem_0 = {rem[D-1:0], high, ~none};  // if the digit is 1, 0
+            wire [D+1:0] next_rem = digit ? rem_1 : rem_0;
             wire [D:0]   next_root = {root, digit};
 
             if (i == 0) begin : g_first
@@ -55,6 +57,10 @@ module isqrt_digits #(
                     end
                 end
                 assign trial = difference;
+            end else if (R == 2 && i == 1 && K > 24) begin : g_both  // no multiplexer between two long chains
+                wire [D+1:0] after_1 = {g_digit[0].rem_1, high} - {1'b0, in_root, 1'b1, none};
+                wire [D+1:0] after_0 = {g_digit[0].rem_0, high} - {1'b0, in_root, 1'b0, none};
+                assign trial = g_digit[0].digit ? after_1 : after_0;
             end else begin : g_chain
                 assign trial = {rem, high} - {1'b0, root, none};
             end
