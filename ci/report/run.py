@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import re
 import time
+from collections.abc import Callable
 from dataclasses import astuple
 from inspect import getsource
 from pathlib import Path
@@ -82,7 +83,7 @@ def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
     Returns
     -------
     dict
-        ``cores``: id -> digest by concern, to which a report adds the "circuit" where it is known; ``arm``; ``area``,
+        ``cores``: id -> digest by concern, to which a report adds the "circuit"; ``arm``; ``area``,
         ``clock``, ``simulation``: file -> digest; ``rows``: function -> digest.
     """
     arm = arms.load(arm_name)
@@ -139,13 +140,25 @@ def job(what: str, core_id: str, arm_name: str) -> object:
     return measure.simulate(core, arm_name, answers)
 
 
-def circuits(report: dict | None, now: dict, arm_name: str) -> dict[str, str]:
-    """Digest of the circuit by core id, where `report` has one: elaborated again where the sources changed."""
-    then = (report or {}).get("sources", {}).get("cores", {})
-    known = {core: then[core]["circuit"] for core in now["cores"] if then.get(core, {}).get("circuit")}
-    changed = [core for core in known if then[core]["synthesis"] != now["cores"][core]["synthesis"]]
-    found = pool.run(job, [("circuit", core, arm_name) for core in changed]) if changed else {}
-    return known | {core_id: answer for (_, core_id, _), answer in found.items()}
+def circuits(then: dict[str, tuple], now: dict[str, str], work: Callable, arm_name: str, name: str) -> dict[str, str]:
+    """Digest of the circuit of what a report has, by id.
+
+    Elaborated are those whose sources changed, to be compared, and those whose circuit the report does not have yet.
+
+    Parameters
+    ----------
+    then, now : id -> digests of the sources and of the circuit, None for none, in the report; of the sources today.
+    work, name : the `job` of those ids, and what its bar of progress is called.
+    """
+    known, asked = {}, []
+    for one, source in now.items():
+        source_then, circuit_then = then.get(one, (None, None))
+        if source_then == source and circuit_then:
+            known[one] = circuit_then
+        elif source_then == source or circuit_then:
+            asked.append(("circuit", one, arm_name))
+    found = pool.run(work, asked, 0.0, name) if asked else {}
+    return known | {one: answer for (_, one, _), answer in found.items()}
 
 
 def mapped(listed: tuple[Core, ...]) -> dict[tuple[str, str], str]:
@@ -194,8 +207,11 @@ def put_together(arm_name: str, listed: tuple[Core, ...], committed: dict | None
     """
     arm, since = arms.load(arm_name), time.time() if fresh else 0.0
     now = sources(arm_name, listed)
-    for core_id, known in ({} if fresh else circuits(committed, now, arm_name)).items():
-        now["cores"][core_id]["circuit"] = known
+    then = {} if fresh else (committed or {}).get("sources", {}).get("cores", {})
+    known = circuits({core_id: (one.get("synthesis"), one.get("circuit")) for core_id, one in then.items()},
+                     {core_id: one["synthesis"] for core_id, one in now["cores"].items()}, job, arm_name, "report")
+    for core_id, one in known.items():
+        now["cores"][core_id]["circuit"] = one
     kept: dict[str, dict[str, Row]] = {concern: {} if fresh else kept_rows(committed, now, concern)
                                        for concern in CONCERNS}
     shown = mapped(listed)

@@ -188,20 +188,18 @@ def put_together(arm_name: str, committed: dict | None, fresh: bool = False) -> 
     made = {part: of_id(part) for design in verdict["designs"].values() for pick in design["picks"].values() if pick
             for part, _ in pick["parts"]}
     digests = {part: run.synthesis(core) for part, core in made.items()}
-    same = {part for part, row in parts.items() if row["digest"] == digests.get(part)}
-    changed = [("circuit", part, arm_name) for part in made if part not in same and parts.get(part, {}).get("circuit")]
-    measured = pool.run(job, changed, since, "verdict") if changed else {}
-    same |= {part for what, part, _ in changed if measured[what, part, arm_name] == parts[part]["circuit"]}
-    measured |= {(what, part, arm_name): parts[part][key] for part in same for what, key in (
-        ("area", "area"), ("clock", "fmax_mhz"), ("circuit", "circuit")) if key in parts[part]}
-    measured |= pool.run(job, [(what, part, arm_name) for what in ("clock", "area", "circuit") for part in made
-                               if part not in same and (what, part, arm_name) not in measured], since, "verdict")
+    known = run.circuits({part: (row["digest"], row.get("circuit")) for part, row in parts.items()}, digests, job,
+                         arm_name, "verdict")
+    same = {part for part in known if parts[part]["digest"] == digests[part] or parts[part]["circuit"] == known[part]}
+    measured = pool.run(job, [(what, part, arm_name) for what in ("clock", "area", "circuit") for part in made
+                              if part not in same and not (what == "circuit" and part in known)], since, "verdict")
     for part, core in made.items():
+        row = parts[part] if part in same else {"area": measured["area", part, arm_name],
+                                                "fmax_mhz": measured["clock", part, arm_name]}
         verdict["parts"][part] = {
-            "core": core.name, "params": core.params, "digest": digests[part], "cycles": core.latency, "ii": core.ii,
-            "area": measured["area", part, arm_name], "fmax_mhz": measured["clock", part, arm_name]}
-        if circuit := measured.get(("circuit", part, arm_name)):
-            verdict["parts"][part]["circuit"] = circuit
+            "core": core.name, "params": core.params, "digest": digests[part],
+            "circuit": known.get(part) or measured["circuit", part, arm_name], "cycles": core.latency, "ii": core.ii,
+            "area": row["area"], "fmax_mhz": row["fmax_mhz"]}
     return verdict | {"judge": judge(), "flow": flow(), "open": [], "figures": digest_of(verdict)}
 
 
