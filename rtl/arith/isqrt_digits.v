@@ -61,6 +61,7 @@ module isqrt_digits #(
                 wire [D+1:0] after_1 = {g_digit[0].rem_1, high} - {1'b0, in_root, 1'b1, none};
                 wire [D+1:0] after_0 = {g_digit[0].rem_0, high} - {1'b0, in_root, 1'b0, none};
                 assign trial = g_digit[0].digit ? after_1 : after_0;
+                wire unused = &{1'b0, rem[D]};
             end else begin : g_chain
                 assign trial = {rem, high} - {1'b0, root, none};
             end
