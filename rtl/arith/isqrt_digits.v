@@ -30,8 +30,7 @@ module isqrt_digits #(
             wire         high = in_pairs[2*(R-1-i)+1], none = in_pairs[2*(R-1-i)];  // none: the lower bit is 0
             wire [D+1:0] trial;
             wire         digit = ~trial[D+1];
-            wire [D+1:0] rem_1 = {trial[D:0], none}, rem_0 = {rem[D-1:0], high, ~none};  // if the digit is 1, 0
-            wire [D+1:0] next_rem = digit ? rem_1 : rem_0;
+            wire [D+1:0] next_rem = digit ? {trial[D:0], none} : {rem[D-1:0], high, ~none};
             wire [D:0]   next_root = {root, digit};
 
             if (i == 0) begin : g_first
@@ -43,7 +42,8 @@ module isqrt_digits #(
             end
 
             // pair - 1 borrows exactly when pair = 0, and so does high - none, which is one bit shorter
-            if (D < 3) begin : g_gates  // as gates the first three digits cost one 6-input LUT a bit
+            case (D < 3 ? 0 : R == 2 && i == 1 && K > 24 ? 2 : 1)
+            0: begin : g_gates  // as gates the first three digits cost one 6-input LUT a bit
                 wire [D+1:0] a = {rem, high};
                 wire [D+1:0] b = {1'b0, root, none};
                 reg  [D+1:0] difference;
@@ -57,14 +57,19 @@ module isqrt_digits #(
                     end
                 end
                 assign trial = difference;
-            end else if (R == 2 && i == 1 && K > 24) begin : g_both  // no multiplexer between two long chains
-                wire [D+1:0] after_1 = {g_digit[0].rem_1, high} - {1'b0, in_root, 1'b1, none};
-                wire [D+1:0] after_0 = {g_digit[0].rem_0, high} - {1'b0, in_root, 1'b0, none};
-                assign trial = g_digit[0].digit ? after_1 : after_0;
-                wire unused = &{1'b0, rem[D]};
-            end else begin : g_chain
+            end
+            1: begin : g_chain
                 assign trial = {rem, high} - {1'b0, root, none};
             end
+            default: begin : g_both  // no multiplexer between two long chains
+                wire [D:0]   rem_1 = {g_digit[0].trial[D-1:0], g_digit[0].none};  // if the first digit is 1
+                wire [D:0]   rem_0 = {in_rem[D-2:0], g_digit[0].high, ~g_digit[0].none};
+                wire [D+1:0] after_1 = {rem_1, high} - {1'b0, in_root, 1'b1, none};
+                wire [D+1:0] after_0 = {rem_0, high} - {1'b0, in_root, 1'b0, none};
+                assign trial = g_digit[0].digit ? after_1 : after_0;
+                wire unused = &{1'b0, rem[D]};
+            end
+            endcase
 
             if (i == R - 1) begin : g_last
                 assign out_rem = next_rem;
