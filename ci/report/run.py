@@ -87,7 +87,7 @@ def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
     Returns
     -------
     dict
-        ``cores``: id -> digest by concern, to which a report adds the "circuit"; ``arm``; ``area``,
+        ``cores``: id -> digest by concern, to which a report adds the "circuit" it measured; ``arm``; ``area``,
         ``clock``, ``simulation``: file -> digest; ``rows``: function -> digest.
     """
     arm = arms.load(arm_name)
@@ -145,24 +145,16 @@ def job(what: str, core_id: str, arm_name: str) -> object:
 
 
 def circuits(then: dict[str, tuple], now: dict[str, str], work: Callable, arm_name: str, name: str) -> dict[str, str]:
-    """Digest of the circuit of what a report has, by id.
-
-    Elaborated are those whose sources changed, to be compared, and those whose circuit the report does not have yet.
+    """Digest of the circuit by id of what a report has one of; where the sources changed, it is elaborated.
 
     Parameters
     ----------
     then, now : id -> digests of the sources and of the circuit, None for none, in the report; of the sources today.
     work, name : the `job` of those ids, and what its bar of progress is called.
     """
-    known, asked = {}, []
-    for one, source in now.items():
-        source_then, circuit_then = then.get(one, (None, None))
-        if source_then == source and circuit_then:
-            known[one] = circuit_then
-        elif source_then == source or circuit_then:
-            asked.append(("circuit", one, arm_name))
-    found = pool.run(work, asked, 0.0, name) if asked else {}
-    return known | {one: answer for (_, one, _), answer in found.items()}
+    known = {one: then[one][1] for one in now if then.get(one, (None, None))[1]}
+    asked = [("circuit", one, arm_name) for one in known if then[one][0] != now[one]]
+    return known | {key[1]: answer for key, answer in (pool.run(work, asked, 0.0, name) if asked else {}).items()}
 
 
 def mapped(listed: tuple[Core, ...]) -> dict[tuple[str, str], str]:

@@ -190,15 +190,17 @@ def put_together(arm_name: str, committed: dict | None, fresh: bool = False) -> 
     digests = {part: run.synthesis(core) for part, core in made.items()}
     known = run.circuits({part: (row["digest"], row.get("circuit")) for part, row in parts.items()}, digests, job,
                          arm_name, "verdict")
-    same = {part for part in known if parts[part]["digest"] == digests[part] or parts[part]["circuit"] == known[part]}
+    same = {part for part in made if part in parts and (
+        parts[part]["digest"] == digests[part] or part in known and parts[part]["circuit"] == known[part])}
     measured = pool.run(job, [(what, part, arm_name) for what in ("clock", "area", "circuit") for part in made
                               if part not in same and not (what == "circuit" and part in known)], since, "verdict")
+    known |= {part: answer for (what, part, _), answer in measured.items() if what == "circuit"}
     for part, core in made.items():
         row = parts[part] if part in same else {"area": measured["area", part, arm_name],
                                                 "fmax_mhz": measured["clock", part, arm_name]}
         verdict["parts"][part] = {
             "core": core.name, "params": core.params, "digest": digests[part],
-            "circuit": known.get(part) or measured["circuit", part, arm_name], "cycles": core.latency, "ii": core.ii,
+            **({"circuit": known[part]} if part in known else {}), "cycles": core.latency, "ii": core.ii,
             "area": row["area"], "fmax_mhz": row["fmax_mhz"]}
     return verdict | {"judge": judge(), "flow": flow(), "open": [], "figures": digest_of(verdict)}
 

@@ -247,12 +247,10 @@ def test_area_and_clock_stand_where_the_circuit_does(report, listed, measured, t
     then = report["sources"]["cores"]
     del then["a-S24"]["circuit"]
     new, _, _ = run.put_together("cobra600", listed, report)
-    assert [jobs for jobs, _ in measured] == [[("circuit", "a-S24", "cobra600")], []], "not known before"
-    assert new["sources"]["cores"]["a-S24"]["circuit"] == "of today"
-    measured.clear()
+    assert new["sources"]["cores"] == then and measured.pop()[0] == [], "the sources are the same: nothing to compare"
     then["a-S24"]["circuit"] = "of yesterday"
     new, _, _ = run.put_together("cobra600", listed, report)
-    assert new["sources"]["cores"] == then and measured.pop()[0] == [], "the sources are the same: no elaboration"
+    assert new["sources"]["cores"] == then and measured.pop()[0] == []
     edit(tmp_path / "rtl" / "rational" / "a.v", "module a;", "module a; wire w;")
     new, _, count = run.put_together("cobra600", listed, report)
     assert [(what, core) for jobs, _ in measured for what, core, _ in jobs] == [
