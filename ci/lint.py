@@ -164,6 +164,9 @@ def check_file(path: Path) -> list[str]:
         wrong.append(f"{name}: no `default_nettype none")
     for word in re.findall(r"\$(?!signed|unsigned|clog2)\w+", text):
         wrong.append(f"{name}: {word} does not belong in RTL")
+    lines = text.count("\n")
+    if lines > 350 and not path.with_name(f"{path.stem.removesuffix('_program')}.kin").exists():
+        wrong.append(f"{name}: {lines} lines, at most 350 where nothing assembles it")
     long = [i for i, line in enumerate(text.splitlines(), 1) if len(line) > 120]
     if long:
         wrong.append(f"{name}: line {long[0]} is longer than 120")

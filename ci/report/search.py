@@ -106,12 +106,14 @@ def of_id(part: str) -> Core:
 
 
 def job(what: str, subject: Design | str, arm_name: str) -> object:
-    """One job, in a worker process: "reach" of a design or to "confirm" it, "area" or "clock" of a part."""
+    """One job, in a worker process: "reach" of a design or to "confirm" it, "area", "clock" or "circuit" of a part."""
     if what == "reach":
         return searched(subject, arm_name)
     if what == "confirm":
         return confirmed(subject, arm_name, run.committed()["verdict"]["designs"][subject.id]["picks"])["same"]
     core = of_id(subject)
+    if what == "circuit":
+        return run.circuit(core)
     if what == "clock":
         return synth.core_fmax(core)
     return synth.core_area(core, FLOWS)
@@ -186,15 +188,20 @@ def put_together(arm_name: str, committed: dict | None, fresh: bool = False) -> 
     made = {part: of_id(part) for design in verdict["designs"].values() for pick in design["picks"].values() if pick
             for part, _ in pick["parts"]}
     digests = {part: run.synthesis(core) for part, core in made.items()}
-    parts = {part: row for part, row in parts.items() if row["digest"] == digests.get(part)}
-    measured = {(what, part, arm_name): parts[part][key] for part in parts for what, key in (
-        ("area", "area"), ("clock", "fmax_mhz"))}
-    measured |= pool.run(job, [(what, part, arm_name) for what in ("clock", "area") for part in made
-                               if measured.get((what, part, arm_name)) is None], since, "verdict")
+    known = run.circuits({part: (row["digest"], row.get("circuit")) for part, row in parts.items()}, digests, job,
+                         arm_name, "verdict")
+    same = {part for part in made if part in parts and (
+        parts[part]["digest"] == digests[part] or part in known and parts[part]["circuit"] == known[part])}
+    measured = pool.run(job, [(what, part, arm_name) for what in ("clock", "area", "circuit") for part in made
+                              if part not in same and not (what == "circuit" and part in known)], since, "verdict")
+    known |= {part: answer for (what, part, _), answer in measured.items() if what == "circuit"}
     for part, core in made.items():
+        row = parts[part] if part in same else {"area": measured["area", part, arm_name],
+                                                "fmax_mhz": measured["clock", part, arm_name]}
         verdict["parts"][part] = {
-            "core": core.name, "params": core.params, "digest": digests[part], "cycles": core.latency, "ii": core.ii,
-            "area": measured["area", part, arm_name], "fmax_mhz": measured["clock", part, arm_name]}
+            "core": core.name, "params": core.params, "digest": digests[part],
+            **({"circuit": known[part]} if part in known else {}), "cycles": core.latency, "ii": core.ii,
+            "area": row["area"], "fmax_mhz": row["fmax_mhz"]}
     return verdict | {"judge": judge(), "flow": flow(), "open": [], "figures": digest_of(verdict)}
 
 

@@ -320,3 +320,21 @@ def test_a_file_that_is_left_out_is_named_in_one_line(copy, name, command, line)
     code, text = copy.make(command)
     assert code and "Traceback" not in text and "KeyError" not in text
     assert [one for one in text.splitlines() if one.startswith(line)]
+
+
+FILE = "// SPDX-License-Identifier: Apache-2.0\n// A part\n`default_nettype none\nmodule {name};\n{body}endmodule\n"
+
+
+def test_a_file_that_people_write_is_short_and_a_table_is_as_long_as_its_program(tmp_path, monkeypatch):
+    monkeypatch.setattr(lint, "ROOT", tmp_path)
+
+    def wrong(name, lines):
+        path = tmp_path / f"{name}.v"
+        path.write_text(FILE.format(name=name, body="\n" * (lines - 5)))
+        return lint.check_file(path)
+
+    assert wrong("part", 350) == []
+    assert wrong("part", 351) == ["part.v: 351 lines, at most 350 where nothing assembles it"]
+    assert wrong("part_program", 351) != [], "by its name alone"
+    (tmp_path / "part.kin").touch()
+    assert wrong("part_program", 351) == []

@@ -3,7 +3,9 @@
 import copy
 import json
 import shutil
+import tempfile
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from quadrance import cores
@@ -151,6 +153,8 @@ def report(made, listed):
     made["cores"] += [made["cores"][1] | {"core": "a", "set": one.set_id} for one in listed]
     made["sources"] = run.sources("cobra600", listed)
     made["sources"]["figures"] = run.rows_digest(made)
+    for one in made["sources"]["cores"].values():
+        one["circuit"] = "of today"
     return made
 
 
@@ -203,10 +207,10 @@ def measured(monkeypatch, report):
     """Stands in for the workers; records the jobs."""
     jobs = []
 
-    def answers(work, wanted, since):
+    def answers(work, wanted, since=0.0, name="report"):
         jobs.append((list(wanted), since))
         row = report["cores"][1]
-        figure = {"area": row["area"], "clock": 50.0, "simulate": row, "map": {}}
+        figure = {"area": row["area"], "clock": 50.0, "simulate": row, "map": {}, "circuit": "of today"}
         return {job: figure.get(job[0], SMALL) for job in jobs[-1][0]}
 
     monkeypatch.setattr(run.pool, "run", answers)
@@ -217,11 +221,12 @@ def test_only_what_is_new_is_measured(report, listed, measured):
     late = replace(listed[1], set_id="S25", params=listed[1].params | {"S": 25})
     new, maps, count = run.put_together("cobra600", (*listed, late), report)
     assert measured == [([("clock", "a-S25", "cobra600"), ("area", "a-S25", "cobra600"),
-                          ("simulate", "a-S25", "cobra600")], 0.0)]
+                          ("simulate", "a-S25", "cobra600"), ("circuit", "a-S25", "cobra600")], 0.0)]
     assert count == {"area": 2, "clock": 2, "simulation": 2} and maps == {}
     assert [row["fmax_mhz"]["ecp5"] for row in new["cores"]] == [100.0, 100.0, 50.0]
     assert new["sources"]["figures"] == run.rows_digest(new)
     assert kept(new, (*listed, late)) == (["a-S24", "a-S25", "a-S8"],) * 3
+    assert all(one["circuit"] == "of today" for one in new["sources"]["cores"].values())
 
 
 def test_another_arm_costs_simulation_only(report, listed, measured):
@@ -232,10 +237,64 @@ def test_another_arm_costs_simulation_only(report, listed, measured):
 def test_fresh_measures_everything_and_says_what_differs(report, listed, measured):
     new, _, count = run.put_together("cobra600", listed, report, fresh=True)
     jobs, since = measured[0]
-    assert len(jobs) == 6 and since > 1e9 and count == {"area": 0, "clock": 0, "simulation": 0}
+    assert len(jobs) == 8 and since > 1e9 and count == {"area": 0, "clock": 0, "simulation": 0}
     assert run.differences(report, new) == [f"a-{one} {what}" for one in ("S8", "S24") for what in (
         "fmax_mhz.ecp5: 100.0 -> 50.0", "latency_ns: 20.0 -> 40.0")]
     assert run.differences(report, report) == run.differences(None, new) == []
+
+
+def test_area_and_clock_stand_where_the_circuit_does(report, listed, measured, tmp_path):
+    then = report["sources"]["cores"]
+    del then["a-S24"]["circuit"]
+    new, _, _ = run.put_together("cobra600", listed, report)
+    assert new["sources"]["cores"] == then and measured.pop()[0] == [], "the sources are the same: nothing to compare"
+    then["a-S24"]["circuit"] = "of yesterday"
+    new, _, _ = run.put_together("cobra600", listed, report)
+    assert new["sources"]["cores"] == then and measured.pop()[0] == []
+    edit(tmp_path / "rtl" / "rational" / "a.v", "module a;", "module a; wire w;")
+    new, _, count = run.put_together("cobra600", listed, report)
+    assert [(what, core) for jobs, _ in measured for what, core, _ in jobs] == [
+        ("circuit", "a-S8"), ("circuit", "a-S24"), ("clock", "a-S24"), ("area", "a-S24"), ("simulate", "a-S8"),
+        ("simulate", "a-S24"), ("circuit", "a-S24")]
+    assert count == {"area": 1, "clock": 1, "simulation": 0}
+    assert [row["fmax_mhz"]["ecp5"] for row in new["cores"]] == [100.0, 50.0]
+    assert {one["circuit"] for one in new["sources"]["cores"].values()} == {"of today"}
+    assert run._causes(report | {"sources": new["sources"]}, listed) == []
+    measured.clear()
+    run.put_together("cobra600", listed, report, fresh=True)
+    assert len(measured) == 1 and len(measured[0][0]) == 8, "fresh: nothing stands"
+
+
+ADDER = """module a #(parameter W = 4) (input wire clk, input wire [W-1:0] in_a, output reg [W-1:0] out_b);
+    generate
+        if (W < 4) begin : g_short
+            always @(posedge clk) out_b <= in_a;
+        end else begin : g_long
+            always @(posedge clk) out_b <= in_a + in_a * 3'd5;
+        end
+    endgenerate
+endmodule
+"""
+
+
+def test_a_circuit_is_what_is_elaborated_without_its_lines(listed):
+    with tempfile.TemporaryDirectory(dir=tools.BUILD) as folder:
+        source = Path(folder, "a.v")
+        core = replace(listed[0], params={"W": 4}, sources=(source,))
+
+        def circuit(old="", new="", params=core.params):
+            source.write_text(ADDER.replace(old, new) if old else ADDER)
+            return run.circuit(replace(core, params=params))
+
+        plain = circuit()
+        assert plain == circuit("    generate", "    // a line more\n\n    generate")
+        assert plain == circuit("out_b <= in_a;", "out_b <= ~in_a + 1'b1;"), "in the branch that is not generated"
+        for old, new in (("3'd5", "3'd7"), ("in_a + in_a", "in_a - in_a"), ("posedge", "negedge"),
+                         ("3'd5;", "3'd5 + in_a;"), ("out_b <= in_a +", "if (in_a[0]) out_b <= in_a +")):
+            assert plain != circuit(old, new), new
+        assert plain != circuit(params={"W": 5})
+        wider = [replace(port, width=port.width + 1) for port in core.outputs]
+        assert plain != run.circuit(replace(core, outputs=tuple(wider)))
 
 
 # The cores of the headline on a small chip

@@ -236,7 +236,8 @@ def jobs(monkeypatch):
                              for target, w in (("1 LSB", 16), ("2 LSB", 15))} | {"1/2 LSB": None}}
                    for what, one, _ in wanted if what == "reach"}
         return {(what, one, arm): reached[one] if what == "reach" else
-                dict.fromkeys(search.FLOWS, area) if what == "area" else what == "confirm" or 70.0
+                dict.fromkeys(search.FLOWS, area) if what == "area" else what == "confirm" or (
+                    "of today" if what == "circuit" else 70.0)
                 for what, one, arm in wanted}
 
     monkeypatch.setattr(search.pool, "run", answers)
@@ -254,7 +255,7 @@ def report(jobs):
 def test_every_set_that_was_found_is_measured_once(report, jobs):
     assert jobs[:2] == [("reach", "table_fk1"), ("reach", "vector_fk1")]
     parts = [f"{core}-W{w}F8{word}" for core, word in (("table_fk1", "A18"), ("vector_fk1", "U16")) for w in (16, 15)]
-    assert sorted(jobs[2:]) == sorted((what, part) for what in ("area", "clock") for part in parts)
+    assert sorted(jobs[2:]) == sorted((what, part) for what in ("area", "circuit", "clock") for part in parts)
     assert list(report["verdict"]["parts"]) == parts
     assert all(row["fmax_mhz"] == 70.0 and row["area"]["cyclonev"]["lut"] == 9
                for row in report["verdict"]["parts"].values())
@@ -264,7 +265,11 @@ def test_what_is_committed_is_not_measured_again(report, jobs):
     jobs.clear()
     assert search.put_together("cobra600", report) == report["verdict"] and jobs == []
     assert search.check(report) == []
-    assert len(search.put_together("cobra600", report, fresh=True)["parts"]) == 4 and len(jobs) == 10
+    unknown = copy.deepcopy(report)
+    del unknown["verdict"]["parts"]["table_fk1-W15F8A18"]["circuit"]
+    unknown["verdict"]["figures"] = search.digest_of(unknown["verdict"])
+    assert search.put_together("cobra600", unknown) == unknown["verdict"] and jobs == []
+    assert len(search.put_together("cobra600", report, fresh=True)["parts"]) == 4 and len(jobs) == 14
 
 
 def test_what_a_fresh_search_finds_otherwise_is_said(report):
@@ -285,9 +290,16 @@ def test_a_changed_core_is_searched_and_measured_again(report, jobs, monkeypatch
     monkeypatch.setattr(run, "synthesis", lambda core: digest(core) + "x" * (core.params["W"] == 15))
     assert search.check(report) == [f"verdict: {what} changed (make verdict)" for what in (
         "table_fk1", "part table_fk1-W15F8A18", "part vector_fk1-W15F8U16")]
-    search.put_together("cobra600", report)
-    assert jobs == [("reach", "table_fk1"), *((what, part) for what in ("clock", "area") for part in (
-        "table_fk1-W15F8A18", "vector_fk1-W15F8U16"))]
+    short = "table_fk1-W15F8A18", "vector_fk1-W15F8U16"
+    report["verdict"]["parts"][short[0]]["circuit"] = "of yesterday"
+    report["verdict"]["parts"][short[1]]["fmax_mhz"] = 71.0
+    report["verdict"]["figures"] = search.digest_of(report["verdict"])
+    parts = search.put_together("cobra600", report)["parts"]
+    assert jobs == [("reach", "table_fk1"), *(("circuit", part) for part in short),
+                    *((what, short[0]) for what in ("clock", "area"))], "what is the same circuit stands"
+    assert [parts[one]["fmax_mhz"] for one in short] == [70.0, 71.0]
+    assert {parts[one]["circuit"] for one in short} == {"of today"}
+    assert all(parts[one]["digest"] == run.synthesis(search.of_id(one)) for one in short)
 
 
 def test_another_flow_or_tool_costs_synthesis_only(report, jobs, monkeypatch):
@@ -302,7 +314,7 @@ def test_another_flow_or_tool_costs_synthesis_only(report, jobs, monkeypatch):
     assert search.check(report) == ["verdict: synthesis changed (make verdict)"]
     jobs.clear()
     search.put_together("cobra600", report)
-    assert {what for what, _ in jobs} == {"area", "clock"} and len(jobs) == 8
+    assert {what for what, _ in jobs} == {"area", "clock", "circuit"} and len(jobs) == 12
 
 
 def test_what_was_changed_by_hand_or_is_missing_is_found(report, jobs):
@@ -311,7 +323,7 @@ def test_what_was_changed_by_hand_or_is_missing_is_found(report, jobs):
     assert search.check(other) == ["verdict: a figure was changed by hand (make verdict)"]
     jobs.clear()
     search.put_together("cobra600", other)
-    assert len(jobs) == 10, "nothing of it is kept"
+    assert len(jobs) == 14, "nothing of it is kept"
     del other["verdict"]["parts"]
     assert search.check(other)[0].startswith("report.json: verdict: KeyError")
     del other["verdict"]
@@ -329,7 +341,7 @@ def test_a_verdict_stands_while_its_cores_stand(report, jobs, monkeypatch):
     assert verdict["designs"] == {"table_fk1": report["verdict"]["designs"]["table_fk1"]} and len(verdict["parts"]) == 2
     assert verdict["open"] == ["verdict: vector_fk2 is not in the report"]
     assert search.check(report | {"verdict": verdict}) == ["verdict: vector_fk2 is not in the report (make verdict)"]
-    verdict["parts"]["table_fk1-W15F8A18"]["digest"] = "of other sources"
+    verdict["parts"]["table_fk1-W15F8A18"] |= {"digest": "of other sources", "circuit": "another"}
     verdict["figures"] = search.digest_of(verdict)
     again = search.standing("cobra600", report | {"verdict": verdict})["verdict"]
     assert again["parts"] == verdict["parts"] and "verdict: part table_fk1-W15F8A18 changed" in again["open"]

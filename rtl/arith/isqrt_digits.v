@@ -5,6 +5,7 @@
 // next R bit pairs of the radicand, the first one on top, the lower bit of each inverted: a register in front of it can
 // store that for nothing.
 // The invariant 0 <= rem <= 2 root keeps t inside K+2 bits of the carry chain, so its sign bit is the digit. Exact.
+// Of two digits behind more than 24, the second is tried for both values of the first: a longer word needs the time.
 // Model: arith.isqrt
 `default_nettype none
 module isqrt_digits #(
@@ -41,7 +42,8 @@ module isqrt_digits #(
             end
 
             // pair - 1 borrows exactly when pair = 0, and so does high - none, which is one bit shorter
-            if (D < 3) begin : g_gates  // as gates the first three digits cost one 6-input LUT a bit
+            case (D < 3 ? 0 : R == 2 && i == 1 && K > 24 ? 2 : 1)
+            0: begin : g_gates  // as gates the first three digits cost one 6-input LUT a bit
                 wire [D+1:0] a = {rem, high};
                 wire [D+1:0] b = {1'b0, root, none};
                 reg  [D+1:0] difference;
@@ -55,9 +57,19 @@ module isqrt_digits #(
                     end
                 end
                 assign trial = difference;
-            end else begin : g_chain
+            end
+            1: begin : g_chain
                 assign trial = {rem, high} - {1'b0, root, none};
             end
+            default: begin : g_both  // no multiplexer between two long chains
+                wire [D:0]   rem_1 = {g_digit[0].trial[D-1:0], g_digit[0].none};  // if the first digit is 1
+                wire [D:0]   rem_0 = {in_rem[D-2:0], g_digit[0].high, ~g_digit[0].none};
+                wire [D+1:0] after_1 = {rem_1, high} - {1'b0, in_root, 1'b1, none};
+                wire [D+1:0] after_0 = {rem_0, high} - {1'b0, in_root, 1'b0, none};
+                assign trial = g_digit[0].digit ? after_1 : after_0;
+                wire unused = &{1'b0, rem[D]};
+            end
+            endcase
 
             if (i == R - 1) begin : g_last
                 assign out_rem = next_rem;
