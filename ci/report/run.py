@@ -145,7 +145,9 @@ def job(what: str, core_id: str, arm_name: str) -> object:
 
 
 def circuits(then: dict[str, tuple], now: dict[str, str], work: Callable, arm_name: str, name: str) -> dict[str, str]:
-    """Digest of the circuit by id of what a report has one of; where the sources changed, it is elaborated.
+    """Digests of circuits, by id, for everything whose circuit the report knows.
+
+    A circuit is elaborated again where its sources changed.
 
     Parameters
     ----------
