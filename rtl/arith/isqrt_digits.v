@@ -5,7 +5,7 @@
 // next R bit pairs of the radicand, the first one on top, the lower bit of each inverted: a register in front of it can
 // store that for nothing.
 // The invariant 0 <= rem <= 2 root keeps t inside K+2 bits of the carry chain, so its sign bit is the digit. Exact.
-// With R = 2 and K above 24 the second digit is tried for both values of the first, so that a long word meets its clock.
+// With R = 2 and K above 24 the second digit is tried for both values of the first, so that a long word is fast enough.
 // Model: arith.isqrt
 `default_nettype none
 module isqrt_digits #(
