@@ -12,7 +12,7 @@
 module kernel_vector_curve #(
     parameter N = 20,                // bits of the kernel's coordinate, 20 or 24 (default 20)
     parameter ROOTS = 1,             // 0: 2/sqrt(q) alone, of in_inverse with in_clamped; 1 (default): all three
-    parameter PIPE = 0,              // 0 or 1 (default 0); 1: three registers, behind memory, square and its product
+    parameter PIPE = 0,              // 0 or 1 (default 0); 1: three registers, behind memory, square and product
     parameter V = N == 24 ? 30 : 26  // bits of v, of one value (default 26)
 ) (
     input  wire                clk,
@@ -136,23 +136,27 @@ module kernel_vector_curve #(
     wire [M-1:0]        square;
     localparam          P = C + M;
     reg  [C*P-1:0]      rows;  // of the product, added in pairs
+    localparam          HALVES = LARGE && PIPE == 1;  // the last addition comes behind the register
     integer             i, j;
     always @* begin
         for (i = 0; i < C; i = i + 1)
             rows[P*i +: P] = {{C{1'b0}}, square & {M{entry[SLOPE+i]}}} << i;
-        for (j = 1; j < C; j = 2 * j)
+        for (j = 1; j < (HALVES ? C / 2 : C); j = 2 * j)
             for (i = 0; i + j < C; i = i + 2 * j)
                 rows[P*i +: P] = rows[P*i +: P] + rows[P*(i+j) +: P];
     end
-    wire [P-1:0]        product = rows[P-1:0];
+    wire [P-1:0]  product;
     wire [P-1:0]  shifted = root ? product >> SCALE : product >> SCALE + 1;
     wire [P-1:0]  moved;
     generate
-        if (PIPE == 0) begin : g_now
+        case (HALVES ? 2 : PIPE)
+        0: begin : g_now
             assign entry = found;
             assign square = found_square;
+            assign product = rows[P-1:0];
             assign moved = shifted;
-        end else begin : g_registers
+        end
+        1: begin : g_registers
             reg [C+SLOPE-1:0] entry_1;
             reg [M-1:0]       square_1;
             reg [P-1:0]       moved_1;
@@ -163,8 +167,25 @@ module kernel_vector_curve #(
             end
             assign entry = entry_1;
             assign square = square_1;
+            assign product = rows[P-1:0];
             assign moved = moved_1;
         end
+        default: begin : g_halves
+            reg [C+SLOPE-1:0] entry_1;
+            reg [M-1:0]       square_1;
+            reg [P-1:0]       low, high;
+            always @(posedge clk) begin
+                entry_1  <= found;
+                square_1 <= found_square;
+                low      <= rows[P-1:0];
+                high     <= rows[C/2*P +: P];
+            end
+            assign entry = entry_1;
+            assign square = square_1;
+            assign product = low + high;
+            assign moved = shifted;
+        end
+        endcase
     endgenerate
     wire           down = root && !negative;
     assign         out_left = {negative, factor, 1'b1} + ({{(V+1-P){1'b0}}, moved} ^ {(V+1){down}})
