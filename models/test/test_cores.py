@@ -169,6 +169,7 @@ def test_latencies_follow_the_parameters():
 MEASURED = {
     "isqrt-iter-W16R4": (2, 2), "isqrt-iter-W15F1R2": (5, 5), "isqrt-pipe-W16": (8, 1), "divide-iter-6by10F3R2": (5, 5),
     "divide-pipe-8by8R3": (3, 1), "vector_to_spread_iter-W18S24": (10, 10), "vector_to_spread_iter-W8S13": (15, 15),
+    "vector_to_spread_iter-PIPE1": (15, 15), "quaternion_to_matrix-PIPE1": (10, 10),
     "cordic_rotate-iter-W16": (21, 21), "cordic_rotate-iter-W11A9": (16, 16), "cordic_rotate-pipe-W16": (20, 1),
     "cordic_rotate-pipe-W11A9": (16, 1), "cordic_vector-iter-W11A9": (16, 16), "cordic_vector-pipe-W16": (17, 1),
     "classic_fk1-iter-A16": (15, 15), "classic_fk2-iter-W12A10": (24, 24), "classic_fk3-iter-A16": (53, 53),

@@ -149,7 +149,8 @@ def test_angles_are_those_of_the_vectors():
 
 def every_u(name):
     """The core at every legal U."""
-    return pytest.mark.parametrize("core", [cores.at(cores.find(name), {"U": u}) for u in range(8, 17)],
+    core = cores.find(name)
+    return pytest.mark.parametrize("core", [cores.at(core, core.params | {"U": u}) for u in range(8, 17)],
                                    ids=lambda core: core.id)
 
 
