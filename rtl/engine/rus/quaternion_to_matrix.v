@@ -27,7 +27,7 @@ module quaternion_to_matrix #(
             quaternion_to_matrix_needs_U_from_8_to_16_and_PIPE_0_or_1 rule ();
         end
     endgenerate
-    // Schedule, a clock a line
+    // Schedule, a clock a line; at PIPE = 1 the sums of a line follow in the next clock, the last ones in an empty line
     localparam [4:0]
         FIRST = 5'b00001,  // w^2 + x^2
         UNIT  = 5'b00010,  // y^2 + z^2 besides
