@@ -34,23 +34,25 @@ module kernel_link #(
     wire   move = !out_valid || out_ready;
     assign out_read = move;
 
-    wire [K:0]     knot;
-    wire [K-T+3:0] step;
-    wire [14:0]    offset;
-    reg  [K:0]     root;
+    wire           copy, half;  // copy: of the sign
+    wire [K-2:0]   rest;
+    wire [W:0]     floor;
     wire [W+K+1:0] product;
-    wire [W:0]     nearest = product[W+K:K] + {{W{1'b0}}, product[K-1]};
+    assign         {copy, floor, half, rest} = product;
+    wire [W:0]     nearest = floor + {{W{1'b0}}, half};
     wire           over = nearest[W] ^ nearest[W-1];
     reg            over_x;
     assign         out_y = over ? {nearest[W], {(W-1){!nearest[W]}}} : nearest[W-1:0];
     assign         out_overflow = over_x || over;
-    wire           unused = &{1'b0, product};
+    wire           unused = &{1'b0, copy, rest};
 
     generate
         if (PIPE == 0) begin : g_small
             reg             waits, second;  // first clock of a sample: completes the cosine; second clock: forms x
-            wire [K-T+3:0]  rise;
-            wire [14:0]     below;
+            reg  [K:0]      root;
+            wire [K:0]      knot;
+            wire [K-T+3:0]  step, rise;
+            wire [14:0]     offset, below;
             wire            same;  // a copy of the sign
             wire            unused_too = &{1'b0, same, below};
             assign in_ready = !waits && move;
@@ -80,23 +82,14 @@ module kernel_link #(
             // is in clock k + 1 in the memory's output, k + 2 a segment whose step is multiplied, k + 3 a root that is
             // summed, k + 4 multiplied by the length, k + 5 rounded.
             reg  [5:1]       at;  // at[i]: a sample is in its clock i
-            reg  [2*K-T+19+15*(K>21):0] chord;
-            reg  [K-T+20:0]  slope;
-            wire [K-T+3:0]   rise = slope[K-T+18:15];
-            reg  [K:0]       base;
-            wire             unused_too = &{1'b0, slope};
+            wire [K:0]       root;
             assign in_ready = !at[1] && move;
             assign out_kept = at[1];
-            angle_knot #(.K(K), .T(T)) segment (.in_chord(chord), .out_knot(knot), .out_step(step),
-                .out_offset(offset));
+            kernel_root #(.K(K), .T(T)) roots (.clk(clk), .in_move(move), .in_chord(in_chord), .out_root(root));
             product_parts #(.A(K+1), .B(W+1), .MULTIPLY(MULTIPLY)) parts (.clk(clk), .in_move(move), .in_a(root),
                 .in_b({1'b0, cfg_l1}), .out_p(product));
             always @(posedge clk) begin
                 if (move) begin
-                    chord <= in_chord;
-                    slope <= $signed(step) * $signed({1'b0, offset});
-                    base  <= knot;
-                    root  <= base + {{(T-3){rise[K-T+3]}}, rise};
                     if (at[5]) begin
                         out_x  <= out_y;
                         over_x <= over;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cosine or sine from a segment of angle_chord in three registers, for kernel_link_sum and kernel_link_space at
-// PIPE = 1: the segment, then step * offset, then their sum.
+// A cosine or sine from a segment of angle_chord in three registers, for kernel_link, kernel_link_sum and
+// kernel_link_space at PIPE = 1: the segment, then step * offset, then their sum.
 //   out_root = knot + step * offset / 2^15, as angle_knot gives them of the segment of three clocks before
 // Formats: out_root sQ1.K; the product is truncated to 2^-K. Error: that of the table, and the truncation.
 // Latency 3, II 1; all registers are held while in_move is low. Model: codecs.angle_chord
