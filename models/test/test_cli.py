@@ -622,3 +622,12 @@ def test_the_error_of_whole_arms_is_that_of_their_words(name, monkeypatch):
 def test_a_joint_may_be_signed(sampled, word, value, means):
     assert means in sampled("decode", word, value, "--signed")
     assert "count -250" in sampled("decode", "angle:8", "192", "--signed", "--counts", "1000")
+
+
+@pytest.mark.parametrize("core", {catalogue.title(core): core for core in reversed(cores.all_cores())}.values(),
+                         ids=catalogue.title)
+def test_parameters_that_the_verilog_refuses_are_refused(core):
+    """Each illegal set of the list, also where a module below the core has the rule, or the rule has a constant."""
+    for wrong in core.illegal:
+        with pytest.raises(Refused, match="is not supported: it needs "):
+            catalogue.at(core, wrong)

@@ -11,19 +11,15 @@ import math
 import re
 import tempfile
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
-from types import CodeType
 
 import numpy as np
 from quadrance import arms
 from quadrance.arm import switches
 from quadrance.cores import Core, all_cores
+from quadrance.rules import Params, rule_of
 
 from tb.lib import tools
-
-Params = dict[str, int]
 
 WIDEST = 60  # bits, of a word that no rule limits: the models count in 64
 LIMITS = {"R": 8}  # as far as it is worth going where the rule names no number
@@ -34,60 +30,6 @@ KINDS = ("MODE", "PIPE")  # of building a core: each value has a first set, and 
 # Sets of a cover list with switches of its own: enough for each length of a word to 24 bits.
 # A further PIPE whose registers follow no width has a third of them.
 MOST = 36
-
-
-def _python(text: str) -> str:
-    """A Verilog constant expression of `+ - * /`, comparisons, `?:` and `$clog2` in Python."""
-    choice = re.fullmatch(r"([^?]*)\?([^?:]*):(.*)", text, re.S)
-    if choice:
-        return f"({_python(choice[2])} if {choice[1]} else {_python(choice[3])})"
-    return re.sub(r"\$clog2\b", "clog2", text.replace("/", "//")).strip()
-
-
-@dataclass(frozen=True)
-class Rule:
-    """What makes parameters illegal: clauses, and the constants of the module that they are written in; in Python."""
-
-    constants: tuple[tuple[str, CodeType], ...]
-    clauses: tuple[tuple[str, CodeType], ...]
-
-    def broken(self, params: Params) -> list[str]:
-        """The clauses that `params` break."""
-        known = {"__builtins__": {}, "clog2": lambda value: max(value - 1, 0).bit_length()}
-        for name, value in self.constants:
-            known[name] = params[name] if name in params else eval(value, known)
-        return [text for text, clause in self.clauses if eval(clause, known)]
-
-
-@cache
-def _rule_in(path: Path) -> Rule | None:
-    """The rule of one module, None where it has none."""
-    text = re.sub(r"//[^\n]*", "", path.read_text())
-    found = re.search(r"\bif\s*\(((?:(?!\bbegin\b|;).)*)\)\s*begin\s*:\s*g_illegal\b", text, re.S)
-    if not found:
-        return None
-
-    def code(words: str) -> CodeType:
-        return compile(f"({_python(words)})", str(path), "eval")
-
-    clauses = [" ".join(clause.split()) for clause in found[1].split("||")]
-    wanted, constants = " ".join(clauses), []
-    listed = re.findall(r"\b(?:parameter|localparam)\s+(\w+)\s*=\s*(.*?)\s*(?:;|,\s*(?=parameter)|\)\s*\()",
-                        text[:found.start()], re.S)
-    for name, value in reversed(listed):  # those that the clauses need
-        if re.search(rf"\b{name}\b", wanted):
-            wanted += f" {value}"
-            constants.append((name, code(value)))
-    return Rule(tuple(reversed(constants)), tuple((clause, code(clause)) for clause in clauses))
-
-
-def rule_of(core: Core) -> Rule:
-    """The first rule about the core's parameters: its own, or that of the module that it hands them on to."""
-    for path in core.sources:
-        rule = _rule_in(path)
-        if rule and {name for name, _ in rule.constants} & set(core.params):
-            return rule
-    return Rule((), ())
 
 
 def near(core: Core, fixed: Params) -> Params | None:

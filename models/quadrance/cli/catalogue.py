@@ -12,6 +12,7 @@ from pathlib import Path
 from quadrance import cores, six
 from quadrance.cli.around import WRISTED
 from quadrance.cores import STATUS_BITS, Core, Port
+from quadrance.rules import rule_of
 
 WORDS = {"spread": "turn-spread", "angle": "binary angle", "vector": "unit vector", "half_tangent": "half-tangent"}
 
@@ -79,23 +80,10 @@ def at(core: Core, params: dict[str, int]) -> Core:
     for one in cores.all_cores():
         if one.name == core.name and one.params == values:
             return one
-    if rule := _broken_rule(core, values):
-        raise Refused(f"{core.name}: {', '.join(f'{k}={v}' for k, v in values.items())} is not supported: {rule}")
+    if (rule := rule_of(core)).broken(values):
+        raise Refused(f"{core.name}: {', '.join(f'{k}={v}' for k, v in values.items())} is not supported: "
+                      f"it needs {rule.needs}")
     return cores.at(core, values)
-
-
-def _broken_rule(core: Core, values: dict[str, int]) -> str:
-    """The sentence of the core's own rule (its `g_illegal`) where the values break it; clauses of plain numbers."""
-    text = core.sources[0].read_text()
-    rule = re.search(r"if \((.*?)\)\s+begin : g_illegal\s+(\w+)\s+rule", text, re.S)
-    for clause in rule[1].split("||") if rule else ():
-        try:
-            broken = cores.formula(clause.strip(), values, core.name)
-        except ValueError:
-            continue  # it says more than a comparison of parameters: elaboration will tell
-        if broken:
-            return rule[2].partition("_needs_")[2].replace("_", " ").join(["it needs ", ""])
-    return ""
 
 
 # Figures
