@@ -13,6 +13,8 @@ endif
 PY   := $(VENV)/bin/python
 # CORE, where it was given and is not the default above; names instead of dots on a long run
 CHOSEN := $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(SIM),--sim $(SIM)) $(if $(SHARD),--shard $(SHARD))
+# tests of what stands around cores and models: make test CORE=name has those of that core
+AROUND := ci tb/lib tb/test_instances.py $(patsubst %,models/test/test_%.py,cli import program registers)
 TESTS  := $(PY) -m pytest -q -n $(N) --dist worksteal --names
 export SEED
 export SIM
@@ -39,11 +41,11 @@ $(VENV)/ready: requirements.lock pyproject.toml ci/setup.sh
 lint: setup ## Verilator, Icarus, Yosys and ruff without a warning; the list, pages and reports complete; CORE=name: one core
 	@$(PY) -m ci.lint $(if $(filter file,$(origin CORE)),,--core $(CORE)) $(if $(FRESH),--fresh)
 
-test: setup ## benches and bulk runs of every core, all model tests; CORE=name: all sets of that core; SIM=icarus|verilator: those of them
-	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(or $(PATHS),models tb)
+test: setup ## benches and bulk runs of every core, tests of all models; CORE=name: all sets of that core; SIM=icarus|verilator: those of them
+	@$(TESTS) -m "not slow" --junitxml build/test.xml $(CHOSEN) $(or $(PATHS),models tb $(if $(filter --core,$(CHOSEN)),,$(AROUND:%=--ignore=%)))
 
-test-scripts: setup ## lint, proofs, mutants and report find what they must; the tutorials, the C drivers, the soft-CPU system
-	@$(TESTS) -m "not slow" --junitxml build/test-scripts.xml ci
+test-scripts: setup ## lint, benches, proofs, mutants and report find what they must; command line, importer, tutorials, drivers, soft CPU
+	@$(TESTS) -m "not slow" --junitxml build/test-scripts.xml $(AROUND)
 
 smoke: setup ## the first parameter set of every core: what make test has of its bench under Icarus, bulk run
 	@$(TESTS) -m smoke $(CHOSEN) models tb
