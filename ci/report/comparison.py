@@ -177,7 +177,8 @@ def winners_table(verdict: dict, device: str) -> Table:
             found = [one | {"price": price(one)} for one in reaching(verdict, function, target)]
             least[target] = tuple(_least(found, key) for key, _ in WINS[device])
         lines += [(function, _limits(targets), *wins) for wins, targets in groupby(least, key=least.get)]
-    return Table(f"The family with the least, on {device}", ("", "at most LSB", *(text for _, text in WINS[device])),
+    return Table(f"The family with the least, on {device}",
+                 ("function", "at most LSB", *(text for _, text in WINS[device])),
                  tuple(lines), text=2 + len(WINS[device]))
 
 
@@ -211,7 +212,7 @@ def itself_table(report: dict) -> Table:
             lines.append((function, where.removesuffix(" LSB"),
                           *(f"{pair[0][key]}/{pair[1][key]}" for key, _ in ITSELF)))
     return Table("Turn-spread (`rational_*`) / binary angle (`table_*`), on ECP5",
-                 ("", "at most LSB", *(text for _, text in ITSELF)), tuple(lines), text=2)
+                 ("function", "at most LSB", *(text for _, text in ITSELF)), tuple(lines), text=2)
 
 
 # What the paper says beside ours: Tables III, IV and V
@@ -247,7 +248,7 @@ def paper_table(report: dict, title: str, functions: Iterable[str], figure: str)
         theirs = (cordic, "–") if figure == "logic_elements" else ("–", cordic)
         lines.append((function.upper(), rational, of["paper"], of["rational"], theirs[0], of["parallel"],
                       theirs[1], of["iterative"]))
-    return Table(title, ("", "rational, printed", "`paper_*`", "`rational_*`", "parallel CORDIC, printed",
+    return Table(title, ("function", "rational, printed", "`paper_*`", "`rational_*`", "parallel CORDIC, printed",
                          "`classic_*` parallel", "iterative CORDIC, printed", "`classic_*` iterative"), tuple(lines))
 
 

@@ -139,11 +139,11 @@ class Table:
     text: int = 1
 
     def markdown(self, bars: bool = False) -> str:
-        """As a Markdown table, without its title; with outer `bars`, or where the first head is empty and wants one."""
-        rule = [":--" if i < self.text else "--:" for i in range(len(self.head))]
-        lines = [self.head, tuple(rule), *self.rows]
-        left, right = ("| ", " |") if bars or not self.head[0] else ("", "")
-        return "\n".join(left + " | ".join(line) + right for line in lines)
+        """As a Markdown table, without its title; with outer `bars` or without."""
+        rule = "|".join(":--" if i < self.text else "--:" for i in range(len(self.head)))
+        left, right = ("| ", " |") if bars else ("", "")
+        head, *rows = (left + " | ".join(line) + right for line in (self.head, *self.rows))
+        return "\n".join([head, left.strip() + rule + right.strip(), *rows])
 
 
 def cycles(row: Row) -> str:
@@ -243,7 +243,7 @@ def cordic_table(report: dict) -> Table:
             wins += [function] * (None not in (ours, theirs) and theirs < ours)
         lines.append((label, *cells, ", ".join(wins) or "–"))
     return Table("Least of `rational_*` / least of `classic_*` (CORDIC), figure by figure",
-                 ("", *rivals, "CORDIC has less in"), tuple(lines) if rivals else ())
+                 ("figure", *rivals, "CORDIC has less in"), tuple(lines) if rivals else ())
 
 
 def mixed(text: str, where: str) -> list[str]:
