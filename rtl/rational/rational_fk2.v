@@ -51,8 +51,12 @@ module rational_fk2 #(
             assign j2 = in_j2;
         end else begin : g_held
             reg [S+1:0] held;
-            assign      j2 = want[2] ? in_j2 : held;
-            always @(posedge clk) if (want[2]) held <= in_j2;
+            reg         hold;  // from the accepting clock until joint 1 is read
+            assign      j2 = hold ? held : in_j2;
+            always @(posedge clk) begin
+                hold <= !rst && (want[2] || (hold && !want[1]));
+                if (!hold) held <= in_j2;
+            end
         end
     endgenerate
     always @(posedge clk) if (want[2]) j1 <= in_j1;
