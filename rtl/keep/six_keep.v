@@ -5,7 +5,7 @@
 // Formats: in_r*, row and column of the rotation matrix, s2.U; in_x, in_y, in_z s(W-F).F; out_j* s3.A turns; cfg_turned
 // to cfg_w6 by keep.machine, other cfg_* by six.config.
 // Error: that of vector_ik6_all (bounds.six), whose vectors have 17 bits at U = 18, and 0.89 LSB of an angle. Latency
-// and II by PIPE: 288, 291, 315.
+// and II by PIPE: 288, 295, 319.
 // Status: unreachable, singular (of the chosen branch), no rotation (bit 3: the matrix is off by 16 units of 2^-U).
 // out_beyond: no branch is within the limits; the answer is not remembered.
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: keep.six_keep
@@ -137,8 +137,8 @@ module six_keep #(
             assign branch_held[i] = held[2*(i%2)+(i/2)%2];
         end
     endgenerate
-    six_choose #(.A(A), .U(C)) choice (.clk(clk), .rst(rst), .cfg_turned(cfg_turned), .cfg_coupled(cfg_coupled),
-        .cfg_zero({cfg_z6, cfg_z5, cfg_z4, cfg_z3, cfg_z2, cfg_z1}),
+    six_choose #(.A(A), .U(C), .PIPE(PIPE > 0 ? 1 : 0)) choice (.clk(clk), .rst(rst), .cfg_turned(cfg_turned),
+        .cfg_coupled(cfg_coupled), .cfg_zero({cfg_z6, cfg_z5, cfg_z4, cfg_z3, cfg_z2, cfg_z1}),
         .cfg_low({cfg_low6, cfg_low5, cfg_low4, cfg_low3, cfg_low2, cfg_low1}),
         .cfg_high({cfg_high6, cfg_high5, cfg_high4, cfg_high3, cfg_high2, cfg_high1}),
         .cfg_weight({cfg_w6, cfg_w5, cfg_w4, cfg_w3, cfg_w2, cfg_w1}), .in_start(accept),

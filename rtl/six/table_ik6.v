@@ -3,8 +3,8 @@
 // table codec that converts its vectors as they come.
 // Formats: out_j* angle of A bits, a full turn is 2^A, rounded to nearest; in_r*, row and column of the rotation
 // matrix, s2.U; in_x, in_y, in_z s(W-F).F; in_branch as in vector_ik6; cfg_* by six.config, margin and slack in LSB.
-// Error: that of vector_ik6 (bounds.six), and 0.89 LSB of an angle. Latency and II by PIPE: 95, 115, 129; with MARGINS
-// 105, 117, 130.
+// Error: that of vector_ik6 (bounds.six), and 0.89 LSB of an angle. Latency and II by PIPE: 95, 117, 131; with MARGINS
+// 105, 119, 132.
 // Status: as vector_ik6; joint 1, 2 or 4 without a direction holds its angle. A joint of a matrix that is no rotation
 // may have no vector; it then has the angle formed last, in the order 1, 3, 2, 4, 5, 6.
 // Source: Brandstoetter, Angerer, Hofbaur 2014, without an arc function. Model: six.table_ik6
@@ -75,8 +75,8 @@ module table_ik6 #(
         .in_np(cfg_np), .in_r(cfg_r), .in_e(cfg_e), .in_edges({cfg_slack, cfg_margin}), .in_signs(in_branch),
         .out_idle(), .out_done(done), .out_word(word), .out_dest(dest), .out_status(out_status));
     /* verilator lint_on PINCONNECTEMPTY */
-    engine_angles #(.A(A), .U(U)) joints (.clk(clk), .rst(rst), .in_start(accept), .in_done(done), .in_word(word),
-        .in_dest(dest), .out_idle(in_ready), .out_valid(out_valid), .out_ready(out_ready),
-        .out_angles({out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}));
+    engine_angles #(.A(A), .U(U), .PIPE(PIPE > 0 ? 1 : 0)) joints (.clk(clk), .rst(rst), .in_start(accept),
+        .in_done(done), .in_word(word), .in_dest(dest), .out_idle(in_ready), .out_valid(out_valid),
+        .out_ready(out_ready), .out_angles({out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}));
 endmodule
 `default_nettype wire

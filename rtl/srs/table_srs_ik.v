@@ -2,7 +2,7 @@
 // The core solves seven joints as binary angles, one of eight branches, for arms with spherical shoulder and wrist.
 // Formats: out_j* angle of A bits, a full turn is 2^A, rounded to nearest; in_r*, row and column of the rotation
 // matrix, in_cs and in_ns, s2.U; in_x, in_y, in_z s(W-F).F; swivel, in_branch and cfg_* as in vector_srs_ik.
-// Error: that of vector_srs_ik (bounds.srs), and 0.89 LSB of an angle. Latency and II by PIPE: 123, 140, 156.
+// Error: that of vector_srs_ik (bounds.srs), and 0.89 LSB of an angle. Latency and II by PIPE: 123, 142, 158.
 // Status: that of vector_srs_ik. A joint of a matrix that is no rotation may have no vector; it then has the angle
 // formed last, in the order 4, 2, 1, 3, 5, 6, 7. Source: that of vector_srs_ik. Model: srs.table_ik
 `default_nettype none
@@ -69,8 +69,8 @@ module table_srs_ik #(
         .in_slack(cfg_slack), .in_swivel({in_ns, in_cs}), .in_r(cfg_r), .in_e(cfg_e), .in_signs(in_branch),
         .out_idle(), .out_done(done), .out_word(word), .out_dest(dest), .out_status(out_status));
     /* verilator lint_on PINCONNECTEMPTY */
-    engine_angles #(.JOINTS(7), .LAST(7), .A(A), .U(U)) joints (.clk(clk), .rst(rst), .in_start(accept),
-        .in_done(done), .in_word(word), .in_dest(dest), .out_idle(in_ready), .out_valid(out_valid),
+    engine_angles #(.JOINTS(7), .LAST(7), .A(A), .U(U), .PIPE(PIPE > 0 ? 1 : 0)) joints (.clk(clk), .rst(rst),
+        .in_start(accept), .in_done(done), .in_word(word), .in_dest(dest), .out_idle(in_ready), .out_valid(out_valid),
         .out_ready(out_ready), .out_angles({out_j7, out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}));
 endmodule
 `default_nettype wire

@@ -3,7 +3,8 @@
 // Formats: in_j* angle of A bits, a full turn is 2^A; out_r*, row and column, s2.U; out_x, out_y, out_z s(W-F).F; all
 // are rounded to nearest (ties upward), coordinates saturated; cfg_* lengths s(W-F).(F+4), by ur.forward_config.
 // Error: that of vector_ur_fk, and at each joint 0.83 2^-U in a coordinate of its vector.
-// Latency and II by PIPE: 58, 59, 61, of which 13 are engine_vectors. Status: overflow (a coordinate was saturated).
+// Latency and II by PIPE: 58, 61, 63, of which 13, 15, 15 are engine_vectors.
+// Status: overflow (a coordinate was saturated).
 // Source: that of vector_ur_fk. Model: ur.table_fk
 `default_nettype none
 module table_ur_fk #(
@@ -55,9 +56,9 @@ module table_ur_fk #(
 
     wire signed [U+1:0] c1, n1, c2, n2, c3, n3, c4, n4, c5, n5, c6, n6;
     wire                have, ready;
-    engine_vectors #(.A(A), .U(U)) joints (.clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
-        .in_angles({in_j6, in_j5, in_j4, in_j3, in_j2, in_j1}), .out_valid(have), .out_ready(ready),
-        .out_vectors({n6, c6, n5, c5, n4, c4, n3, c3, n2, c2, n1, c1}));
+    engine_vectors #(.A(A), .U(U), .PIPE(PIPE > 0 ? 1 : 0)) joints (.clk(clk), .rst(rst), .in_valid(in_valid),
+        .in_ready(in_ready), .in_angles({in_j6, in_j5, in_j4, in_j3, in_j2, in_j1}), .out_valid(have),
+        .out_ready(ready), .out_vectors({n6, c6, n5, c5, n4, c4, n3, c3, n2, c2, n1, c1}));
     vector_ur_fk #(.W(W), .F(F), .U(U), .PIPE(PIPE)) kernel (.clk(clk), .rst(rst), .cfg_d1(cfg_d1), .cfg_d4(cfg_d4),
         .cfg_d5(cfg_d5), .cfg_d6(cfg_d6), .cfg_l2(cfg_l2), .cfg_l3(cfg_l3), .in_valid(have), .in_ready(ready),
         .in_c1(c1), .in_n1(n1), .in_c2(c2), .in_n2(n2), .in_c3(c3), .in_n3(n3), .in_c4(c4), .in_n4(n4), .in_c5(c5),

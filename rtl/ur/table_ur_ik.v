@@ -2,7 +2,7 @@
 // The core solves six joints as binary angles, one of eight branches, for arms whose axes 2, 3 and 4 are parallel.
 // Formats: out_j* angle of A bits, a full turn is 2^A, rounded to nearest; in_r*, row and column of the rotation
 // matrix, s2.U; in_x, in_y, in_z s(W-F).F; in_branch, cfg_* as in vector_ur_ik.
-// Error: that of vector_ur_ik (bounds.ur), and 0.89 LSB of an angle. Latency and II by PIPE: 104, 131, 144.
+// Error: that of vector_ur_ik (bounds.ur), and 0.89 LSB of an angle. Latency and II by PIPE: 104, 133, 146.
 // Status: that of vector_ur_ik; a joint that has no direction holds its angle. A joint of a matrix that is no rotation
 // may have no vector; it then has the angle formed last, in the order 1, 6, 5, 3, 2, 4.
 // Source: that of vector_ur_ik. Model: ur.table_ik
@@ -69,8 +69,8 @@ module table_ur_ik #(
         .in_margin(cfg_margin), .in_slack(cfg_slack), .in_r(cfg_r), .in_e(cfg_e), .in_signs(in_branch),
         .out_idle(), .out_done(done), .out_word(word), .out_dest(dest), .out_status(out_status));
     /* verilator lint_on PINCONNECTEMPTY */
-    engine_angles #(.LAST(4), .A(A), .U(U)) joints (.clk(clk), .rst(rst), .in_start(accept), .in_done(done),
-        .in_word(word), .in_dest(dest), .out_idle(in_ready), .out_valid(out_valid), .out_ready(out_ready),
-        .out_angles({out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}));
+    engine_angles #(.LAST(4), .A(A), .U(U), .PIPE(PIPE > 0 ? 1 : 0)) joints (.clk(clk), .rst(rst), .in_start(accept),
+        .in_done(done), .in_word(word), .in_dest(dest), .out_idle(in_ready), .out_valid(out_valid),
+        .out_ready(out_ready), .out_angles({out_j6, out_j5, out_j4, out_j3, out_j2, out_j1}));
 endmodule
 `default_nettype wire
