@@ -54,25 +54,24 @@ module engine_newton_3r #(
     endgenerate
 
     // Program
-    wire [22:0] op;
-    wire        idle, halt;
-    wire        stop = op[6], move = op[7];
+    wire [19:0] op;
+    wire        idle, halt, second, single, cosine, stop, move;
     reg         first;  // first pass: neither a stop nor a step
     wire        accept = in_valid && in_ready;
     assign      in_ready = idle && (!out_valid || out_ready);
     engine_newton_program #(.PIPE(PIPE)) program_ (.clk(clk), .rst(rst || halt), .in_start(accept), .out_idle(idle),
-        .out_op(op));
+        .out_second(second), .out_single(single), .out_cosine(cosine), .out_op(op), .out_stop(stop), .out_move(move));
 
     // Joints
     reg  [A-1:0] th1, th2, th12, phi;
-    wire [A-1:0] word = op[22] ? op[21] ? th2 : th12 : op[21] ? th1 : phi;
+    wire [A-1:0] word = second ? single ? th2 : th12 : single ? th1 : phi;
     wire [A-1:0] step;
     wire [43:0]  chord;
     wire         move1 = stop && !first && !halt, move2 = move && !first;
     assign out_j1 = th1;
     assign out_j2 = th2;
     assign out_j3 = phi - th12;
-    angle_chord #(.A(A), .K(17), .T(10)) codec (.clk(clk), .in_read(1'b1), .in_keep(1'b0), .in_cos(op[20]),
+    angle_chord #(.A(A), .K(17), .T(10)) codec (.clk(clk), .in_read(1'b1), .in_keep(1'b0), .in_cos(cosine),
         .in_j(word), .out_chord(chord));
     always @(posedge clk) begin
         th12 <= th1 + th2;
@@ -92,7 +91,7 @@ module engine_newton_3r #(
     wire         fine, near;
     engine_newton_path #(.A(A), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) path (.clk(clk), .cfg_l1({cfg_l1, {Z{1'b0}}}),
         .cfg_l2({cfg_l2, {Z{1'b0}}}), .cfg_l3({cfg_l3, {Z{1'b0}}}), .cfg_r1(cfg_r1), .cfg_r2(cfg_r2),
-        .cfg_lambda(cfg_lambda), .cfg_mu(cfg_mu), .in_op(op[19:0]), .in_chord(chord), .in_x({x, {Z{1'b0}}}),
+        .cfg_lambda(cfg_lambda), .cfg_mu(cfg_mu), .in_op(op), .in_chord(chord), .in_x({x, {Z{1'b0}}}),
         .in_y({y, {Z{1'b0}}}), .out_step(step), .out_square(out_error), .out_fine(fine), .out_near(near));
 
     // End of a sample

@@ -21,7 +21,7 @@ module engine_newton_path #(
     input  wire [15:0]        cfg_r2,
     input  wire [15:0]        cfg_lambda,
     input  wire [16:0]        cfg_mu,
-    input  wire [19:0]        in_op,      // out_op of engine_newton_program without the table column
+    input  wire [19:0]        in_op,      // out_op of engine_newton_program
     input  wire [43:0]        in_chord,
     input  wire signed [15:0] in_x,
     input  wire signed [15:0] in_y,
@@ -30,9 +30,9 @@ module engine_newton_path #(
     output wire               out_fine,
     output reg                out_near    // |sin j2| < 1/16
 );
-    wire [1:0] length_op, left_op, right_op, third_op;
-    wire       one, neg, rate2, unused_again, second, stop, test, det_op, sine, keep, first, tip;
-    assign {length_op, one, neg, left_op, right_op, rate2, third_op, unused_again, second, stop, test, det_op, sine,
+    wire [1:0] left_op, right_op, third_op;
+    wire       link2, link1, one, neg, rate2, unused_again, move, stop, test, det_op, sine, keep, first, tip;
+    assign {link2, link1, one, neg, left_op, right_op, rate2, third_op, unused_again, move, stop, test, det_op, sine,
         keep, first, tip} = in_op;
 
     // Products, the later ones at PIPE = 1
@@ -64,7 +64,7 @@ module engine_newton_path #(
     wire [17:0] safe = {root[17:14], root[13] ^ (sine && close && cfg_mu[16:9] == 0), root[12:0]};
     wire [17:0] cosine = one ? c1 ^ {18{neg}} : c12;
     wire [17:0] across = one ? s1 : s12 ^ {18{neg}};
-    wire [15:0] length = length_op[1] ? cfg_l2 : length_op[0] ? cfg_l1 : cfg_l3;
+    wire [15:0] length = link2 ? cfg_l2 : link1 ? cfg_l1 : cfg_l3;
     reg  [17:0] minus;  // the one's complement of sin j2
 
     // Error: x and y in turn
@@ -95,7 +95,7 @@ module engine_newton_path #(
                      : used[2:1] != 0 ? 3'd4 : 3'd5;
     wire [2:0]  want = {1'b0, j} + {1'b0, !out_fine, 1'b0};
     wire [2:0]  shift0 = room < want ? room : want;
-    wire [2:0]  shift = second || PIPE == 1 ? shift1 : shift0;
+    wire [2:0]  shift = move || PIPE == 1 ? shift1 : shift0;
     wire [A-1:0] low = shift[0] ? move1[41-A+:A] : move1[43-A+:A], mid = shift[0] ? move1[37-A+:A] : move1[39-A+:A];
     assign      out_step = shift[2] ? shift[0] ? move1[33-A+:A] : move1[35-A+:A] : shift[1] ? mid : low;
 
