@@ -68,67 +68,70 @@ module engine_quaternion_gd_vector #(
         PUSH   = 4'b0100,       // alpha times the errors
         HOLD   = 4'b1000,       // the same
         SQUARE = 4'b1100;       // the left operand
-    localparam [7:0]            // products of the line before
-        NONE   = 8'h00,         // not used
-        MOVE   = 8'h01,         // less than the other link's direction
-        FIRST  = 8'h06,         // link 1, taken from the target
-        TIP    = 8'h02,         // link 2, taken from the error
-        E1     = 8'h08,         // what link 1 asks for
-        E2     = 8'h18,         // what link 2 asks for
-        ADD    = 8'h30,         // square of the error
-        SUM    = 8'h20,         // square of a direction
-        MORE   = 8'h10,         // the steps are added
-        STOP   = 8'h40,         // stop here if converged or at the limit
-        LAST   = 8'h80;         // the pass ends
+    localparam                  // bits of what becomes of the products of the line before
+        MOVE   = 0,             // less than the other link's direction
+        TIP    = 1,             // the error, less them: link 2
+        FIRST  = 2,             // with TIP: the target, less them: link 1
+        ASK    = 3,             // what a link asks for
+        ADD    = 4,             // the step before is added to the sum, which ASK alone clears
+        SUM    = 5,             // square of the error or of a direction
+        STOP   = 6,             // stop here if converged or at the limit
+        LAST   = 7,             // the pass ends
+        REST   = 8;
+    localparam [REST-1:0] BIT = 1, NONE = 0;
     localparam [14*13-1:0] PASS = {
-        /* link 1          */ {SELF,   L1,     MOVE},
-        /* link 2          */ {SELF,   L2,     FIRST},
-        /*                 */ {ERROR,  HOLD,   TIP},
+        /* link 1          */ {SELF,   L1,     BIT << MOVE},
+        /* link 2          */ {SELF,   L2,     BIT << FIRST | BIT << TIP},
+        /*                 */ {ERROR,  HOLD,   BIT << TIP},
         /* alpha E         */ {ERROR,  ALPHA,  NONE},
         /* e1              */ {LINK,   PUSH,   NONE},
-        /* e2              */ {LINK,   HOLD,   E1},
-        /* E^2             */ {ERROR,  SQUARE, E2},
-        /* turn 1          */ {NORMAL, D,      ADD},
-        /* turn 2; stop?   */ {NORMAL, D,      STOP | MOVE},
-        /* q1              */ {SELF,   SQUARE, MOVE},
-        /* q2              */ {SELF,   SQUARE, SUM},
-        /* length 1        */ {SELF,   GAIN,   SUM},
-        /* length 2        */ {SELF,   GAIN,   MOVE | LAST}};
+        /* e2              */ {LINK,   HOLD,   BIT << ASK},
+        /* E^2             */ {ERROR,  SQUARE, BIT << ASK | BIT << ADD},
+        /* turn 1          */ {NORMAL, D,      BIT << SUM | BIT << ADD},
+        /* turn 2; stop?   */ {NORMAL, D,      BIT << STOP | BIT << MOVE},
+        /* q1              */ {SELF,   SQUARE, BIT << MOVE},
+        /* q2              */ {SELF,   SQUARE, BIT << SUM},
+        /* length 1        */ {SELF,   GAIN,   BIT << SUM},
+        /* length 2        */ {SELF,   GAIN,   BIT << MOVE | BIT << LAST}};
     // PIPE = 1: a product is used two lines after the one that names its factors
     localparam STAY = 1'b1, SWAP = 1'b0;  // of a direction: the links are not swapped, or they are
     localparam [15*20-1:0] PASS_1 = {
-        /* link 1          */ {SWAP, SELF,   L1,     MOVE},
+        /* link 1          */ {SWAP, SELF,   L1,     BIT << MOVE},
         /* link 2          */ {SWAP, SELF,   L2,     NONE},
-        /*                 */ {SWAP, ERROR,  HOLD,   FIRST},
-        /*                 */ {SWAP, ERROR,  HOLD,   TIP},
+        /*                 */ {SWAP, ERROR,  HOLD,   BIT << FIRST | BIT << TIP},
+        /*                 */ {SWAP, ERROR,  HOLD,   BIT << TIP},
         /* alpha E         */ {SWAP, ERROR,  ALPHA,  NONE},
         /* E^2             */ {SWAP, ERROR,  SQUARE, NONE},
         /* e1              */ {SWAP, LINK,   PUSH,   NONE},
-        /* e2              */ {SWAP, LINK,   HOLD,   SUM},
-        /* stop?           */ {SWAP, ERROR,  HOLD,   E1 | STOP},
-        /*                 */ {SWAP, ERROR,  HOLD,   E2},
-        /*                 */ {SWAP, ERROR,  HOLD,   MORE},
-        /* turn 1          */ {SWAP, NORMAL, D,      MORE},
+        /* e2              */ {SWAP, LINK,   HOLD,   BIT << SUM},
+        /* stop?           */ {SWAP, ERROR,  HOLD,   BIT << ASK | BIT << STOP},
+        /*                 */ {SWAP, ERROR,  HOLD,   BIT << ASK | BIT << ADD},
+        /*                 */ {SWAP, ERROR,  HOLD,   BIT << ADD},
+        /* turn 1          */ {SWAP, NORMAL, D,      BIT << ADD},
         /* turn 2          */ {STAY, NORMAL, D,      NONE},
-        /*                 */ {SWAP, SELF,   L1,     MOVE},
-        /* q1              */ {SWAP, SELF,   SQUARE, MOVE},
+        /*                 */ {SWAP, SELF,   L1,     BIT << MOVE},
+        /* q1              */ {SWAP, SELF,   SQUARE, BIT << MOVE},
         /* q2              */ {SWAP, SELF,   SQUARE, NONE},
-        /*                 */ {SWAP, ERROR,  HOLD,   SUM},
-        /* length 1        */ {SWAP, SELF,   GAIN,   SUM},
+        /*                 */ {SWAP, ERROR,  HOLD,   BIT << SUM},
+        /* length 1        */ {SWAP, SELF,   GAIN,   BIT << SUM},
         /* length 2        */ {STAY, SELF,   GAIN,   NONE},
-        /*                 */ {SWAP, SELF,   L1,     MOVE | LAST}};
+        /*                 */ {SWAP, SELF,   L1,     BIT << MOVE | BIT << LAST}};
     localparam LINES = PIPE == 0 ? 13 : 20, BITS = PIPE == 0 ? 14 : 15;
     localparam [15*20-1:0] TABLE = PIPE == 0 ? {{(15*20-14*13){1'b0}}, PASS} : PASS_1;
     wire [BITS-1:0] op;
-    wire        stay = PIPE == 1 && op[BITS-1];
+    wire            stay_1;  // the column of PIPE = 1
+    wire [5:0]      operands;
+    wire [REST-1:0] rest;
+    assign          {stay_1, operands, rest} = {{(15-BITS){1'b0}}, op};
+    wire        stay = PIPE == 1 && stay_1;
     wire        idle, fine, wide, halt, failed;
     reg         again;  // repeat the pass in the other range
     reg         fresh;  // line 1 of a pass without an earlier turn
-    wire        accept = in_valid && in_ready, stop = op[6];
+    wire        accept = in_valid && in_ready, stop = rest[STOP];
     wire        keep = stop && wide || halt;
     assign      in_ready = idle && !again && (!out_valid || out_ready);
     schedule #(.LINES(LINES), .BITS(BITS), .TABLE(TABLE[BITS*LINES-1:0])) control (.clk(clk), .rst(rst || keep),
-        .in_start(accept || again || op[7]), .out_idle(idle), .out_op(op));
+        .in_start(accept || again || rest[LAST]), .out_idle(idle), .out_op(op));
     always @(posedge clk) begin
         again <= !rst && keep && !halt;
         fresh <= accept || again;
@@ -162,7 +165,7 @@ module engine_quaternion_gd_vector #(
     engine_gd_vector_path #(.W(W), .PIPE(PIPE), .MULTIPLY(MULTIPLY)) path (.clk(clk), .rst(rst), .cfg_l1(cfg_l1),
         .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine),
         .in_keep(keep || fresh), .in_load(accept && !in_warm), .in_clear(accept), .in_stay(stay),
-        .in_op(op[13:0]), .in_c1(in_c1), .in_n1(in_n1), .in_c12(in_c12), .in_n12(in_n12), .in_x(x), .in_y(y),
+        .in_op({operands, rest}), .in_c1(in_c1), .in_n1(in_n1), .in_c12(in_c12), .in_n12(in_n12), .in_x(x), .in_y(y),
         .out_c1(out_c1), .out_n1(out_n1), .out_c12(out_c12), .out_n12(out_n12), .out_d1(out_d1),
         .out_d12(out_d12), .out_square(out_error));
     engine_gd_judge #(.W(W)) judge (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_start(accept),
