@@ -21,7 +21,7 @@ module engine_gd_path #(
     input  wire                in_shift,    // steps are divided by 4
     input  wire                in_fine,     // the range of E is fine
     input  wire                in_still,    // the step is 0
-    input  wire [11:0]         in_op,       // operand and sum columns of the table of engine_quaternion_gd
+    input  wire [11:0]         in_op,       // a line of engine_quaternion_gd without the bits that read
     input  wire [2*K-T+19:0]   in_chord,
     input  wire signed [W-1:0] in_x,
     input  wire signed [W-1:0] in_y,

@@ -63,7 +63,7 @@ module engine_quaternion_gd #(
     localparam [9:0]            // the rest
         COS    = 10'h001,       // read the cosine of joint 1
         SIN    = 10'h000,       // read the sine of joint 1
-        COS12  = 10'h003,       // read the cosine of both joints
+        COS12  = 10'h003,       // read the cosine of both joints: COS and SIN12
         SIN12  = 10'h002,       // read the sine of both joints
         X      = 10'h004,       // x, less a product
         Y      = 10'h008,       // y, less a product
@@ -72,7 +72,7 @@ module engine_quaternion_gd #(
         SQUARE = 10'h040,       // a square is added to the sum
         STOP   = 10'h080,       // stop here if converged or at the limit
         MOVE1  = 10'h100,       // joint 1 by what its own link asks for
-        MOVE2  = 10'h300;       // both by what link 2 asks for
+        MOVE2  = 10'h200;       // with MOVE1: both by what link 2 asks for
     localparam [14*12-1:0] PASS = {
         /* read c1         */ {NONE,  L1,    COS},
         /* read s1         */ {CHORD, L1,    SIN},
@@ -85,7 +85,7 @@ module engine_quaternion_gd #(
         /* Ey^2, alpha Ey  */ {LINK1, ALPHA, SQUARE},
         /* e1; stop?       */ {LINK2, ALPHA, STOP},
         /* e2              */ {NONE,  L1,    MOVE1},
-        /* joints          */ {NONE,  L1,    MOVE2}};
+        /* joints          */ {NONE,  L1,    MOVE1 | MOVE2}};
     // PIPE = 1: a product is used two lines after the one that names its factors
     localparam [14*16-1:0] PASS_1 = {
         /* read c1         */ {NONE,  L1,    COS},
@@ -103,14 +103,18 @@ module engine_quaternion_gd #(
         /* stop?           */ {LINK2, ALPHA, STOP},
         /* e1              */ {NONE,  L1,    SIN},
         /* e2              */ {NONE,  L1,    MOVE1},
-        /* joints          */ {NONE,  L1,    MOVE2}};
+        /* joints          */ {NONE,  L1,    MOVE1 | MOVE2}};
     localparam LINES = PIPE == 0 ? 12 : 16;
     localparam [14*16-1:0] TABLE = PIPE == 0 ? {{14*4{1'b0}}, PASS} : PASS_1;
     wire [13:0] op;
-    wire        idle, cosine, both, stop, move1, move2, halt;
+    wire [1:0]  left, right;
+    wire [9:0]  rest;
+    assign      {left, right, rest} = op;
+    wire        cosine = |(rest & COS), both = |(rest & SIN12), stop = |(rest & STOP);
+    wire        move1 = |(rest & MOVE1), move2 = |(rest & MOVE2), square = |(rest & SQUARE), clear = |(rest & CLEAR);
+    wire        tip = |(rest & TIP), first = |(rest & X), second = |(rest & Y);
+    wire        idle, halt;
     wire        accept = in_valid && in_ready;
-    assign      {move2, move1, stop} = op[9:7];
-    assign      {both, cosine} = op[1:0];
     assign      in_ready = idle && (!out_valid || out_ready);
     schedule #(.LINES(LINES), .BITS(14), .TABLE(TABLE[14*LINES-1:0])) control (.clk(clk), .rst(rst || halt),
         .in_start(accept || move2), .out_idle(idle), .out_op(op));
@@ -140,7 +144,8 @@ module engine_quaternion_gd #(
     reg  [W-1:0] x, y;
     wire         fine, wide, failed;
     engine_gd_path #(.W(W), .A(A), .K(K), .T(T), .PIPE(PIPE)) path (.clk(clk), .cfg_l1(cfg_l1),
-        .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_still(wide), .in_op(op[13:2]),
+        .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_still(wide),
+        .in_op({left, right, move2, move1, stop, square, clear, tip, second, first}),
         .in_chord(chord), .in_x(x), .in_y(y), .out_step(step), .out_square(out_error));
     engine_gd_judge #(.W(W)) judge (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_start(accept),
         .in_stop(stop), .in_step(move2), .in_square(out_error), .out_ready(out_ready), .out_fine(fine),
