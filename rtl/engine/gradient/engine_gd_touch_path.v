@@ -23,7 +23,7 @@ module engine_gd_touch_path #(
     input  wire                in_fine,     // the range of E is fine
     input  wire                in_finer,    // the range of the step is fine
     input  wire                in_alone,    // the step has no product of the first multiplier
-    input  wire [17:0]         in_op,       // operand and sum columns of the table of engine_quaternion_gd_touch
+    input  wire [17:0]         in_op,       // a line of engine_quaternion_gd_touch without its joints
     input  wire [2*K-T+19:0]   in_chord,
     input  wire signed [W-1:0] in_x,
     input  wire signed [W-1:0] in_y,

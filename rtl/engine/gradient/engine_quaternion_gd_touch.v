@@ -81,62 +81,70 @@ module engine_quaternion_gd_touch #(
         LESS   = 2'b01,         // the error, less a product
         UP     = 2'b10,         // y, less a product; v is kept
         STAY   = 2'b11;         // stays
-    localparam [9:0]            // the rest
-        CLEAR  = 10'h001,       // the squares begin
-        ADD    = 10'h002,       // a square is added to the sum
-        TURN   = 10'h004,       // across, both products
-        PAIR   = 10'h008,       // a root of joint 1, or the next
-        LINK   = 10'h010,       // a link, or the next
-        THIRD  = 10'h020,       // read joint 1 in line 1, joint 3 in the next one; else joint 2, in line 2 joint 1
-        COS    = 10'h040,       // read a cosine
-        SIN    = 10'h000,       // read a sine
-        MINUS  = 10'h080,       // read half a turn on
-        MOVE   = 10'h100,       // a joint by its step, and the next
-        STOP   = 10'h200;       // stop here if converged or at the limit
+    localparam [4:0]            // joints
+        SIN    = 5'h00,         // read a sine
+        THIRD  = 5'h01,         // read joint 1 in line 1, joint 3 in the next one; else joint 2, in line 2 joint 1
+        COS    = 5'h02,         // read a cosine
+        MINUS  = 5'h04,         // read half a turn on
+        MOVE   = 5'h08,         // a joint by its step, and the next
+        STOP   = 5'h10;         // stop here if converged or at the limit
+    localparam [4:0]            // the rest
+        NONE   = 5'h00,         // nothing
+        CLEAR  = 5'h01,         // the squares begin
+        ADD    = 5'h02,         // a square is added to the sum
+        TURN   = 5'h04,         // across, both products
+        PAIR   = 5'h08,         // a root of joint 1, or the next
+        LINK   = 5'h10;         // a link, or the next
     localparam [23*14-1:0] PASS = {
-        /* read -c1; step 2       */ {CHORD,  ROOT,   L1,   V,    STAY, THIRD | COS | MINUS | MOVE},
-        /* read s1; step 3        */ {CHORD,  ROOT,   L1,   V,    STAY, SIN | MOVE},
-        /* read c2; -c1 z         */ {CHORD,  ROOT,   Z,    V,    STAY, COS | PAIR},
-        /* read s3; s1 x          */ {CHORD,  ROOT,   X,    V,    OUT,  THIRD | SIN | PAIR},
-        /* read s2; L1 c2         */ {CHORD,  ROOT,   L1,   V,    LESS, SIN},
-        /* read -c3; L2 s3        */ {CHORD,  ROOT,   L2,   V,    LESS, THIRD | COS | MINUS | LINK},
-        /* L1 s2                  */ {CHORD,  ROOT,   L1,   V,    LESS, LINK},
-        /* -c1 x, -L2 c3; v       */ {ACROSS, ROOT,   L2_X, V,    UP,   LINK | PAIR},
-        /* s1 z, v^2              */ {ACROSS, SQUARE, Z,    V,    LESS, LINK | CLEAR},
-        /* alpha v, w^2; u        */ {PRIOR,  SQUARE, L1,   W_UP, STAY, TURN | ADD},
-        /* alpha u, u^2           */ {ALPHA,  SQUARE, L1,   U,    STAY, ADD},
-        /* alpha w, rho alpha u   */ {ALPHA,  ARM,    L1,   W_UP, STAY, ADD},
-        /* e2; stop?              */ {SINK,   LIFT,   L1,   V,    STAY, LINK | STOP},
-        /* e3; step 1             */ {SINK,   AGAIN,  L1,   V,    STAY, MOVE}};
+        /* read -c1; step 2       */ {CHORD,  ROOT,   L1,   V,    STAY, THIRD | COS | MINUS | MOVE, NONE},
+        /* read s1; step 3        */ {CHORD,  ROOT,   L1,   V,    STAY, SIN | MOVE,                 NONE},
+        /* read c2; -c1 z         */ {CHORD,  ROOT,   Z,    V,    STAY, COS,                        PAIR},
+        /* read s3; s1 x          */ {CHORD,  ROOT,   X,    V,    OUT,  THIRD | SIN,                PAIR},
+        /* read s2; L1 c2         */ {CHORD,  ROOT,   L1,   V,    LESS, SIN,                        NONE},
+        /* read -c3; L2 s3        */ {CHORD,  ROOT,   L2,   V,    LESS, THIRD | COS | MINUS,        LINK},
+        /* L1 s2                  */ {CHORD,  ROOT,   L1,   V,    LESS, NONE,                       LINK},
+        /* -c1 x, -L2 c3; v       */ {ACROSS, ROOT,   L2_X, V,    UP,   NONE,                       LINK | PAIR},
+        /* s1 z, v^2              */ {ACROSS, SQUARE, Z,    V,    LESS, NONE,                       LINK | CLEAR},
+        /* alpha v, w^2; u        */ {PRIOR,  SQUARE, L1,   W_UP, STAY, NONE,                       TURN | ADD},
+        /* alpha u, u^2           */ {ALPHA,  SQUARE, L1,   U,    STAY, NONE,                       ADD},
+        /* alpha w, rho alpha u   */ {ALPHA,  ARM,    L1,   W_UP, STAY, NONE,                       ADD},
+        /* e2; stop?              */ {SINK,   LIFT,   L1,   V,    STAY, STOP,                       LINK},
+        /* e3; step 1             */ {SINK,   AGAIN,  L1,   V,    STAY, MOVE,                       NONE}};
     // PIPE = 1: a product is used two lines after the one that names its factors
     localparam [23*17-1:0] PASS_1 = {
-        /* read -c1; step 2       */ {CHORD,  ROOT,   L1,   V,    STAY, THIRD | COS | MINUS | MOVE},
-        /* read s1; step 3        */ {CHORD,  ROOT,   L1,   V,    STAY, SIN | MOVE},
-        /* read c2                */ {CHORD,  ROOT,   L1,   V,    STAY, COS},
-        /* read s3; -c1           */ {CHORD,  ROOT,   Z,    V,    STAY, THIRD | SIN | PAIR},
-        /* read s2; s1            */ {CHORD,  ROOT,   X,    V,    STAY, SIN | PAIR},
-        /* read -c3; -c1 z        */ {CHORD,  ROOT,   L1,   V,    OUT,  THIRD | COS | MINUS},
-        /* s1 x                   */ {CHORD,  ROOT,   L2,   V,    LESS, SIN},
-        /* L1 c2                  */ {ACROSS, ROOT,   L1_X, V,    LESS, LINK | PAIR},
-        /* L2 s3; v               */ {ACROSS, ROOT,   L2,   V,    LESS, LINK},
-        /* L1 s2, -c1 x; v there  */ {ALPHA,  SQUARE, L1,   V,    UP,   LINK | CLEAR},
-        /* -L2 c3, s1 z; u, w     */ {CHORD,  ROOT,   L1,   V,    LESS, LINK | TURN},
-        /* alpha v, v^2           */ {ALPHA,  SQUARE, L1,   U,    STAY, ADD},
-        /* w there                */ {ALPHA,  SQUARE, L1,   W_UP, STAY, SIN},
-        /* alpha u, u^2           */ {CHORD,  ARM,    L1,   V,    STAY, ADD},
-        /* alpha w, w^2           */ {SINK,   LIFT,   L1,   V,    STAY, LINK | ADD},
-        /* rho alpha u; stop?     */ {SINK,   AGAIN,  L1,   V,    STAY, STOP},
-        /* e2; step 1             */ {SINK,   ROOT,   L1,   V,    STAY, MOVE}};
+        /* read -c1; step 2       */ {CHORD,  ROOT,   L1,   V,    STAY, THIRD | COS | MINUS | MOVE, NONE},
+        /* read s1; step 3        */ {CHORD,  ROOT,   L1,   V,    STAY, SIN | MOVE,                 NONE},
+        /* read c2                */ {CHORD,  ROOT,   L1,   V,    STAY, COS,                        NONE},
+        /* read s3; -c1           */ {CHORD,  ROOT,   Z,    V,    STAY, THIRD | SIN,                PAIR},
+        /* read s2; s1            */ {CHORD,  ROOT,   X,    V,    STAY, SIN,                        PAIR},
+        /* read -c3; -c1 z        */ {CHORD,  ROOT,   L1,   V,    OUT,  THIRD | COS | MINUS,        NONE},
+        /* s1 x                   */ {CHORD,  ROOT,   L2,   V,    LESS, SIN,                        NONE},
+        /* L1 c2                  */ {ACROSS, ROOT,   L1_X, V,    LESS, NONE,                       LINK | PAIR},
+        /* L2 s3; v               */ {ACROSS, ROOT,   L2,   V,    LESS, NONE,                       LINK},
+        /* L1 s2, -c1 x; v there  */ {ALPHA,  SQUARE, L1,   V,    UP,   NONE,                       LINK | CLEAR},
+        /* -L2 c3, s1 z; u, w     */ {CHORD,  ROOT,   L1,   V,    LESS, NONE,                       LINK | TURN},
+        /* alpha v, v^2           */ {ALPHA,  SQUARE, L1,   U,    STAY, NONE,                       ADD},
+        /* w there                */ {ALPHA,  SQUARE, L1,   W_UP, STAY, SIN,                        NONE},
+        /* alpha u, u^2           */ {CHORD,  ARM,    L1,   V,    STAY, NONE,                       ADD},
+        /* alpha w, w^2           */ {SINK,   LIFT,   L1,   V,    STAY, NONE,                       LINK | ADD},
+        /* rho alpha u; stop?     */ {SINK,   AGAIN,  L1,   V,    STAY, STOP,                       NONE},
+        /* e2; step 1             */ {SINK,   ROOT,   L1,   V,    STAY, MOVE,                       NONE}};
     localparam LINES = PIPE == 0 ? 14 : 17;
     localparam [23*17-1:0] TABLE = PIPE == 0 ? {{23*3{1'b0}}, PASS} : PASS_1;
     wire [22:0] op;
-    wire        idle, fine, wide, halt, failed, stop, move, minus, cosine, third;
+    wire [2:0]  left, right, word;
+    wire [1:0]  seen, sum;
+    wire [4:0]  joints, rest;
+    assign      {left, right, word, seen, sum, joints, rest} = op;
+    wire        stop = |(joints & STOP), move = |(joints & MOVE), minus = |(joints & MINUS);
+    wire        cosine = |(joints & COS), third = |(joints & THIRD);
+    wire        idle, fine, wide, halt, failed;
     reg         again;  // repeat the pass in the other range
     reg         finer;  // range of the step is fine
     reg  [1:0]  late;   // steps 2 and 3 follow in the first lines of the next pass
-    wire        accept = in_valid && in_ready, last = move && op[22], leave = halt || (stop && wide);
+    wire        accept = in_valid && in_ready, leave = halt || (stop && wide);
+    wire        last = move && |(left & ALPHA);  // the first lines, which move too, have a chord
     wire        steps = last || late != 0;
-    assign      {stop, move, minus, cosine, third} = op[9:5];
     assign      in_ready = idle && !again && (!out_valid || out_ready);
     schedule #(.LINES(LINES), .BITS(23), .TABLE(TABLE[23*LINES-1:0])) control (.clk(clk), .rst(rst || leave),
         .in_start(accept || again || last), .out_idle(idle), .out_op(op));
@@ -177,7 +185,7 @@ module engine_quaternion_gd_touch #(
     // Datapath and end of a sample
     engine_gd_touch_path #(.W(W), .A(A), .K(K), .T(T), .PIPE(PIPE)) path (.clk(clk), .cfg_l1(cfg_l1),
         .cfg_l2(cfg_l2), .cfg_alpha(cfg_alpha), .in_shift(cfg_shift), .in_fine(fine), .in_finer(finer), .in_alone(stop),
-        .in_op({op[22:10], op[4:0]}), .in_chord(chord), .in_x(x), .in_y(y), .in_z(z), .out_step(step),
+        .in_op({left, right, word, seen, sum, rest}), .in_chord(chord), .in_x(x), .in_y(y), .in_z(z), .out_step(step),
         .out_square(out_error));
     engine_gd_judge #(.W(W)) judge (.clk(clk), .rst(rst), .cfg_tol(cfg_tol), .cfg_limit(cfg_limit), .in_start(accept),
         .in_stop(stop), .in_step(stop), .in_square(out_error), .out_ready(out_ready), .out_fine(fine),
