@@ -96,16 +96,17 @@ module engine_gd_plane_program #(
     localparam [14*9-1:0]  TABLE_LINK = PIPE == 0 ? {{14*2{1'b0}}, LINK} : LINK_1;
     localparam [14*12-1:0] TABLE_TAIL = PIPE == 0 ? {{14*4{1'b0}}, TAIL} : TAIL_1;
     wire [13:0] link_op, tail_op;
-    wire        next = out_link[2], go = out_tail[3];
+    wire [8:0]  link_path, tail_path;
+    wire        next = |(out_link & NEXT), go = |(out_tail & GO);
     /* verilator lint_off UNUSEDSIGNAL */
-    wire [1:0]  unused_idle;
+    wire        unused_link, unused_tail;
     /* verilator lint_on UNUSEDSIGNAL */
-    assign      out_op = link_op[13:5] | tail_op[13:5];
-    assign      out_link = link_op[4:0];
-    assign      out_tail = tail_op[4:0];
+    assign      {link_path, out_link} = link_op;
+    assign      {tail_path, out_tail} = tail_op;
+    assign      out_op = link_path | tail_path;
     schedule #(.LINES(LINKS), .BITS(14), .TABLE(TABLE_LINK[14*LINKS-1:0])) links (.clk(clk), .rst(rst || in_halt),
-        .in_start(in_start || (next && !in_last) || go), .out_idle(unused_idle[0]), .out_op(link_op));
+        .in_start(in_start || (next && !in_last) || go), .out_idle(unused_link), .out_op(link_op));
     schedule #(.LINES(TAILS), .BITS(14), .TABLE(TABLE_TAIL[14*TAILS-1:0])) tail (.clk(clk), .rst(rst),
-        .in_start(next && in_last), .out_idle(unused_idle[1]), .out_op(tail_op));
+        .in_start(next && in_last), .out_idle(unused_tail), .out_op(tail_op));
 endmodule
 `default_nettype wire
