@@ -45,127 +45,139 @@ module engine_rus_leg #(
     output reg  [2:0]         out_tag
 );
     // Schedule, a clock a line
-    localparam [6:0]             // gates of multipliers A and B: what they load in the next clock
-        SHUT   = 7'd0,           // nothing of a leg
-        ROW_X  = 7'b0001001,     // row x and the joint's coordinates
-        ROW_Z  = 7'b0000010,     // row z
-        ROW_Y  = 7'b0000100,     // row y
-        TURN   = 7'b0011000,     // into the plane of the leg
-        COSINE = 7'b0100000,     // e G - f S
-        SINE   = 7'b1000000;     // f G + e S
-    localparam [2:0]             // multiplier C
+    localparam                   // gates of multipliers A and B: what they load in the next clock
+        X_ROW   = 0,             // row x
+        Z_ROW   = 1,             // row z
+        Y_ROW   = 2,             // row y
+        WORDS   = 3,             // the first two words of the leg
+        PLANE   = 4,             // x and z, to turn them
+        COS     = 5,             // factors of e G - f S
+        SIN     = 6,             // factors of f G + e S
+        GATES   = 7;
+    localparam [GATES-1:0]
+        GATE    = 1,
+        SHUT    = 0,             // nothing of a leg
+        ROW_X   = GATE << WORDS | GATE << X_ROW,  // with the joint's coordinates
+        ROW_Z   = GATE << Z_ROW,
+        ROW_Y   = GATE << Y_ROW,
+        TURN    = GATE << PLANE | GATE << WORDS,  // into the plane of the leg
+        COSINE  = GATE << COS,
+        SINE    = GATE << SIN;
+    localparam [2:0]             // multiplier C: gain, height, link
         IDLE_C = 3'd0,           // what the rows leave
         LINK   = 3'b001,         // the link's shares of e (C) and f (D), in the next clock
         HEIGHT = 3'b010,         // the square of h, which is just there
         GAIN   = 3'b100;         // the sum times 1 / 2 LA, in the next clock
-    localparam [2:0]             // multiplier D
+    localparam [2:0]             // multiplier D: next_d, divide, table_d
         IDLE_D = 3'd0,           // anything
         TABLE  = 3'b001,         // a root or a reciprocal
         DIVIDE = 3'b110,         // the cosine's numerator times the reciprocal
         NEXT_D = 3'b100;         // the sine's
-    localparam [1:0]             // addend of the next clock's sum
+    localparam [1:0]             // addend of the next clock's sum: with_k, place
         HALF   = 2'b00,          // what rounds
         PLACE  = 2'b01,          // position less foot
         CONST  = 2'b10;          // cfg_k
-    localparam [18:0]            // registers behind products and sum
-        NONE    = 19'h00000,     // nothing
-        X       = 19'h00001,     // the sum is x
-        Z       = 19'h00002,     // z
-        Y       = 19'h00004,     // y
-        E       = 19'h00008,     // e, and f less the link's share
-        Q       = 19'h00010,     // e^2 + f^2, and with h^2 and k
-        G       = 19'h00020,     // G, and its square begins
-        KEEP    = 19'h00040,     // for the next leg comes
-        DISC    = 19'h00080,     // e^2 + f^2 - G^2
-        OPEN    = 19'h00100,     // the radicand
-        FIND    = 19'h00200,     // its spare bytes
-        FINE    = 19'h00400,     // its spare pairs of bits
-        ROOT    = 19'h00800,     // read the root's table
-        COPY    = 19'h01000,     // the next leg comes; divisor
-        S       = 19'h02000,     // the root
-        DIVISOR = 19'h04000,     // read the reciprocal's table
-        NUM     = 19'h08000,     // a numerator
-        RATE    = 19'h10000,     // the reciprocal; flags
-        OUT_C   = 19'h20000,     // the cosine
-        OUT_N   = 19'h40000;     // the sine; the next product is its codec's
+    localparam                   // registers behind products and sum
+        X       = 0,             // the sum is x
+        Z       = 1,             // z
+        Y       = 2,             // y
+        E       = 3,             // e, and f less the link's share
+        Q       = 4,             // e^2 + f^2, and with h^2 and k
+        G       = 5,             // G, and its square begins
+        KEEP    = 6,             // for the next leg comes
+        DISC    = 7,             // e^2 + f^2 - G^2
+        OPEN    = 8,             // the radicand
+        FIND    = 9,             // its spare bytes
+        FINE    = 10,            // its spare pairs of bits
+        ROOT    = 11,            // read the root's table
+        COPY    = 12,            // the next leg comes; divisor
+        S       = 13,            // the root
+        DIVISOR = 14,            // read the reciprocal's table
+        NUM     = 15,            // a numerator
+        RATE    = 16,            // the reciprocal; flags
+        OUT_C   = 17,            // the cosine
+        OUT_N   = 18,            // the sine; the next product is its codec's
+        BEHIND  = 19;
+    localparam [BEHIND-1:0] BIT = 1, NONE = 0;
+    localparam OP = 34;          // bits of a line
     //                      A, B     C        D        add    behind
-    localparam [37*34-1:0] LEG = {
+    localparam [37*OP-1:0] LEG = {
         /* row x            */ {ROW_X,  IDLE_C, IDLE_D, HALF,  NONE},
         /* row z            */ {ROW_Z,  IDLE_C, IDLE_D, HALF,  NONE},
         /* row y            */ {ROW_Y,  IDLE_C, IDLE_D, PLACE, NONE},
-        /* x                */ {SHUT,   IDLE_C, IDLE_D, PLACE, X},
-        /* z; to e          */ {TURN,   LINK,   IDLE_D, PLACE, Z},
-        /* y; to h          */ {TURN,   IDLE_C, IDLE_D, HALF,  Y},
+        /* x                */ {SHUT,   IDLE_C, IDLE_D, PLACE, BIT << X},
+        /* z; to e          */ {TURN,   LINK,   IDLE_D, PLACE, BIT << Z},
+        /* y; to h          */ {TURN,   IDLE_C, IDLE_D, HALF,  BIT << Y},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* e, f             */ {SHUT,   IDLE_C, IDLE_D, HALF,  E},
+        /* e, f             */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << E},
         /* squares, of h    */ {SHUT,   HEIGHT, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, CONST, NONE},
-        /* their sum        */ {SHUT,   IDLE_C, IDLE_D, HALF,  Q},
+        /* their sum        */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << Q},
         /* to G             */ {SHUT,   GAIN,   IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* G                */ {SHUT,   IDLE_C, IDLE_D, HALF,  G},
-        /* keep e, f        */ {SHUT,   IDLE_C, IDLE_D, HALF,  KEEP},
+        /* G                */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << G},
+        /* keep e, f        */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << KEEP},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* S^2              */ {SHUT,   IDLE_C, IDLE_D, HALF,  DISC},
-        /* radicand         */ {SHUT,   IDLE_C, IDLE_D, HALF,  OPEN},
-        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FIND},
-        /* pairs            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FINE},
-        /* slope            */ {SHUT,   IDLE_C, IDLE_D, HALF,  ROOT},
-        /* root; divisor    */ {SHUT,   IDLE_C, TABLE,  HALF,  COPY},
-        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FIND},
-        /* S; pairs         */ {SHUT,   IDLE_C, IDLE_D, HALF,  S | FINE},
-        /* slope            */ {SHUT,   IDLE_C, IDLE_D, HALF,  DIVISOR},
+        /* S^2              */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << DISC},
+        /* radicand         */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << OPEN},
+        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << FIND},
+        /* pairs            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << FINE},
+        /* slope            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << ROOT},
+        /* root; divisor    */ {SHUT,   IDLE_C, TABLE,  HALF,  BIT << COPY},
+        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << FIND},
+        /* S; pairs         */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << S | BIT << FINE},
+        /* slope            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << DIVISOR},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* reciprocal; cos  */ {COSINE, IDLE_C, TABLE,  HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* its word, flags  */ {SHUT,   IDLE_C, IDLE_D, HALF,  RATE},
-        /* sin              */ {SINE,   IDLE_C, IDLE_D, HALF,  NUM},
+        /* its word, flags  */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << RATE},
+        /* sin              */ {SINE,   IDLE_C, IDLE_D, HALF,  BIT << NUM},
         /* cosine           */ {SHUT,   IDLE_C, DIVIDE, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  NUM | OUT_C},
+        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << NUM | BIT << OUT_C},
         /* sine             */ {SHUT,   IDLE_C, NEXT_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  OUT_N}};
+        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << OUT_N}};
     // The same with PIPE = 1: a product comes two clocks later
-    localparam [51*34-1:0] LEG_1 = {
+    localparam [51*OP-1:0] LEG_1 = {
         /* row x            */ {ROW_X,  IDLE_C, IDLE_D, HALF,  NONE},
         /* row z            */ {ROW_Z,  IDLE_C, IDLE_D, HALF,  NONE},
         /* row y            */ {ROW_Y,  IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, PLACE, NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, PLACE, NONE},
-        /* x                */ {SHUT,   IDLE_C, IDLE_D, PLACE, X},
-        /* z; to e          */ {TURN,   LINK,   IDLE_D, HALF,  Z},
-        /* y; to h          */ {TURN,   IDLE_C, IDLE_D, HALF,  Y},
+        /* x                */ {SHUT,   IDLE_C, IDLE_D, PLACE, BIT << X},
+        /* z; to e          */ {TURN,   LINK,   IDLE_D, HALF,  BIT << Z},
+        /* y; to h          */ {TURN,   IDLE_C, IDLE_D, HALF,  BIT << Y},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* e, f             */ {SHUT,   IDLE_C, IDLE_D, HALF,  E},
+        /* e, f             */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << E},
         /* squares, of h    */ {SHUT,   HEIGHT, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, CONST, NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* their sum        */ {SHUT,   IDLE_C, IDLE_D, HALF,  Q},
+        /* their sum        */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << Q},
         /* to G             */ {SHUT,   GAIN,   IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* G                */ {SHUT,   IDLE_C, IDLE_D, HALF,  G},
-        /* keep e, f        */ {SHUT,   IDLE_C, IDLE_D, HALF,  KEEP},
+        /* G                */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << G},
+        /* keep e, f        */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << KEEP},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* S^2              */ {SHUT,   IDLE_C, IDLE_D, HALF,  DISC},
-        /* radicand         */ {SHUT,   IDLE_C, IDLE_D, HALF,  OPEN},
-        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FIND},
-        /* pairs            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FINE},
-        /* slope            */ {SHUT,   IDLE_C, IDLE_D, HALF,  ROOT},
+        /* S^2              */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << DISC},
+        /* radicand         */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << OPEN},
+        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << FIND},
+        /* pairs            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << FINE},
+        /* slope            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << ROOT},
         /* root             */ {SHUT,   IDLE_C, TABLE,  HALF,  NONE},
-        /* divisor          */ {SHUT,   IDLE_C, IDLE_D, HALF,  COPY},
-        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FIND},
-        /* pairs            */ {SHUT,   IDLE_C, IDLE_D, HALF,  FINE},
-        /* S; slope         */ {SHUT,   IDLE_C, IDLE_D, HALF,  S | DIVISOR},
+        /* divisor          */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << COPY},
+        /* bytes            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << FIND},
+        /* pairs            */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << FINE},
+        /* S; slope         */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << S | BIT << DIVISOR},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* cos              */ {COSINE, IDLE_C, IDLE_D, HALF,  NONE},
@@ -173,48 +185,55 @@ module engine_rus_leg #(
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* cos; word, flags */ {SHUT,   IDLE_C, IDLE_D, HALF,  NUM | RATE},
-        /* cosine; sin      */ {SHUT,   IDLE_C, DIVIDE, HALF,  NUM},
+        /* cos; word, flags */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << NUM | BIT << RATE},
+        /* cosine; sin      */ {SHUT,   IDLE_C, DIVIDE, HALF,  BIT << NUM},
         /* sine             */ {SHUT,   IDLE_C, NEXT_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
         /* -                */ {SHUT,   IDLE_C, IDLE_D, HALF,  NONE},
-        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  OUT_C},
-        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  OUT_N}};
-    wire [33:0] op;
-    wire        idle;
+        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << OUT_C},
+        /* and out          */ {SHUT,   IDLE_C, IDLE_D, HALF,  BIT << OUT_N}};
+    wire [OP-1:0]     op;
+    wire [GATES-1:0]  gates;
+    wire [2:0]        c_op;
+    wire              next_d, divide, table_d;
+    wire [1:0]        addend;
+    wire [BEHIND-1:0] behind;
+    assign            {gates, c_op, next_d, divide, table_d, addend, behind} = op;
+    wire              idle;
     generate
         if (PIPE == 0) begin : g_table
-            schedule #(.LINES(37), .BITS(34), .TABLE(LEG)) control (
+            schedule #(.LINES(37), .BITS(OP), .TABLE(LEG)) control (
                 .clk(clk), .rst(rst), .in_start(in_start), .out_idle(idle), .out_op(op));
         end else begin : g_table
-            schedule #(.LINES(51), .BITS(34), .TABLE(LEG_1)) control (
+            schedule #(.LINES(51), .BITS(OP), .TABLE(LEG_1)) control (
                 .clk(clk), .rst(rst), .in_start(in_start), .out_idle(idle), .out_op(op));
         end
     endgenerate
     reg  [2:0]  tag2, tag3, tag4;
     engine_rus_path #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) path (
-        .clk(clk), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near), .in_op(op), .in_row(in_row), .in_words(in_words),
+        .clk(clk), .cfg_k(cfg_k), .cfg_c(cfg_c), .cfg_near(cfg_near),
+        .in_op({gates, c_op, next_d, divide, table_d, addend, behind}), .in_row(in_row), .in_words(in_words),
         .in_cb(in_cb), .in_nb(in_nb), .in_dead(tag4[1]), .in_place(in_place), .in_step(in_step), .out_rise(out_rise),
         .out_word(out_word), .out_root(out_root), .out_far(out_far), .out_none(out_none), .out_near(out_near),
         .out_over(out_over));
     // The line that is played selects the words of the leg that are read
-    assign out_x = op[27];
-    assign out_z = op[28];
-    assign out_y = op[29];
-    assign out_turn = op[0];
-    assign out_last = op[1];
-    assign out_flags = op[22];
-    assign out_cosine = op[17];
-    assign out_sine = op[18];
+    assign out_x = gates[X_ROW];
+    assign out_z = gates[Z_ROW];
+    assign out_y = gates[Y_ROW];
+    assign out_turn = behind[X];
+    assign out_last = behind[Z];
+    assign out_flags = divide;
+    assign out_cosine = behind[OUT_C];
+    assign out_sine = behind[OUT_N];
     // The tag accompanies its leg through four registers, followed by that of the next leg
     always @(posedge clk) begin
-        if (op[4])
+        if (behind[Q])
             tag2 <= in_tag;
-        if (op[7])
+        if (behind[DISC])
             tag3 <= tag2;
-        if (op[12])
+        if (behind[COPY])
             tag4 <= tag3;
-        if (op[16])
+        if (behind[RATE])
             out_tag <= tag4;
     end
     wire   unused = &{1'b0, idle};

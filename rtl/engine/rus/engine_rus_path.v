@@ -31,11 +31,14 @@ module engine_rus_path #(
     output reg                out_near,
     output reg                out_over
 );
-    wire height = in_op[25];
+    wire [6:0] gates;
+    wire [2:0] d_op;
+    wire [1:0] addend;
+    wire gain, height, link, out_n, out_c;
     wire rec, num, divisor, to_s, copy, root, fine, find, gate, disc, keep, to_g, to_q, to_e, to_y, to_z, to_x;
-    assign {rec, num, divisor, to_s, copy, root, fine, find, gate, disc, keep, to_g, to_q, to_e, to_y, to_z, to_x}
-        = in_op[16:0];
-    wire unused = &{1'b0, in_op[17]};
+    assign {gates, gain, height, link, d_op, addend, out_n, out_c, rec, num, divisor, to_s, copy, root, fine, find,
+        gate, disc, keep, to_g, to_q, to_e, to_y, to_z, to_x} = in_op;
+    wire unused = &{1'b0, out_c};
 
     // Products, and their sum one clock later: A + B + C
     wire signed [25:0] al, ar, bl, br;
@@ -92,8 +95,9 @@ module engine_rus_path #(
         .out_beyond(beyond), .out_none(none), .out_root(s));
     engine_rus_operands #(.PIPE(PIPE)) operands (
         .clk(clk), .cfg_k(cfg_k), .cfg_c(cfg_c),
-        .in_op({in_op[33:18], rec, copy, disc, keep, to_g, to_q, to_e, to_y, to_z, to_x}), .in_row(in_row),
-        .in_words(in_words), .in_cb(in_cb), .in_nb(in_nb), .in_place(in_place), .in_step(in_step), .in_sum(sum),
+        .in_op({gates, gain, height, link, d_op, addend, out_n, rec, copy, disc, keep, to_g, to_q, to_e, to_y, to_z,
+            to_x}), .in_row(in_row), .in_words(in_words), .in_cb(in_cb), .in_nb(in_nb), .in_place(in_place),
+        .in_step(in_step), .in_sum(sum),
         .in_f(f_sum[25:0]), .in_g(pc[47:25]), .in_minus(pc[53]), .in_beyond(beyond2), .in_root(s), .in_word(word),
         .in_w(w), .in_slope(slope), .in_reciprocal(pd[49:23]), .out_al(al), .out_ar(ar), .out_bl(bl), .out_br(br),
         .out_cl(cl), .out_cr(cr), .out_dl(dl), .out_dr(dr), .out_add(add));
