@@ -55,21 +55,23 @@ module engine_rus_fk #(
     wire        page_ends = k == (n == 3'd0 ? POSE : LEG) - 4'd1;
     assign      in_ready = !busy && (!out_valid || out_ready);
 
+    localparam [2:0] JUMP = 3'd7;  // ACT, as in engine_rus_fk_program
     wire        reads, adds, halt, failed, overflow, singular, over, off, negative;
     wire [7:0]  line;
     wire [2:0]  i, j, act;
     wire [1:0]  range, size;
-    wire [39:0] control;
+    wire [36:0] sum_op;
+    wire [2:0]  act_op;
     wire [26:0] read;
     engine_rus_fk_steps #(.PIPE(PIPE)) steps (
         .clk(clk), .rst(rst), .cfg_limit(cfg_limit), .in_clear(accept), .in_start(begins),
-        .in_forget(set && {n, k} == 7'h10), .in_jump(control[2:0] == 3'd7), .in_act(act), .in_over(over), .in_off(off),
+        .in_forget(set && {n, k} == 7'h10), .in_jump(act_op == JUMP), .in_act(act), .in_over(over), .in_off(off),
         .in_size(size), .in_negative(negative), .out_reads(reads), .out_adds(adds), .out_next(line), .out_i(i),
         .out_j(j), .out_range(range), .out_halt(halt), .out_failed(failed), .out_overflow(overflow),
         .out_singular(singular), .out_iters(out_iters));
-    engine_rus_fk_program #(.PIPE(PIPE)) program_ (.clk(clk), .in_line(line), .out_op(control));
+    engine_rus_fk_program #(.PIPE(PIPE)) program_ (.clk(clk), .in_line(line), .out_op({sum_op, act_op}));
     engine_rus_fk_products #(.PIPE(PIPE), .MULTIPLY(MULTIPLY)) products (
-        .clk(clk), .cfg_tol(cfg_tol), .in_op(control), .in_run(reads), .in_adds(adds), .in_i(i), .in_j(j),
+        .clk(clk), .cfg_tol(cfg_tol), .in_op({sum_op, act_op}), .in_run(reads), .in_adds(adds), .in_i(i), .in_j(j),
         .in_range(range), .in_set(set), .in_own(no_word ? 8'h84 : {1'b0, n, k}), .in_word(word), .in_fetch(answer),
         .out_read(read), .out_act(act), .out_over(over), .out_off(off), .out_size(size), .out_negative(negative));
 

@@ -32,14 +32,20 @@ module engine_rus_fk_products #(
     output wire [1:0]  out_size,      // range of a square: 0 from 1 on, 1 from 1/4, 2 from 1/16, else 3
     output wire        out_negative
 );
+    localparam [2:0] UNIT = 3'd2, SCALE = 3'd3, LOOSE = 3'd4;  // ACT, as in engine_rus_fk_program
+    wire [34:0] places;  // A, B, C, D, DEST
+    wire        sub_op, keep_op;
+    wire [2:0]  act_op;
+    assign      {places, sub_op, keep_op, act_op} = in_op;
+
     // Addresses
     wire [2:0]  next_j = in_j + 3'd1;
     wire [39:0] select;
-    wire        scale = in_op[2:0] == 3'd3;
+    wire        scale = act_op == SCALE;
     genvar i;
     generate
         for (i = 0; i < 5; i = i + 1) begin : g_place
-            wire [6:0] place = in_op[5+7*i +: 7];
+            wire [6:0] place = places[7*i +: 7];
             wire [2:0] row = place[5] ? place[4] ? next_j : in_j : in_i;
             assign select[8*i+4 +: 4] = {place[5] || place[6] && place[4], place[6] ? row : {3{place[4]}}};
             if (i == 1 || i == 3) begin : g_constant
@@ -51,20 +57,23 @@ module engine_rus_fk_products #(
     endgenerate
 
     // State of the lines that read, load, multiply and add
-    wire [44:0] read_op;  // {A, B, C, D, DEST, SUB, KEEP, ACT}
-    wire [31:0] at = read_op[44:13];
-    reg  [12:0] load, multiply, add;  // {DEST, SUB, KEEP, ACT}
+    wire [31:0] at;                   // {A, B, C, D} of the line that reads
+    wire [12:0] read_op;              // {DEST, SUB, KEEP, ACT}
+    reg  [12:0] load, multiply, add;  // the same
     wire [12:0] last;                 // of the line that adds next
     always @(posedge clk) begin
-        load     <= read_op[12:0];
+        load     <= read_op;
         multiply <= load;
         add      <= last;
     end
-    wire       keep = add[3];
-    wire [2:0] act = in_adds ? add[2:0] : 3'd4;
+    wire [7:0] dest;
+    wire       sub, keep;
+    wire [2:0] add_act;
+    wire [2:0] act = in_adds ? add_act : LOOSE;
+    assign     {dest, sub, keep, add_act} = add;
 
     // Register file, operands, products
-    wire [7:0]   to = in_set ? in_own : add[12:5];
+    wire [7:0]   to = in_set ? in_own : dest;
     wire [26:0]  word;
     wire [26:0]  value = in_set ? in_word : word;
     wire [107:0] operand;
@@ -120,9 +129,9 @@ module engine_rus_fk_products #(
         if (PIPE == 0) begin : g_now
             assign product1 = $signed(operand[107:81]) * $signed(operand[80:54]);
             assign product2 = $signed(operand[53:27]) * $signed(operand[26:0]);
-            assign {read_op, last} = {select, in_op[4:0], multiply};
-            assign {next, term} = {product2[53:22], cd ^ {32{add[4]}}};
-            assign {seen, unit, out_act} = {sum[31:3], add[1], act};
+            assign {at, read_op, last} = {select, sub_op, keep_op, act_op, multiply};
+            assign {next, term} = {product2[53:22], cd ^ {32{sub}}};
+            assign {seen, unit, out_act} = {sum[31:3], |(add_act & UNIT), act};
         end else begin : g_parts
             reg [44:0] placed;
             reg [12:0] sums;
@@ -132,12 +141,16 @@ module engine_rus_fk_products #(
                 .in_a(operand[107:81]), .in_b(operand[80:54]), .out_p(product1));
             product_parts #(.A(27), .B(27), .MULTIPLY(MULTIPLY)) part2 (.clk(clk), .in_move(1'b1),
                 .in_a(operand[53:27]), .in_b(operand[26:0]), .out_p(product2));
-            wire       unused = &{1'b0, add[4]};
-            assign {read_op, last} = {placed, sums};
-            assign {next, term} = {product2[53:22] ^ {32{sums[4]}}, cd};
-            assign {seen, unit, out_act} = {added, acted[1], acted};
+            wire [7:0] unused_dest;
+            wire       sums_sub, unused_keep;
+            wire [2:0] unused_act;
+            assign {unused_dest, sums_sub, unused_keep, unused_act} = sums;
+            wire       unused = &{1'b0, sub};
+            assign {at, read_op, last} = {placed, sums};
+            assign {next, term} = {product2[53:22] ^ {32{sums_sub}}, cd};
+            assign {seen, unit, out_act} = {added, |(acted & UNIT), acted};
             always @(posedge clk) begin
-                placed <= {select, in_op[4:0]};
+                placed <= {select, sub_op, keep_op, act_op};
                 sums   <= multiply;
                 added  <= sum[31:3];
                 acted  <= act;

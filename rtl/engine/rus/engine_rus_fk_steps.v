@@ -41,6 +41,8 @@ module engine_rus_fk_steps #(
                      END = PIPE == 0 ? 8'd192 : 8'd217;
     localparam [7:0] SIZE = PIPE == 0 ? 8'd66 : 8'd74;  // the line of NORM in which the range of the square is known
     localparam [2:0] SCALINGS = 3'd7;     // greatest number of scalings by 4: a row below 2^-15 is lost
+    // ACT, as in engine_rus_fk_program
+    localparam [2:0] ACT_MISS = 3'd1, ACT_UNIT = 3'd2, ACT_LOOSE = 3'd4, ACT_RANGE = 3'd5, ACT_SIDE = 3'd6;
     reg        run;
     reg  [7:0] line;
     reg        over, off, loads, multiplies;
@@ -94,11 +96,11 @@ module engine_rus_fk_steps #(
             out_j <= over_norm && last_i ? 3'd1 : (over_norm ? out_i : out_j) + 3'd1;
         if (over_scale || size && fits || in_clear)
             count <= over_scale ? count + 3'd1 : 3'd0;
-        if (in_act == 3'd5)
+        if (in_act == ACT_RANGE)
             out_range <= in_size;
-        over    <= !in_clear && (over || !in_act[2] && in_over);
-        off     <= !in_clear && !over_move && (off || (in_act == 3'd1 || in_act == 3'd2) && in_off);
-        if (over_norm || in_act == 3'd6)
+        over    <= !in_clear && (over || !(|(in_act & ACT_LOOSE)) && in_over);
+        off     <= !in_clear && !over_move && (off || (in_act == ACT_MISS || in_act == ACT_UNIT) && in_off);
+        if (over_norm || in_act == ACT_SIDE)
             side <= !over_norm && (side ^ in_negative);
         if (over_move && !known && out_iters == 6'd0)
             wanted <= side;
