@@ -34,6 +34,10 @@ module engine_gd_n_products #(
     output wire         out_close,  // the magnitude of the word is below cfg_tol
     output wire         out_off     // a square is off 1 by 2^-12 or more
 );
+    wire [53:0] places;               // A to H, DEST
+    wire        act_step, act_error;  // ACT; both: a square
+    assign      {places, act_step, act_error} = in_op;
+
     // State of the line that multiplies and of the line that adds
     reg          write0, step0, still0, error0, square0, write, step, still, error, square;
     reg  [P+3:0] dest0, dest;
@@ -42,9 +46,9 @@ module engine_gd_n_products #(
     wire         counts = PIPE == 0 ? in_run : in_run && !in_alone;
     always @(posedge clk) begin
         write0  <= in_run;
-        step0   <= in_op[1] && !in_op[0];
-        error0  <= in_op[0] && !in_op[1] && in_run;
-        square0 <= in_op[1] && in_op[0] && counts;
+        step0   <= act_step && !act_error;
+        error0  <= act_error && !act_step && in_run;
+        square0 <= act_step && act_error && counts;
         still0  <= in_still;
         dest0   <= dest_now;
         {write, step, still, square, dest} <= {write1, step1, still1, square1, dest1};
@@ -61,7 +65,7 @@ module engine_gd_n_products #(
     genvar i;
     generate
         for (i = 0; i < 9; i = i + 1) begin : g_place
-            wire [5:0] place = in_op[2+6*i +: 6];
+            wire [5:0] place = places[6*i +: 6];
             assign at[(P+4)*i +: P+4] = place[5] ? {place[4] ? in_next : in_page, place[3:0]}
                                                : {{(P-1){1'b0}}, place[4:0]};
         end
