@@ -51,10 +51,12 @@ module engine_delta_fk #(
 
     wire        idle, done;
     wire        accept = in_valid && in_ready;
-    wire [46:0] op;
+    wire [2:0]  from;    // of a line: the kind of its first operand, and the top bit of that one's number
+    wire [4:0]  select;  // the other bits, a port's number
+    wire [38:0] rest;
     assign      in_ready = idle && (!out_valid || out_ready);
     engine_delta_program #(.PIPE(PIPE)) control (.clk(clk), .rst(rst), .in_start(accept), .out_idle(idle),
-        .out_done(done), .out_op(op));
+        .out_done(done), .out_op({from, select, rest}));
 
     // Ports as words of the engine; a length of 1.0 is 2^(W + 2) LSB, so that no word formed of lengths overflows
     reg  [6*U+11:0]  cranks;
@@ -74,14 +76,14 @@ module engine_delta_fk #(
     endgenerate
     assign words[27*9 +: 27] = {words[27*8 +: 26], 1'b0};  // 2 LB
     assign words[27*10 +: 7*27] = {27'h2000000, cfg_n3, cfg_c3, cfg_n2, cfg_c2, cfg_n1, cfg_c1};
-    engine_ports #(.COUNT(17)) operands (.clk(clk), .in_words(words), .in_select(op[43:39]), .out_word(port));
+    engine_ports #(.COUNT(17)) operands (.clk(clk), .in_words(words), .in_select(select), .out_word(port));
 
     // The root is negative for the lower point where the normal of the plane of the elbows points upwards
     localparam [5:0] NZ = 6'd24, X = 6'd3, Y = 6'd7, Z = 6'd11;  // registers of engine_delta_program
     reg         down;
     product_engine #(.PIPE(PIPE), .WRIST(7)) engine (.clk(clk), .rst(rst), .in_start(accept), .in_run(!idle),
-        .in_op(op), .in_port(port), .in_signs({2'd0, !down ^ cfg_above}), .out_word(word), .out_dest(dest),
-        .out_status(status));
+        .in_op({from, select, rest}), .in_port(port), .in_signs({2'd0, !down ^ cfg_above}),
+        .out_word(word), .out_dest(dest), .out_status(status));
 
     wire [W+5:0] near = {word[26], word[26:22-W]} + 1'b1;
     wire         over = near[W+5:W] != {6{near[W+5]}};
