@@ -31,6 +31,7 @@ module engine_gd_path #(
     localparam N = W + 9, O = W + 2;  // bits of an error and of an operand
     localparam CUT = 2 * W - A;       // bits of a product below a step
 
+    localparam [1:0] CHORD = 2'd0, LINK1 = 2'd1, LINK2 = 2'd2, L1 = 2'd0, L2 = 2'd1, E = 2'd2;  // as in the table
     wire [1:0] left_op, right_op;
     wire       first, second, tip, clear, square;
     wire [2:0] unused_op;
@@ -84,23 +85,23 @@ module engine_gd_path #(
         base <= knot;
         ax   <= a[W+1+:O];
         case (left_op)
-            2'b00: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
-            2'b01: al <= y1;
-            2'b10: al <= y2;
+            CHORD: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
+            LINK1: al <= y1;
+            LINK2: al <= y2;
             default: al <= {1'b0, cfg_alpha};
         endcase
         case (left_op)
-            2'b00: bl <= root;
-            2'b01: bl <= x1;
-            2'b10: bl <= x2;
+            CHORD: bl <= root;
+            LINK1: bl <= x1;
+            LINK2: bl <= x2;
             default: bl <= f;
         endcase
-        if (left_op != 2'b10) begin
-            ar <= left_op == 2'b00 ? {{(O-15){1'b0}}, offset} : left_op == 2'b01 ? ax : f;
+        if (left_op != LINK2) begin
+            ar <= left_op == CHORD ? {{(O-15){1'b0}}, offset} : left_op == LINK1 ? ax : f;
             case (right_op)
-                2'b00: br <= {2'd0, cfg_l1};
-                2'b01: br <= {2'd0, cfg_l2};
-                2'b10: br <= f;
+                L1: br <= {2'd0, cfg_l1};
+                L2: br <= {2'd0, cfg_l2};
+                E: br <= f;
                 default: br <= a[W+1+:O];
             endcase
         end

@@ -42,6 +42,8 @@ module engine_gd_plane_path #(
     localparam N_E = W + 9 + MORE, O = W + 2, S = A + 6;      // bits of an error, an operand, a lever times alpha E
     localparam CUT = 2 * W - A;                               // bits of a product below a step
 
+    localparam [1:0] CHORD = 2'd0, LEFT = 2'd1, GAIN = 2'd2, AIM_A = 2'd3;  // as in the table
+    localparam [1:0] ROOT = 2'd0, RIGHT = 2'd1, SQUARE = 2'd2, AIM_B = 2'd3;
     wire [1:0] a_op, b_op;
     wire       clear, add, tip, plus, minus;
     assign {a_op, b_op, clear, add, tip, plus, minus} = in_op;
@@ -102,32 +104,32 @@ module engine_gd_plane_path #(
     always @(posedge clk) begin
         base <= knot;
         case (a_op)
-            2'b00: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
-            2'b01: al <= link[O-1:0];
-            2'b10: al <= {1'b0, cfg_alpha};
+            CHORD: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
+            LEFT: al <= link[O-1:0];
+            GAIN: al <= {1'b0, cfg_alpha};
             default: al <= ~{in_y[W-1], in_y, 1'b0};
         endcase
         case (a_op)
-            2'b00: ar <= {{(O-15){1'b0}}, offset};
-            2'b01: ar <= ax;
-            2'b10: ar <= f;
+            CHORD: ar <= {{(O-15){1'b0}}, offset};
+            LEFT: ar <= ax;
+            GAIN: ar <= f;
             default: ar <= a[W+1+:O];
         endcase
         case (b_op)
-            2'b00: bl <= root;
-            2'b01: bl <= link[2*O-1:O];
-            2'b10: bl <= f;
+            ROOT: bl <= root;
+            RIGHT: bl <= link[2*O-1:O];
+            SQUARE: bl <= f;
             default: bl <= ~{in_x[W-1], in_x, 1'b0};
         endcase
         case (b_op)
-            2'b00: br <= {2'd0, in_length};
-            2'b01: br <= ay;
-            2'b10: br <= f;
+            ROOT: br <= {2'd0, in_length};
+            RIGHT: br <= ay;
+            SQUARE: br <= f;
             default: br <= a[W+1+:O];
         endcase
-        if (a_op == 2'b11)
+        if (a_op == AIM_A)
             ax <= a[W+1+:O];
-        if (b_op == 2'b11)
+        if (b_op == AIM_B)
             ay <= a[W+1+:O];
 
         if (tip) begin

@@ -34,9 +34,13 @@ module engine_gd_touch_path #(
     localparam N = W + 9, O = W + 2;  // bits of an error and of an operand
     localparam CUT = 2 * W - A;       // bits of a product below a step
 
-    wire [1:0] left_op, right_op, seen_op, e_op;
-    wire       prior, keep, goal, far, across, link, pair, side, square, clear;
-    assign {left_op, prior, right_op, keep, goal, far, across, seen_op, e_op, link, pair, side, square, clear} = in_op;
+    // As in the table, of operands the upper two bits
+    localparam [1:0] CHORD = 2'd0, ACROSS = 2'd1, ALPHA = 2'd2, ROOT = 2'd0, SQUARE = 2'd1, ARM = 2'd2;
+    localparam [1:0] UP = 2'd2, STAY = 2'd3;
+    wire [1:0] left_op, right_op;
+    wire       prior, keep, goal, far, across, seen_u, seen_w, up, less, link, pair, side, square, clear;
+    assign {left_op, prior, right_op, keep, goal, far, across, seen_u, seen_w, up, less, link, pair, side, square,
+        clear} = in_op;
 
     // Products
     reg  signed [O-1:0]   al, ar, bl, br;
@@ -59,8 +63,8 @@ module engine_gd_touch_path #(
 
     // Error: e is v, then w; u is negated
     reg  signed [N-1:0] e, v, u, part;
-    wire [N-1:0]        from = e_op[1] ? {{3{in_y[W-1]}}, in_y, 6'd0} : e_op[0] ? e : {N{1'b0}};
-    wire [N-1:0]        seen = seen_op[1] ? u : seen_op[0] || PIPE == 1 ? e : v;  // PIPE = 1: v is still in e
+    wire [N-1:0]        from = up ? {{3{in_y[W-1]}}, in_y, 6'd0} : less ? e : {N{1'b0}};
+    wire [N-1:0]        seen = seen_u ? u : seen_w || PIPE == 1 ? e : v;  // PIPE = 1: v is still in e
     wire                over = in_fine ? seen[N-1:W+1] != {8{seen[N-1]}} : seen[N-1:W+5] != {4{seen[N-1]}};
     wire [O-1:0]        f = over ? {seen[N-1], {(O-1){!seen[N-1]}}} : in_fine ? seen[W+1:0] : seen[W+5:4];
     reg  [O-1:0]        av;
@@ -101,37 +105,37 @@ module engine_gd_touch_path #(
     always @(posedge clk) begin
         base <= knot;
         case (left_op)
-            2'b00: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
-            2'b01: al <= {{2{target[W-1]}}, target};
-            2'b10: al <= {1'b0, cfg_alpha};
+            CHORD: al <= {{(O-K+T-4){rise[K-T+3]}}, rise};
+            ACROSS: al <= {{2{target[W-1]}}, target};
+            ALPHA: al <= {1'b0, cfg_alpha};
             default: al <= s2;
         endcase
         case (left_op)
-            2'b00: ar <= {{(O-15){1'b0}}, offset};
-            2'b01: ar <= root1;
-            2'b10: ar <= prior ? bl : f;
+            CHORD: ar <= {{(O-15){1'b0}}, offset};
+            ACROSS: ar <= root1;
+            ALPHA: ar <= prior ? bl : f;
             default: ar <= av;
         endcase
         case (right_op)
-            2'b00: bl <= root;
-            2'b01: bl <= f;
-            2'b10: bl <= rho;
+            ROOT: bl <= root;
+            SQUARE: bl <= f;
+            ARM: bl <= rho;
             default: bl <= c2;
         endcase
         if (!keep)
-            br <= right_op == 2'b00 ? {word[W], word} : right_op == 2'b01 ? f : a[W+1+:O];
+            br <= right_op == ROOT ? {word[W], word} : right_op == SQUARE ? f : a[W+1+:O];
         if (pair)
             {root1, root2} <= {root2, root};
         if (link)
             {c2, s3, s2, c3} <= {s3, s2, c3, b[W+:O]};
-        if (e_op != 2'b11)
+        if ({up, less} != STAY)
             e <= from - b[W-5+:N];
-        if (e_op == 2'b10)
+        if ({up, less} == UP)
             v <= e;
         part <= a[W-5+:N];
         if (side)
             u <= part - a[W-5+:N];
-        if (seen_op[1])
+        if (seen_u)
             av <= a[W+1+:O];
         if (clear)
             out_square <= {2*W{1'b0}};

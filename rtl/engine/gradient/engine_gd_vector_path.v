@@ -6,8 +6,7 @@
 // are rounded; links in 1/2 LSB; E in 1/64 LSB: fine its lower W + 2 bits, saturated at 2^(W-5) LSB, coarse 1/4 LSB,
 // saturated at 2^(W-1) LSB; d and g s0.(W+4), d saturated. All are truncated. Links take turns: c, n is the one in
 // work, ct, nt the other, and each line that reads or turns a direction swaps them. Error of a tip:
-// bounds.iterative.tip_vector.
-// Model: iterative.fixed.gd_vector
+// bounds.iterative.tip_vector. Model: iterative.fixed.gd_vector
 `default_nettype none
 module engine_gd_vector_path #(
     parameter W = 16,        // bits of a coordinate and of a length, 14 to 20 (default 16)
@@ -43,7 +42,8 @@ module engine_gd_vector_path #(
     localparam O = W + 2, N = W + 9, D = W + 4;   // bits of an operand, an error and a step
     localparam S = D + 2;                         // bits of a direction
     localparam M = W + 14;                        // bits of a sum of steps
-
+    localparam [1:0] PUSH = 2'd1, HOLD = 2'd2, SQUARE = 2'd3;  // operands as in the table
+    localparam [1:0] ERROR = 2'd0, LINK = 2'd1, SELF = 2'd2, L1 = 2'd0, L2 = 2'd1, ALPHA = 2'd2;
     wire [1:0] left_op, right_op, k_op;
     wire       unused_last, stop, sum_op, add, ask, first, tip, move;
     assign {left_op, right_op, k_op, unused_last, stop, sum_op, add, ask, first, tip, move} = in_op;
@@ -126,15 +126,15 @@ module engine_gd_vector_path #(
     reg [D-1:0] k;
     always @* begin
         case (left_op)
-            2'b00: {lefta, leftb} = {operand(ex, in_fine), operand(ey, in_fine)};
-            2'b01: {lefta, leftb} = {y, x};
-            2'b10: {lefta, leftb} = {c[S-1-:O], n[S-1-:O]};
+            ERROR: {lefta, leftb} = {operand(ex, in_fine), operand(ey, in_fine)};
+            LINK: {lefta, leftb} = {y, x};
+            SELF: {lefta, leftb} = {c[S-1-:O], n[S-1-:O]};
             default: {lefta, leftb} = {n[S-1-:O], ~c[S-1-:O]};
         endcase
         case (k_op)
-            2'b00: k = {4'd0, cfg_l1};
-            2'b01: k = {4'd0, cfg_l2};
-            2'b10: k = {3'd0, cfg_alpha};
+            L1: k = {4'd0, cfg_l1};
+            L2: k = {4'd0, cfg_l2};
+            ALPHA: k = {3'd0, cfg_alpha};
             default: k = v;
         endcase
     end
@@ -143,10 +143,10 @@ module engine_gd_vector_path #(
     always @(posedge clk) begin
         al <= lefta;
         bl <= leftb;
-        if (right_op != 2'b10 || k_op[0])
+        if (right_op != HOLD || k_op[0])
             case (right_op)
-                2'b11: {ar, br} <= {{(D-O){lefta[O-1]}}, lefta, {(D-O){leftb[O-1]}}, leftb};
-                2'b01: {ar, br} <= {{(D-O){a[W+O]}}, a[W+1+:O], {(D-O){b[W+O]}}, b[W+1+:O]};
+                SQUARE: {ar, br} <= {{(D-O){lefta[O-1]}}, lefta, {(D-O){leftb[O-1]}}, leftb};
+                PUSH: {ar, br} <= {{(D-O){a[W+O]}}, a[W+1+:O], {(D-O){b[W+O]}}, b[W+1+:O]};
                 default: {ar, br} <= {k, k};
             endcase
         if (tip) begin
@@ -154,7 +154,7 @@ module engine_gd_vector_path #(
             ey <= fromy - b[W-6+:N];
             {x2, y2} <= {a[W-1+:O], b[W-1+:O]};
         end
-        if (tip || right_op == 2'b01)
+        if (tip || right_op == PUSH)
             {x, y} <= {x2, y2};
         if (ask)
             exact <= {b[2*O-1], b[2*O-1:W-8]} - {a[2*O-1], a[2*O-1:W-8]};
