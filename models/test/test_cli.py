@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import time
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -390,10 +391,8 @@ def test_a_switch_that_the_arm_does_not_need_may_be_built(quadrance):
 def test_a_rule_is_asked_with_the_switches_of_the_arm(quadrance, sampled, monkeypatch):
     """A rule that allows long words without a lateral offset alone: the arm that has none is served, the other is not.
     """
-    def rule(core, values):
-        return "it needs LATERAL 0 above F 8" * bool(values.get("LATERAL") and values["F"] > 8)
-
-    monkeypatch.setattr(catalogue, "_broken_rule", rule)
+    rule = SimpleNamespace(broken=lambda values: values.get("LATERAL") and values["F"] > 8, needs="LATERAL 0 above F 8")
+    monkeypatch.setattr(catalogue, "rule_of", lambda core: rule)
     assert ".F(9), " in quadrance("instance", "arm_fk3", "--arm", "kr6_r700", "-p", "F=9")
     assert "it needs LATERAL 0" in quadrance("instance", "arm_fk3", "-p", "F=9", code=2)
     assert "it needs LATERAL 0" in quadrance("instance", "arm_fk3", "--arm", "kr6_r700", "-p", "F=9", "-p", "LATERAL=1",
