@@ -317,9 +317,12 @@ def check_tools(cores: Iterable[Core], chosen: Iterable[Core], alone: bool, fres
     again = set() if alone else elaborate.drawn(every)
     asked = {tool: {name for name in now if fresh or name in again or known.get(tool, {}).get(name) != now[name]}
              for tool, now in due.items()}
-    jobs: dict[Callable[[], list[str]], str] = {
-        functools.partial(kept, check_sets, *elaborated[name]): f"{name} in Yosys" for name in asked["yosys"]}
-    jobs |= {functools.partial(kept, check_core, core): core.id for core in cores if core.name in asked["others"]}
+
+    def ask(check: Callable[..., list[str]], *sets: Core) -> Callable[[], list[str]]:
+        return functools.partial(check, *sets) if sets[0].name in again else functools.partial(kept, check, *sets)
+
+    jobs = {ask(check_sets, *elaborated[name]): f"{name} in Yosys" for name in asked["yosys"]}
+    jobs |= {ask(check_core, core): core.id for core in cores if core.name in asked["others"]}
     jobs |= {functools.partial(dataflow.problems, core): f"schedule of {core.id}"
              for name in asked["schedules"] for core in played[name]}
     if not alone:
@@ -327,13 +330,10 @@ def check_tools(cores: Iterable[Core], chosen: Iterable[Core], alone: bool, fres
         jobs |= {functools.partial(check_wrapper, core): f"axis_{core.name}" for core in wrapped.values()}
         jobs |= {functools.partial(check_registers, catalogue.find(name), bus, core_clock): f"{bus}_{name}"
                  for name, bus, core_clock in FACED}
-    try:
-        wrong = list(_progress(jobs))
-    except KeyboardInterrupt:
-        raise SystemExit("lint: interrupted; what passed is kept in build/cache") from None
+    wrong = list(_progress(jobs))
     if not wrong and not any(core not in cores for core in all_cores() if core.name in every):  # else no verdict
-        if not available("icarus"):
-            due["others"] = {}
+        if not available("icarus"):  # nothing new is known of the others
+            due["others"] = known.get("others", {})
         elaborate.keep({tool: (known.get(tool, {}) if alone else {}) | now for tool, now in due.items()})
     print(f"lint: asked of {len(every)} cores: Yosys {len(asked['yosys'])}, the other tools {len(asked['others'])}, "
           f"schedules {len(asked['schedules'])}; other verdicts stand (reports/lint.json)")
@@ -359,12 +359,15 @@ def main() -> int:
     if args.fresh:
         cache.SINCE = time.time()
     wrong = []
-    for line in check_text(cores, named):
-        print(line, flush=True)
-        wrong.append(line)
-    tables = {} if named else schedules.all_tables(cores)
-    found = [] if named else schedules.check(tables)
-    found += check_tools(cores, schedules.chosen(tables), named is not None, args.fresh)
+    try:
+        for line in check_text(cores, named):
+            print(line, flush=True)
+            wrong.append(line)
+        tables = {} if named else schedules.all_tables(cores)
+        found = [] if named else schedules.check(tables)
+        found += check_tools(cores, schedules.chosen(tables), named is not None, args.fresh)
+    except KeyboardInterrupt:
+        raise SystemExit("lint: interrupted; what passed is kept in build/cache") from None
     print("\n".join(found), end="\n" if found else "")
     wrong += found
     if not wrong:

@@ -192,6 +192,31 @@ def test_a_schedule_is_played_until_its_core_means_something_else(asked, monkeyp
     assert run(CORE, other) == ([], [CORE, other]) and run(other) == ([], [other])
 
 
+def test_without_icarus_verdicts_of_the_other_tools_stay(asked, monkeypatch, tmp_path):
+    monkeypatch.setattr(elaborate, "STORE", tmp_path / "lint.json")
+    monkeypatch.setattr(lint, "all_cores", lambda: (CORE,))
+    monkeypatch.setattr(lint, "available", lambda simulator: False)
+    monkeypatch.setattr(elaborate, "drawn", lambda names: set())
+    for name in ("check_wrapper", "check_registers"):
+        monkeypatch.setattr(lint, name, lambda *printed: [])
+    elaborate.keep({"others": {CORE.name: "before"}})
+    assert lint.check_tools((CORE,), (), alone=False, fresh=False) == []
+    assert elaborate.standing() == {"yosys": {CORE.name: elaborate.follows(CORE)}, "others": {CORE.name: "before"},
+                                    "schedules": {}}
+
+
+def test_what_the_commit_draws_is_asked_although_it_is_kept(asked, monkeypatch, tmp_path):
+    monkeypatch.setattr(elaborate, "STORE", tmp_path / "lint.json")
+    monkeypatch.setattr(lint, "all_cores", lambda: (CORE,))
+    monkeypatch.setattr(elaborate, "drawn", lambda names: {CORE.name})
+    for name in ("check_wrapper", "check_registers"):
+        monkeypatch.setattr(lint, name, lambda *printed: [])
+    for _ in range(2):
+        asked.calls.clear()
+        assert lint.check_tools((CORE,), (), alone=False, fresh=False) == []
+        assert {"verilator", "slang", "yosys"} <= {tool for tool, *_ in asked.calls}
+
+
 def test_the_commit_draws_cores_whose_verdict_stands(monkeypatch):
     names = [f"core_{i}" for i in range(50)]
     monkeypatch.setattr(cache, "commit", lambda: "a" * 40)
